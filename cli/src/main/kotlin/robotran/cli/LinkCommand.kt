@@ -39,7 +39,8 @@ import robotran.world.file.BuiltInWorlds
 internal class LinkCommand(private val process: Console) : CoreCliktCommand("link") {
     private val files by argument(
         "FILE",
-        help = "a world (.world.json), a project (.robotran), a course (.course.json or its folder), or programs (.robo, .java) for one robot",
+        help = "a world (.world.json), a project (.robotran), a course (.course.json or its folder), or programs " +
+            "(.robo, .java) for one robot",
     )
         .multiple(required = true)
     private val world by option(

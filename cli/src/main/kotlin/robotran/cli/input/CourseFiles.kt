@@ -40,12 +40,16 @@ internal fun courseOf(name: String, console: Console): Course? {
             null
         }
 
-        is FileContent.Read -> when (val result = readCourse(content.bytes, console.language) { besides(folder ?: Path(name), it) }) {
-            is CourseFileResult.Loaded -> result.course
+        is FileContent.Read -> {
+            when (val result = readCourse(content.bytes, console.language) { besides(folder ?: Path(name), it) }) {
+                is CourseFileResult.Loaded -> {
+                    result.course
+                }
 
-            is CourseFileResult.Rejected -> {
-                console.complain("$name: ${result.message}")
-                null
+                is CourseFileResult.Rejected -> {
+                    console.complain("$name: ${result.message}")
+                    null
+                }
             }
         }
     }

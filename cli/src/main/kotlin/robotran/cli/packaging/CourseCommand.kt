@@ -30,8 +30,10 @@ internal class CourseCommand(private val process: Console) : CoreCliktCommand("c
         "Writes the lessons of a strand, or the worlds that have a task, as a course, to be read, changed and given to pupils."
 
     override fun run() {
-        val own = OwnCourses.named(course, spoken.language) ?: refuse(console.messages.noSuchCourse(course, OwnCourses.names))
-        val bytes = checkNotNull(courseFile(if (isForPupils) pupilCopy(own) else own)) { "Every course fits into a file." }
+        val own =
+            OwnCourses.named(course, spoken.language) ?: refuse(console.messages.noSuchCourse(course, OwnCourses.names))
+        val bytes =
+            checkNotNull(courseFile(if (isForPupils) pupilCopy(own) else own)) { "Every course fits into a file." }
         writeFile(output, bytes, console.messages)?.let { refuse(it) }
     }
 

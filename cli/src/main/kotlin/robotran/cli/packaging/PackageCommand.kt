@@ -34,14 +34,18 @@ import kotlin.io.path.Path
 internal class PackageCommand(private val process: Console) : CoreCliktCommand("package") {
     private val assignments by argument(
         "ASSIGNMENT",
-        help = "assignments (.robotran) or courses (.course.json, a folder with course.json) in the order in which pupils do " +
-            "them, or links to them",
+        help = "assignments (.robotran) or courses (.course.json, a folder with course.json) in the order in " +
+            "which pupils do them, or links to them",
     ).multiple(required = true)
     private val output by option("-o", "--output", metavar = "FILE", help = "the zip file to write").required()
     private val scorm by option("--scorm", help = "the standard that the platform knows, 2004 if not given")
         .choice("1.2" to ScormVersion.SCORM_1_2, "2004" to ScormVersion.SCORM_2004)
         .default(ScormVersion.SCORM_2004, "2004")
-    private val title by option("--title", metavar = "TITLE", help = "that of the course or of the first assignment if not given")
+    private val title by option(
+        "--title",
+        metavar = "TITLE",
+        help = "that of the course or of the first assignment if not given",
+    )
     private val site by option(
         "--site",
         metavar = "FOLDER",

@@ -70,14 +70,20 @@ class CourseCommandTest : CommandTest() {
 
     @Test
     fun `a folder with a course is a course`() {
-        program("""{ "format": "robotran-course", "version": 1, "title": "C", "assignments": ["1.robotran"] }""", "c/course.json")
+        program(
+            """{ "format": "robotran-course", "version": 1, "title": "C", "assignments": ["1.robotran"] }""",
+            "c/course.json",
+        )
         program(writeProject(drive.assignments[1]), "c/1.robotran")
         assertEquals(listOf("C", drive.assignments[1].world.title), itemsOf(folder.resolve("c").toString()))
     }
 
     @Test
     fun `a course whose file is missing says which one`() {
-        program("""{ "format": "robotran-course", "version": 1, "title": "C", "assignments": ["1.robotran"] }""", "c/course.json")
+        program(
+            """{ "format": "robotran-course", "version": 1, "title": "C", "assignments": ["1.robotran"] }""",
+            "c/course.json",
+        )
         assertEquals(2, commandLine.execute(listOf("link", folder.resolve("c").toString())))
         assertContains(console.complaints.single(), "needs the file \"1.robotran\"")
     }

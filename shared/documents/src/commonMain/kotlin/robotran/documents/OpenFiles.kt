@@ -189,15 +189,11 @@ private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Pa
     }
 }
 
-private fun coursePartOf(
-    file: IncomingFile,
-    text: String,
-    language: Language,
-    beside: (String) -> ByteArray?,
-): Part = when (val result = readCourse(text, language, beside)) {
-    is CourseFileResult.Loaded -> Part.OfCourse(result.course)
-    is CourseFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
-}
+private fun coursePartOf(file: IncomingFile, text: String, language: Language, beside: (String) -> ByteArray?): Part =
+    when (val result = readCourse(text, language, beside)) {
+        is CourseFileResult.Loaded -> Part.OfCourse(result.course)
+        is CourseFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
+    }
 
 private suspend fun linkedPartOf(text: String, language: Language): Part =
     when (val opening = openLinkText(text, language)) {

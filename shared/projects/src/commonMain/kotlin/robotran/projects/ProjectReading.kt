@@ -14,12 +14,12 @@ import robotran.world.file.unknownOf
 import robotran.world.file.worldIn
 
 /**
- * The project in a file.
+ * The project in a file, or in a part of one such as that of a course.
  *
  * @param given the world of a file that has none; null if it must have one.
  * @throws JsonValidationException if it is invalid.
  */
-internal fun projectIn(file: JsonCursor, given: World? = null): Project {
+fun projectIn(file: JsonCursor, given: World? = null): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
         throw JsonValidationException(null, told { notAProject(PROJECT_FORMAT) })
     }

@@ -43,6 +43,9 @@ class CourseFileTest {
 
     private val plain = Course("First steps", assignments = listOf(assignment(1), assignment(2)))
 
+    private fun listOfFiles(names: List<String>) = """{ "format": "robotran-course", "version": 1, "title": "A",
+        "assignments": [${names.joinToString { "\"$it\"" }}] }"""
+
     @Test
     fun `any course is read as it was written`() {
         repeat(100) { course().let { assertEquals(it, course(writeCourse(it))) } }
@@ -64,7 +67,11 @@ class CourseFileTest {
         repeat(1000) {
             val from = random.nextInt(text.length)
             val with = listOf("", "\"", "{", "}", "[", ",", "1", "null", "\\", "\n", "é").random(random)
-            when (val result = readCourse(text.replaceRange(from, minOf(text.length, from + random.nextInt(9)), with))) {
+            when (
+                val result = readCourse(
+                    text.replaceRange(from, minOf(text.length, from + random.nextInt(9)), with),
+                )
+            ) {
                 is CourseFileResult.Loaded -> assertEquals(result.course, course(writeCourse(result.course)))
                 is CourseFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
             }
@@ -73,7 +80,7 @@ class CourseFileTest {
 
     @Test
     fun `a course in a folder names the files of its assignments`() {
-        val text = """{ "format": "robotran-course", "version": 1, "title": "A", "assignments": ["1.robotran", "2.robotran"] }"""
+        val text = listOf("1.robotran", "2.robotran").let(::listOfFiles)
         val files = (1..2).associate { "$it.robotran" to writeProject(assignment(it)).encodeToByteArray() }
         assertEquals(listOf(assignment(1), assignment(2)), course(text, files::get).assignments)
         assertEquals(files.keys.toList(), assignmentFilesOf(text))
@@ -93,7 +100,7 @@ class CourseFileTest {
         assertTrue("must be an assignment" in refusal(writeCourse(plainProject)))
         assertTrue("must be an assignment" in refusal(writeCourse(plain.copy(assignments = listOf(EVERY_HAND_IN)))))
         assertTrue("assignments" in refusal(writeCourse(plain.copy(assignments = emptyList()))))
-        val escaping = """{ "format": "robotran-course", "version": 1, "title": "A", "assignments": ["../1.robotran"] }"""
+        val escaping = listOfFiles(listOf("../1.robotran"))
         assertTrue("without a folder" in refusal(escaping))
     }
 

@@ -73,7 +73,17 @@ class ProjectSchemaTest {
     /** Copies of [element] with each of its values outside worlds replaced by wrong ones, or left out. */
     private fun changes(element: JsonElement): List<JsonElement> = when (element) {
         is JsonObject -> element.filterKeys { it != "world" }.flatMap { (name, value) ->
-            others(value).map { other -> JsonObject(if (other == null) element - name else element + (name to other)) } +
+            others(value).map { other ->
+                JsonObject(
+                    if (other ==
+                        null
+                    ) {
+                        element - name
+                    } else {
+                        element + (name to other)
+                    },
+                )
+            } +
                 changes(value).map { JsonObject(element + (name to it)) }
         }
 
@@ -124,7 +134,8 @@ class ProjectSchemaTest {
         private fun whole(name: String): JsonObject {
             val files = mapOf(WORLD to "urn:robotran:world:2", ASSIGNMENT to "urn:robotran:project:1")
             val embedded = files.filterKeys { it != name }.map { (file, id) ->
-                id to JsonObject(mapOf("\$id" to JsonPrimitive(id)) + withIds(plain.getValue(file), files) as JsonObject)
+                id to
+                    JsonObject(mapOf("\$id" to JsonPrimitive(id)) + withIds(plain.getValue(file), files) as JsonObject)
             }
             val own = withIds(plain.getValue(name), files) as JsonObject
             return JsonObject(own + ("\$defs" to JsonObject((own["\$defs"] as? JsonObject).orEmpty() + embedded)))

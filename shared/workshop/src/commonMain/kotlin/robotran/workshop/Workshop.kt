@@ -337,7 +337,7 @@ class Workshop(
 
     override fun changeAssignment(assignment: Assignment?) {
         opened = opened.copy(assignment = assignment)
-        course.projectChanged()
+        course.triesChanged()
         document.projectMayHaveChanged()
     }
 

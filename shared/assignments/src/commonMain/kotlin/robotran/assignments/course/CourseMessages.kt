@@ -32,5 +32,6 @@ private object SpanishCourseMessages : CourseMessages {
 private object GermanCourseMessages : CourseMessages {
     override fun worlds() = "Welten mit einer Aufgabe"
 
-    override fun aboutWorlds() = "In jeder Welt eine Aufgabe, die leichten zuerst. Du kannst sie in beliebiger Reihenfolge lösen."
+    override fun aboutWorlds() =
+        "In jeder Welt eine Aufgabe, die leichten zuerst. Du kannst sie in beliebiger Reihenfolge lösen."
 }

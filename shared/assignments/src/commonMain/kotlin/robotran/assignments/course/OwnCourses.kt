@@ -5,6 +5,7 @@ import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WorldGallery
+import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentHint
@@ -12,7 +13,6 @@ import robotran.projects.AssignmentLimits
 import robotran.projects.Course
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
-import robotran.programs.SourceFile
 
 /** Courses of the lessons and worlds that come with Robotran, for teachers to read, change and give to pupils. */
 object OwnCourses {
@@ -23,8 +23,13 @@ object OwnCourses {
     val names: List<String> get() = Lessons.strands.map { it.name } + WORLDS
 
     /** The course called [name], with checks and solutions; null if there is none. */
-    fun named(name: String, language: Language): Course? =
-        if (name == WORLDS) worlds(language) else Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language) }
+    fun named(name: String, language: Language): Course? = if (name ==
+        WORLDS
+    ) {
+        worlds(language)
+    } else {
+        Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language) }
+    }
 
     /** The lessons of [strand]. */
     fun of(strand: Strand, language: Language): Course = Course(

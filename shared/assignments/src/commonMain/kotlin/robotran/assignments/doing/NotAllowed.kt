@@ -17,13 +17,14 @@ sealed interface NotAllowed {
 }
 
 /** All that [assignment] does not allow in [programs]; each word once for each program. */
-fun notAllowedIn(assignment: Assignment, programs: List<ProjectProgram>): List<NotAllowed> = programs.flatMap { program ->
-    val hasLanguage = forbiddenLanguages(assignment, listOf(program)).isEmpty()
-    val other = if (hasLanguage) emptyList() else listOf(NotAllowed.InLanguage(program.name, program.language))
-    other + forbiddenWords(assignment, listOf(program)).map { word ->
-        NotAllowed.HasWord(program.name, word, lineOf(assignment, program, word))
+fun notAllowedIn(assignment: Assignment, programs: List<ProjectProgram>): List<NotAllowed> =
+    programs.flatMap { program ->
+        val hasLanguage = forbiddenLanguages(assignment, listOf(program)).isEmpty()
+        val other = if (hasLanguage) emptyList() else listOf(NotAllowed.InLanguage(program.name, program.language))
+        other + forbiddenWords(assignment, listOf(program)).map { word ->
+            NotAllowed.HasWord(program.name, word, lineOf(assignment, program, word))
+        }
     }
-}
 
 private fun lineOf(assignment: Assignment, program: ProjectProgram, word: String): Int {
     val file = program.files.first()

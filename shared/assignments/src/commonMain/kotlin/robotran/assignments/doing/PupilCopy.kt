@@ -41,7 +41,10 @@ val Project.firstPrograms: List<ProjectProgram>
 internal fun Project.withFirstPrograms(programs: List<ProjectProgram>, firstProgram: Int = 0): Project {
     val name = world.robots.first().name
     val before = robots.firstOrNull { it.name == name } ?: ProjectRobot(name)
-    return copy(robots = listOf(before.copy(programs = programs, firstProgram = firstProgram)) + robots.filter { it.name != name })
+    return copy(
+        robots =
+            listOf(before.copy(programs = programs, firstProgram = firstProgram)) + robots.filter { it.name != name },
+    )
 }
 
 private fun plainCopy(project: Project, programs: List<ProjectProgram>) =
@@ -49,14 +52,22 @@ private fun plainCopy(project: Project, programs: List<ProjectProgram>) =
 
 /** Programs that are part of the solution stay with the teacher, also those that are open in the author's editor. */
 private fun beginning(project: Project, assignment: Assignment): List<ProjectProgram> {
-    val solution = assignment.solution.flatMap { program -> program.files.map { it.text.trim() } }.filter { it.isNotEmpty() }
+    val solution = assignment.solution.flatMap { program ->
+        program.files.map { it.text.trim() }
+    }.filter { it.isNotEmpty() }
     val given = assignment.start.ifEmpty { project.firstPrograms }
     val begin = given.filter { program -> program.files.none { it.text.trim() in solution } }
     return if (begin.isEmpty() && given.isNotEmpty()) listOf(blankFor(given.first())) else begin
 }
 
 private fun blankFor(program: ProjectProgram): ProjectProgram {
-    val name = if (program.language == ProgramLanguage.JAVA) program.name else "program${ProgramLanguage.ROBOLANG.extension}"
+    val name = if (program.language ==
+        ProgramLanguage.JAVA
+    ) {
+        program.name
+    } else {
+        "program${ProgramLanguage.ROBOLANG.extension}"
+    }
     return ProjectProgram(name, program.language, listOf(SourceFile(name, "")), program.view)
 }
 

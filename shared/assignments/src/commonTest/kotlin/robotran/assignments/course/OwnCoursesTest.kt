@@ -34,8 +34,18 @@ class OwnCoursesTest {
     @Test
     fun `every lesson is an assignment with the same id in all languages`() {
         val ids = courses.groupBy { it.id }.values
-        for (same in ids) assertEquals(1, same.map { course -> course.assignments.map { it.assignmentId } }.toSet().size)
-        assertEquals(Lessons.all.size, ids.sumOf { it.first().assignments.size } - OwnCourses.worlds(Language.ENGLISH).assignments.size)
+        for (same in ids) {
+            assertEquals(
+                1,
+                same.map { course ->
+                    course.assignments.map { it.assignmentId }
+                }.toSet().size,
+            )
+        }
+        assertEquals(
+            Lessons.all.size,
+            ids.sumOf { it.first().assignments.size } - OwnCourses.worlds(Language.ENGLISH).assignments.size,
+        )
     }
 
     @Test

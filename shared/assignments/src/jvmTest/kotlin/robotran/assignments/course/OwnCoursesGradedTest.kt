@@ -20,7 +20,9 @@ import kotlin.time.Duration.Companion.minutes
 class OwnCoursesGradedTest {
     @Test
     fun `every solution passes, and the program to begin with does not`() = runTest(timeout = 10.minutes) {
-        val wrong = OwnCourses.names.flatMap { OwnCourses.named(it, Language.ENGLISH)?.assignments.orEmpty() }.filterNot {
+        val wrong = OwnCourses.names.flatMap {
+            OwnCourses.named(it, Language.ENGLISH)?.assignments.orEmpty()
+        }.filterNot {
             passes(it, it.assignment?.solution.orEmpty(), 1..2) && !passes(it, it.firstPrograms, 1..1)
         }
         assertEquals(emptyList(), wrong.map { it.assignmentId })

@@ -24,7 +24,6 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.drawer.iconFor
 import robotran.ui.language.LocalLanguage
-import robotran.ui.learning.HintCards
 import robotran.ui.learning.MarkedText
 import robotran.ui.learning.PrimaryButton
 import robotran.ui.learning.SecondButton
@@ -45,14 +44,9 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 
-/** What the card of the task says about an assignment: its text, goals, tries, hints, and how to hand in. */
+/** What the card of the task says about an assignment: its text, its goals, and what is not allowed. */
 @Composable
-internal fun AssignmentCard(
-    state: AssignmentState,
-    goals: List<GoalProgress>,
-    inBlocks: Boolean,
-    onEvent: (WorkshopEvent) -> Unit,
-) {
+internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>) {
     Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
         AssignmentText(state.assignment)
         if (state.assignment.due.isNotBlank()) {
@@ -60,32 +54,38 @@ internal fun AssignmentCard(
         }
         if (goals.isNotEmpty()) Goals(goals)
         if (state.isOpenForTries) {
-            Line(triesText(state.tries), "assignment-tries", isNews = true)
             NotAllowedLines(state.notAllowed)
-            HintCards(state.hints, inBlocks)
             state.handedInAs?.let {
                 Line(stringResource(Res.string.assignment_handed_in, it), "assignment-handed-in", isNews = true)
             }
         }
         if (state.isAuthor) Line(stringResource(Res.string.assignment_author), "assignment-author")
-        Buttons(state, onEvent)
     }
 }
 
+/** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Buttons(state: AssignmentState, onEvent: (WorkshopEvent) -> Unit) {
-    FlowRow(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (state.isAuthor) {
-            PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
-                onEvent(AssignmentEvent.MakingRequested)
-            })
-        }
-        if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
-        if (state.canBeginAgain) {
-            SecondButton(stringResource(Res.string.assignment_begin_again), "assignment-begin-again", {
-                onEvent(AssignmentEvent.BegunAgain)
-            })
+internal fun AssignmentButtons(
+    state: AssignmentState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    if (!state.isAuthor && !state.isOpenForTries) return
+    Column(modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
+        if (state.isOpenForTries) Line(triesText(state.tries), "assignment-tries", isNews = true)
+        FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+            if (state.isAuthor) {
+                PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
+                    onEvent(AssignmentEvent.MakingRequested)
+                })
+            }
+            if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
+            if (state.canBeginAgain) {
+                SecondButton(stringResource(Res.string.assignment_begin_again), "assignment-begin-again", {
+                    onEvent(AssignmentEvent.BegunAgain)
+                })
+            }
         }
     }
 }

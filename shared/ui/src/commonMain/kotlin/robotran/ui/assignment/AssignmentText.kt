@@ -55,6 +55,7 @@ internal sealed interface TextPart {
 internal fun partsOf(text: String): List<TextPart> {
     val parts = mutableListOf<TextPart>()
     val paragraph = mutableListOf<String>()
+
     fun end() {
         if (paragraph.isNotEmpty()) parts += TextPart.Paragraph(paragraph.joinToString("\n"))
         paragraph.clear()
@@ -100,4 +101,4 @@ private fun bitmapOf(picture: AssignmentPicture): ImageBitmap? =
     picture.bytesToShow()?.let { bytes -> runCatching { bytes.decodeToImageBitmap() }.getOrNull() }
 
 private val PICTURE = Regex("!\\[([^\\]]*)]\\(([^)]*)\\)")
-private val MAX_SIDE = 400.dp
+private val MAX_SIDE = 280.dp

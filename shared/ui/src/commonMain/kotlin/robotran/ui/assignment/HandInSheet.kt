@@ -114,7 +114,9 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
             }
         }
 
-        is HandInStep.Running -> OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
+        is HandInStep.Running -> {
+            OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
+        }
 
         is HandInStep.HasMistakes -> {
             OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)

@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
 import robotran.ui.documents.Explanation
@@ -49,6 +50,7 @@ import robotran.ui.resources.hand_in_mistakes
 import robotran.ui.resources.hand_in_name
 import robotran.ui.resources.hand_in_no_link
 import robotran.ui.resources.hand_in_not_saved
+import robotran.ui.resources.hand_in_qr_help
 import robotran.ui.resources.hand_in_ready
 import robotran.ui.resources.hand_in_ready_plain
 import robotran.ui.resources.hand_in_running
@@ -179,7 +181,7 @@ internal fun ReadyView(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: 
         }
     }
     SaveResult(step.savedAs, step.saveError, "hand-in-saved")
-    LinkOrProblem(step.link, step.linkProblem, "hand-in-qr")
+    LinkOrProblem(step.link, step.linkProblem, Res.string.hand_in_qr_help, "hand-in-qr")
     Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
 }
 
@@ -193,11 +195,11 @@ internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
     }
 }
 
-/** [link] as a QR code, or why there is no link. */
+/** [link] as a QR code, with [qrHelp], or why there is no link. */
 @Composable
-internal fun LinkOrProblem(link: String?, problem: LinkProblem?, tag: String) {
+internal fun LinkOrProblem(link: String?, problem: LinkProblem?, qrHelp: StringResource, tag: String) {
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
-        if (link != null) LinkAsQrCode(link)
+        if (link != null) LinkAsQrCode(link, stringResource(qrHelp))
         when (problem) {
             null -> Unit
             LinkProblem.NoSite -> Explanation(stringResource(Res.string.hand_in_no_link))

@@ -1,7 +1,7 @@
 package robotran.ui.assignment
 
-import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -28,6 +28,7 @@ import robotran.ui.resources.assignment_one_try
 import robotran.ui.resources.assignment_tries
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.state.AssignmentState
 
 /** How far the pupil is: the number of tries and the best of them. */
 @Composable
@@ -47,6 +48,11 @@ internal fun triesText(tries: AssignmentTries): String {
     return "$count $how"
 }
 
+/** The same for screen readers, beside the button that shows the task; empty if nobody counts. */
+@Composable
+internal fun howFar(assignment: AssignmentState?): String =
+    assignment?.takeIf { it.isOpenForTries }?.let { triesText(it.tries) }.orEmpty()
+
 /** Seconds with one decimal place, as the pupil's language writes it. */
 @Composable
 internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
@@ -58,15 +64,18 @@ internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds /
 internal fun NotAllowedLines(all: List<NotAllowed>) {
     for (found in all) {
         val words = when (found) {
-            is NotAllowed.HasWord -> stringResource(
-                Res.string.assignment_not_allowed_word,
-                found.program,
-                found.line,
-                found.word,
-            )
+            is NotAllowed.HasWord -> {
+                stringResource(
+                    Res.string.assignment_not_allowed_word,
+                    found.program,
+                    found.line,
+                    found.word,
+                )
+            }
 
-            is NotAllowed.InLanguage ->
+            is NotAllowed.InLanguage -> {
                 stringResource(Res.string.assignment_not_allowed_language, found.program, found.language.ownName)
+            }
         }
         Row(
             Modifier.testTag("assignment-not-allowed").padding(vertical = 2.dp).semantics(mergeDescendants = true) {

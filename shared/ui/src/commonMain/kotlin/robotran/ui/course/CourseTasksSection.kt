@@ -1,9 +1,8 @@
 package robotran.ui.course
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -13,6 +12,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -57,7 +57,12 @@ import robotran.workshop.state.WorkToAdd
 internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
     val tasks = page.course.assignments
     Section(stringResource(Res.string.course_tasks), "course-tasks") {
-        if (tasks.isEmpty()) Explanation(stringResource(Res.string.course_tasks_none), Modifier.testTag("course-tasks-none"))
+        if (tasks.isEmpty()) {
+            Explanation(
+                stringResource(Res.string.course_tasks_none),
+                Modifier.testTag("course-tasks-none"),
+            )
+        }
         tasks.forEachIndexed { index, task ->
             // The focus goes with a row that moves.
             key(task.assignmentId) { TaskRow(task, index, tasks.size, onEvent) }
@@ -81,7 +86,6 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
     }
 }
 
-@OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -92,32 +96,27 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
         color = colours.pane,
         border = BorderStroke(1.dp, colours.line),
     ) {
-        FlowRow(Modifier.padding(start = 16.dp, end = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
-            Text(
-                "${index + 1}  $title",
-                Modifier.weight(1f).padding(vertical = 12.dp),
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.BODY,
-            )
-            Row {
-                RoundButton(
-                    StrokeIcons.UP,
-                    stringResource(Res.string.course_up, title),
-                    "course-up-$index",
-                    enabled = index > 0,
-                ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
-                RoundButton(
-                    StrokeIcons.DOWN,
-                    stringResource(Res.string.course_down, title),
-                    "course-down-$index",
-                    enabled = index < count - 1,
-                ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
-                IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.course_edit, title), "course-edit-$index", {
-                    onEvent(CourseEvent.TaskOpened(index))
-                })
-                RoundButton(Cross, stringResource(Res.string.course_take_out, title), "course-take-out-$index") {
-                    onEvent(CourseEvent.TaskRemoved(index))
+        BoxWithConstraints(Modifier.padding(start = 16.dp, end = 4.dp)) {
+            // A title beside the buttons needs room for some words.
+            val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
+            val words = @Composable { modifier: Modifier ->
+                Text(
+                    "${index + 1}  $title",
+                    modifier.padding(vertical = 12.dp),
+                    color = colours.onPane,
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.BODY,
+                )
+            }
+            if (isBroad) {
+                Row(verticalAlignment = Alignment.CenterVertically) {
+                    words(Modifier.weight(1f))
+                    TaskButtons(title, index, count, onEvent)
+                }
+            } else {
+                Column {
+                    words(Modifier)
+                    TaskButtons(title, index, count, onEvent)
                 }
             }
         }
@@ -125,9 +124,36 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
 }
 
 @Composable
+private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) = Row {
+    RoundButton(
+        StrokeIcons.UP,
+        stringResource(Res.string.course_up, title),
+        "course-up-$index",
+        enabled = index > 0,
+    ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
+    RoundButton(
+        StrokeIcons.DOWN,
+        stringResource(Res.string.course_down, title),
+        "course-down-$index",
+        enabled = index < count - 1,
+    ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
+    IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.course_edit, title), "course-edit-$index", {
+        onEvent(CourseEvent.TaskOpened(index))
+    })
+    RoundButton(Cross, stringResource(Res.string.course_take_out, title), "course-take-out-$index") {
+        onEvent(CourseEvent.TaskRemoved(index))
+    }
+}
+
+@Composable
 private fun Works(works: List<WorkToAdd>, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.testTag("course-works")) {
-        if (works.isEmpty()) Explanation(stringResource(Res.string.course_works_none), Modifier.testTag("course-works-none"))
+        if (works.isEmpty()) {
+            Explanation(
+                stringResource(Res.string.course_works_none),
+                Modifier.testTag("course-works-none"),
+            )
+        }
         Chips {
             for (work in works) {
                 val name = if (work.name == work.title) work.name else "${work.title} (${work.name})"
@@ -141,3 +167,5 @@ private fun Works(works: List<WorkToAdd>, onEvent: (WorkshopEvent) -> Unit) {
         })
     }
 }
+
+private val BROAD = 440.dp

@@ -34,6 +34,7 @@ import robotran.ui.resources.course_problem_kept
 import robotran.ui.resources.course_problem_long
 import robotran.ui.resources.course_problem_many
 import robotran.ui.resources.course_problem_other
+import robotran.ui.resources.course_qr_help
 import robotran.ui.resources.course_text_label
 import robotran.ui.resources.course_title_label
 import robotran.ui.resources.hand_in_copied
@@ -96,7 +97,9 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
             PrimaryButton(stringResource(Res.string.make_pupil_file), "course-pupil-file", {
                 onEvent(CourseEvent.PupilFileSaved)
             })
-            SecondButton(stringResource(Res.string.make_pupil_link), "course-link", { onEvent(CourseEvent.LinkRequested) })
+            SecondButton(stringResource(Res.string.make_pupil_link), "course-link", {
+                onEvent(CourseEvent.LinkRequested)
+            })
         }
         SaveResult(page.savedAs, null, "course-saved")
         page.link?.let { link ->
@@ -111,7 +114,7 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
                     }
                 }
             }
-            LinkOrProblem(link.link, link.problem, "course-qr")
+            LinkOrProblem(link.link, link.problem, Res.string.course_qr_help, "course-qr")
         }
     }
 }

@@ -74,7 +74,9 @@ internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) 
             verticalArrangement = Arrangement.spacedBy(12.dp),
         ) {
             if (page.courses.isEmpty()) {
-                item(key = "none") { Explanation(stringResource(Res.string.course_list_none), Modifier.testTag("courses-none")) }
+                item(key = "none") {
+                    Explanation(stringResource(Res.string.course_list_none), Modifier.testTag("courses-none"))
+                }
             }
             items(page.courses, key = { it.key }) { CourseRow(it, onEvent) }
             item(key = "actions") {
@@ -141,9 +143,17 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
                     )
                 }
             }
-            IconTouch(Icon.CLOSE, stringResource(Res.string.course_remove, course.title), "course-remove-${course.key}", {
-                onEvent(CourseEvent.RemovalRequested(course.key))
-            })
+            IconTouch(
+                Icon.CLOSE,
+                stringResource(
+                    Res.string.course_remove,
+                    course.title,
+                ),
+                "course-remove-${course.key}",
+                {
+                    onEvent(CourseEvent.RemovalRequested(course.key))
+                },
+            )
         }
     }
 }
@@ -156,7 +166,9 @@ private fun RemovalDialog(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit)
         keep,
         buttons = {
             OtherButton(stringResource(Res.string.documents_cancel), "course-remove-no", keep)
-            MainButton(stringResource(Res.string.course_remove_yes), "course-remove-yes") { onEvent(CourseEvent.Removed) }
+            MainButton(stringResource(Res.string.course_remove_yes), "course-remove-yes") {
+                onEvent(CourseEvent.Removed)
+            }
         },
     ) {
         Explanation(stringResource(Res.string.course_remove_text, course.title))

@@ -27,15 +27,15 @@ import robotran.ui.resources.documents_qr_long
 import robotran.ui.theme.RobotranColours
 import kotlin.math.floor
 
-/** [link] as a QR code for another device, or the reason why there is none. */
+/** [link] as a QR code for another device, or the reason why there is none. [help] says what to do with it. */
 @Composable
-internal fun LinkAsQrCode(link: String) {
+internal fun LinkAsQrCode(link: String, help: String = stringResource(Res.string.documents_qr_help)) {
     val code = remember(link) { QrCode.of(link) }
     if (code == null) {
         Explanation(stringResource(Res.string.documents_qr_long), Modifier.testTag("qr-too-long"))
         return
     }
-    Explanation(stringResource(Res.string.documents_qr_help))
+    Explanation(help)
     Box(Modifier.fillMaxWidth(), Alignment.Center) { QrCodeView(code) }
 }
 

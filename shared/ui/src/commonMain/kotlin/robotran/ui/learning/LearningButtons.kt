@@ -59,9 +59,15 @@ internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifi
 
 /** The button for a rare action. */
 @Composable
-internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled: Boolean = true) = TextButton(
+internal fun QuietButton(
+    text: String,
+    tag: String,
+    onClick: () -> Unit,
+    enabled: Boolean = true,
+    modifier: Modifier = Modifier,
+) = TextButton(
     onClick = onClick,
-    modifier = Modifier.testTag(tag).focusRing(CORNER).large(),
+    modifier = modifier.testTag(tag).focusRing(CORNER).large(),
     enabled = enabled,
     shape = RoundedCornerShape(CORNER),
     colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),

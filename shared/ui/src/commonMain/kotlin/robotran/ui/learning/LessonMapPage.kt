@@ -18,7 +18,6 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
 import robotran.learning.Strand
-import robotran.ui.course.SaveOwnCourse
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res

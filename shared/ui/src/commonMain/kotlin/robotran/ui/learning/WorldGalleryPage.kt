@@ -28,7 +28,6 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.course.OwnCourses
 import robotran.learning.WorldGallery
-import robotran.ui.course.SaveOwnCourse
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
 import robotran.ui.parts.Icon

@@ -47,11 +47,11 @@ import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.program.blocks.EditErrorBar
 import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.KeysInUse
+import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.program.blocks.RowMarks

@@ -64,7 +64,7 @@ internal fun CoveredSheet(
             isSolved = state.learning.solved != null && state.run.isSolved,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
-        if (isOutcomeAbove(state)) LowerOutcome(state, onEvent)
+        if (isOutcomeAbove(state)) LowerOutcome(state, onEvent, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -91,7 +91,7 @@ private fun BoxWithConstraintsScope.Messages(
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
-        if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
+        if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max), withNotice)
         if (state.taskShown && state.hasTask) {
             // An assignment says more. It covers more only before the first run.
             val room = if (state.assignment != null && state.untouched) tall else max
@@ -102,6 +102,7 @@ private fun BoxWithConstraintsScope.Messages(
                 state.session.goals,
                 onEvent,
                 Modifier.heightIn(max = room),
+                canHandIn = withNotice,
             )
         }
         if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
@@ -110,7 +111,11 @@ private fun BoxWithConstraintsScope.Messages(
 
 /** The card of the outcome above the sheet's buttons, so that it does not cover what it is about. */
 @Composable
-private fun BoxWithConstraintsScope.LowerOutcome(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun BoxWithConstraintsScope.LowerOutcome(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    canHandIn: Boolean,
+) {
     val buttonsWidth = sheetButtonsWidth(state.world)
     OutcomeCard(
         state,
@@ -121,6 +126,7 @@ private fun BoxWithConstraintsScope.LowerOutcome(state: WorkshopState, onEvent: 
             .padding(8.dp)
             .widthIn(max = MAX_WIDTH)
             .heightIn(max = maxHeight / 2),
+        canHandIn,
     )
 }
 

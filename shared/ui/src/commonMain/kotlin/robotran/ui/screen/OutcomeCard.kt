@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
@@ -42,6 +43,7 @@ import robotran.ui.learning.PrimaryButton
 import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_harder
 import robotran.ui.resources.learning_hint
@@ -58,8 +60,8 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.OpenCourseTask
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
@@ -67,9 +69,16 @@ import robotran.workshop.state.WorkshopState
 /**
  * What came of a run that is over, until it is closed: what was missing for the goals, or that the task is solved. Shown
  * at the end of the run only, so that an earlier time is not covered.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  */
 @Composable
-internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun OutcomeCard(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
+) {
     val finished = state.run.outcome.finished ?: return
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
     if (isClosed || state.run.isSeeking || state.run.time < finished) return
@@ -77,7 +86,7 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, state.assignment, state.course.open, onEvent)
+            Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
@@ -100,6 +109,7 @@ private fun Solved(
     solved: SolvedTask,
     assignment: AssignmentState?,
     course: OpenCourseTask?,
+    canHandIn: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     Heading(stringResource(Res.string.outcome_solved))
@@ -111,8 +121,16 @@ private fun Solved(
             lineHeight = LineHeights.BODY,
         )
     }
-    if (assignment == null) Next(solved, onEvent) else Tries(assignment, canHandIn = true, onEvent)
-    if (course != null) NextInCourse(course, onEvent)
+    when {
+        assignment == null -> Next(solved, onEvent)
+
+        course == null -> Tries(assignment, canHandIn, onEvent)
+
+        else -> {
+            Tries(assignment, canHandIn = false, onEvent)
+            NextInCourse(course, onEvent) { HandInButton(assignment, "solved-hand-in", onEvent) }
+        }
+    }
 }
 
 /** How far the pupil is with the assignment. */
@@ -173,10 +191,12 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
             .drawBehind { drawRect(bar, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
+        val scroll = rememberScrollState()
         Column(
             Modifier
                 .weight(1f)
-                .verticalScroll(rememberScrollState())
+                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
                 .semantics { liveRegion = LiveRegionMode.Polite },
             Arrangement.spacedBy(4.dp),

@@ -19,6 +19,7 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
@@ -28,9 +29,11 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
+import robotran.ui.assignment.AssignmentButtons
 import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.HandInLine
+import robotran.ui.learning.HintCards
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
@@ -49,6 +52,8 @@ import robotran.world.World
 /**
  * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
  * with its task, and in an assignment all about that.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  */
 @Composable
 internal fun TaskCard(
@@ -58,6 +63,7 @@ internal fun TaskCard(
     goals: List<GoalProgress>,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
 ) {
     val colours = LocalRobotranColours.current
     Row(
@@ -72,33 +78,42 @@ internal fun TaskCard(
         verticalAlignment = Alignment.Top,
     ) {
         val scroll = rememberScrollState()
-        Column(
-            Modifier
-                .weight(1f)
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
-                .verticalScroll(scroll)
-                .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
-            Text(
-                world.title,
-                Modifier.testTag("task-title").semantics { heading() },
-                color = colours.onPane,
-                fontSize = TextSizes.LEAD,
-                lineHeight = LineHeights.BODY,
-                fontWeight = FontWeight.SemiBold,
-            )
-            assignment?.handIn?.let { HandInLine(it) }
-            assignment?.feedback?.let { FeedbackCard(it) }
-            Text(
-                world.task.trim(),
-                Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.BODY,
-            )
-            assignment?.let { AssignmentCard(it, goals, learning.isInBlocks, onEvent) }
-            learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+        // With large text they would leave no room.
+        val areButtonsFixed = LocalDensity.current.fontScale <= LARGE
+        Column(Modifier.weight(1f)) {
+            Column(
+                Modifier
+                    .weight(1f, fill = false)
+                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .verticalScroll(scroll)
+                    .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+                Arrangement.spacedBy(4.dp),
+            ) {
+                Text(
+                    world.title,
+                    Modifier.testTag("task-title").semantics { heading() },
+                    color = colours.onPane,
+                    fontSize = TextSizes.LEAD,
+                    lineHeight = LineHeights.BODY,
+                    fontWeight = FontWeight.SemiBold,
+                )
+                assignment?.let { HintCards(it.hints, learning.isInBlocks) }
+                assignment?.handIn?.let { HandInLine(it) }
+                assignment?.feedback?.let { FeedbackCard(it) }
+                Text(
+                    world.task.trim(),
+                    Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+                    color = colours.onPane,
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.BODY,
+                )
+                assignment?.let { AssignmentCard(it, goals) }
+                if (assignment != null && canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+                learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+            }
+            if (assignment != null && canHandIn && areButtonsFixed) {
+                AssignmentButtons(assignment, onEvent, Modifier.padding(start = 22.dp, bottom = 12.dp))
+            }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
             onEvent(WorkshopEvent.TaskShown(false))
@@ -106,5 +121,7 @@ internal fun TaskCard(
     }
 }
 
+/** Up to this font scale there is room for fixed buttons. */
+private const val LARGE = 1.3f
 private val BAR = 6.dp
 private val CORNER = Corners.MEDIUM

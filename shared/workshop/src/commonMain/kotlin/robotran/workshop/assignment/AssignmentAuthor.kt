@@ -97,10 +97,11 @@ internal class AssignmentAuthor(
     private fun open() {
         if (state != null) return
         val before = current.project.assignment
-        if (before?.checks == null) {
-            val made = before?.copy(checks = AssignmentChecks(FIRST_SEEDS)) ?: newAssignment(current.project, platform.clock.now)
-            assignments.changeAssignment(made)
-        }
+        val made = before?.copy(
+            start = before.start.ifEmpty { plainPrograms() },
+            checks = before.checks ?: AssignmentChecks(FIRST_SEEDS),
+        ) ?: newAssignment(current.project, platform.clock.now)
+        if (made != before) assignments.changeAssignment(made)
         state = stateNow()
     }
 

@@ -87,7 +87,12 @@ internal class AssignmentRuns(
                 is RunResult.Finished -> if (!result.grade.passed) failed += run
             }
         }
-        return CheckedSolution.Checked(runs.size, failed.size, failed.firstOrNull()?.world?.name, failed.firstOrNull()?.seed)
+        return CheckedSolution.Checked(
+            runs.size,
+            failed.size,
+            failed.firstOrNull()?.world?.name,
+            failed.firstOrNull()?.seed,
+        )
     }
 
     private suspend fun prepare(project: Project, programs: List<ProjectProgram>, firstProgram: Int): Preparation {

@@ -90,7 +90,14 @@ internal class HandInMaker(
     private fun goBack(state: AssignmentState) {
         work?.cancel()
         val before = asked ?: question(state)
-        step = question(state).let { it.copy(name = before.name, isEditor = it.isEditor || (it.canChoose && before.isEditor)) }
+        step =
+            question(state).let {
+                it.copy(
+                    name = before.name,
+                    isEditor =
+                        it.isEditor || (it.canChoose && before.isEditor),
+                )
+            }
     }
 
     private fun make(withMistakes: Boolean) {
@@ -143,7 +150,9 @@ internal class HandInMaker(
                 remember(made, now.name)
             }
 
-            is Saving.Failed -> step = now.copy(saveError = saving.reason)
+            is Saving.Failed -> {
+                step = now.copy(saveError = saving.reason)
+            }
 
             Saving.Cancelled -> {}
         }

@@ -62,14 +62,19 @@ internal fun missingParts(project: Project, assignment: Assignment): List<Missin
 }
 
 /** The open programs, and what pupils begin with. */
-internal fun startPrograms(open: List<ProjectProgram>, assignment: Assignment): List<StartProgram> = open.map { program ->
-    val start = assignment.start.firstOrNull { it.name == program.name }
-    StartProgram(program.name, start != null, isChanged = start != null && textsOf(start) != textsOf(program))
-}
+internal fun startPrograms(open: List<ProjectProgram>, assignment: Assignment): List<StartProgram> =
+    open.map { program ->
+        val start = assignment.start.firstOrNull { it.name == program.name }
+        StartProgram(program.name, start != null, isChanged = start != null && textsOf(start) != textsOf(program))
+    }
 
 /** [assignment] with the picture in [bytes] and its mark at the end of the text, or why that is impossible. */
 internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray): PictureResult {
-    if (assignment.pictures.size >= AssignmentLimits.MAXIMUM_PICTURES) return PictureResult.Refused(PictureError.TOO_MANY)
+    if (assignment.pictures.size >=
+        AssignmentLimits.MAXIMUM_PICTURES
+    ) {
+        return PictureResult.Refused(PictureError.TOO_MANY)
+    }
     if (!canBeShown(bytes)) return PictureResult.Refused(PictureError.NOT_A_PICTURE)
     val data = Base64.encode(bytes)
     if (data.length > AssignmentLimits.MAXIMUM_PICTURE_CHARACTERS) return PictureResult.Refused(PictureError.TOO_LARGE)
@@ -78,7 +83,9 @@ internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray)
     val names = assignment.pictures.map { it.name }
     val name = generateSequence(1) { it + 1 }.map { if (it == 1) plain else "$plain $it" }.first { it !in names }
     val text = "${assignment.text.trimEnd()}\n\n![$name]($name)\n".trimStart()
-    return PictureResult.Added(assignment.copy(pictures = assignment.pictures + AssignmentPicture(name, data), text = text))
+    return PictureResult.Added(
+        assignment.copy(pictures = assignment.pictures + AssignmentPicture(name, data), text = text),
+    )
 }
 
 internal sealed interface PictureResult {

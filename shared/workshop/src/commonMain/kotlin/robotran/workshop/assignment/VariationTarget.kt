@@ -34,7 +34,15 @@ internal class VariationTarget(
     private fun saveVariation(world: World) {
         val assignment = current.project.assignment ?: return
         val checks = assignment.checks ?: return
-        val variations = checks.variations.mapIndexed { index, old -> if (index == variation) old.copy(world = world) else old }
+        val variations = checks.variations.mapIndexed { index, old ->
+            if (index ==
+                variation
+            ) {
+                old.copy(world = world)
+            } else {
+                old
+            }
+        }
         assignments.changeAssignment(assignment.copy(checks = checks.copy(variations = variations)))
     }
 }

@@ -12,7 +12,9 @@ import robotran.projects.ProjectProgram
 /** The ids of the palette's blocks that [assignment] allows; null for all. */
 fun allowedBlocks(assignment: Assignment): Set<String>? {
     if (assignment.words.isEmpty()) return null
-    return Palette.blocks.filter { forbiddenWords(assignment, listOf(programOf(it))).isEmpty() }.mapTo(mutableSetOf()) { it.id }
+    return Palette.blocks.filter {
+        forbiddenWords(assignment, listOf(programOf(it))).isEmpty()
+    }.mapTo(mutableSetOf()) { it.id }
 }
 
 /** The words with which an assignment allows all blocks of [group]; empty if the group has none that can be forbidden. */
@@ -25,7 +27,6 @@ private val WORDS: Map<BlockGroup, Set<String>> by lazy {
         forbiddenWords(nothing, Palette.blocksOf(group).map(::programOf)).toSet()
     }
 }
-
 
 private fun programOf(block: PaletteBlock) =
     ProjectProgram("", ProgramLanguage.ROBOLANG, listOf(SourceFile("", block.template)))

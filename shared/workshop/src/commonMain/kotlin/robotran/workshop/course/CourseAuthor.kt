@@ -64,8 +64,9 @@ internal class CourseAuthor(
 
     /** Leaves the page and returns the key of the course; null if it is not kept. */
     suspend fun close(): String? {
-        keep()
+        val last = page
         page = null
+        keep(last)
         return key
     }
 
@@ -77,37 +78,71 @@ internal class CourseAuthor(
         val now = page ?: return
         val course = now.course
         when (event) {
-            is CourseEvent.TitleChanged ->
-                write(course.copy(title = event.title.filterNot { it.isISOControl() }.take(WorldLimits.MAXIMUM_TITLE_CHARACTERS)))
+            is CourseEvent.TitleChanged -> {
+                write(
+                    course.copy(
+                        title = event.title.filterNot {
+                            it.isISOControl()
+                        }.take(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
+                    ),
+                )
+            }
 
-            is CourseEvent.TextChanged -> write(course.copy(text = event.text.take(AssignmentLimits.MAXIMUM_TEXT_CHARACTERS)))
+            is CourseEvent.TextChanged -> {
+                write(course.copy(text = event.text.take(AssignmentLimits.MAXIMUM_TEXT_CHARACTERS)))
+            }
 
-            CourseEvent.FilesRequested -> launch { addFiles() }
+            CourseEvent.FilesRequested -> {
+                launch { addFiles() }
+            }
 
-            is CourseEvent.WorksShown -> launch { showWorks(event.shown) }
+            is CourseEvent.WorksShown -> {
+                launch { showWorks(event.shown) }
+            }
 
-            is CourseEvent.WorkAdded -> launch { addWork(event.id) }
+            is CourseEvent.WorkAdded -> {
+                launch { addWork(event.id) }
+            }
 
-            is CourseEvent.TaskMoved -> move(course, event.index, event.by)
+            is CourseEvent.TaskMoved -> {
+                move(course, event.index, event.by)
+            }
 
-            is CourseEvent.TaskRemoved ->
+            is CourseEvent.TaskRemoved -> {
                 change(course.copy(assignments = course.assignments.filterIndexed { index, _ -> index != event.index }))
+            }
 
-            is CourseEvent.TaskOpened -> launch { openTask(event.index) }
+            is CourseEvent.TaskOpened -> {
+                launch { openTask(event.index) }
+            }
 
-            CourseEvent.UndoRequested -> undo()
+            CourseEvent.UndoRequested -> {
+                undo()
+            }
 
-            CourseEvent.TeacherFileSaved -> launch { share { sharing.saveForTeacher(it) } }
+            CourseEvent.TeacherFileSaved -> {
+                launch { share { sharing.saveForTeacher(it) } }
+            }
 
-            CourseEvent.PupilFileSaved -> launch { share { sharing.saveForPupils(it) } }
+            CourseEvent.PupilFileSaved -> {
+                launch { share { sharing.saveForPupils(it) } }
+            }
 
-            CourseEvent.LinkRequested -> launch { share { sharing.makeLink(it) } }
+            CourseEvent.LinkRequested -> {
+                launch { share { sharing.makeLink(it) } }
+            }
 
-            CourseEvent.LinkCopied -> launch { share { sharing.copyLink(it) } }
+            CourseEvent.LinkCopied -> {
+                launch { share { sharing.copyLink(it) } }
+            }
 
-            CourseEvent.LinkShared -> launch { share { sharing.shareLink(it) } }
+            CourseEvent.LinkShared -> {
+                launch { share { sharing.shareLink(it) } }
+            }
 
-            CourseEvent.LinkClosed -> update { it.copy(link = null) }
+            CourseEvent.LinkClosed -> {
+                update { it.copy(link = null) }
+            }
         }
     }
 
@@ -157,11 +192,14 @@ internal class CourseAuthor(
         if (files.isEmpty()) return
         val opening = withContext(platform.background) { openFiles(unpackedCourses(files), preferences.language) }
         when (opening) {
-            is OpenFilesResult.Rejected -> update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
+            is OpenFilesResult.Rejected -> {
+                update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
+            }
 
             is OpenFilesResult.Opened -> {
-                val other = opening.projects.firstOrNull { it.project.assignment == null || it.project.handIn != null }?.name
-                    ?: opening.world?.title ?: opening.programs.firstOrNull()?.name
+                val other =
+                    opening.projects.firstOrNull { it.project.assignment == null || it.project.handIn != null }?.name
+                        ?: opening.world?.title ?: opening.programs.firstOrNull()?.name
                 val found = opening.projects.map { it.project } + opening.courses.flatMap { it.assignments }
                 add(found.filter { it.assignment != null && it.handIn == null }, other)
             }
@@ -212,9 +250,8 @@ internal class CourseAuthor(
     }
 
     /** Keeps the course, if it has changed and can be kept. */
-    private suspend fun keep() {
-        val now = page ?: return
-        if (!isOlder || !now.isComplete) return
+    private suspend fun keep(now: CoursePage.Making? = page) {
+        if (now == null || !isOlder || !now.isComplete) return
         isOlder = false
         when (val kept = shelf.keep(now.course, platform.clock.now)) {
             is KeptCourse.Kept -> {
@@ -224,9 +261,13 @@ internal class CourseAuthor(
                 update { it.copy(isKept = true) }
             }
 
-            KeptCourse.TooLong -> update { it.copy(isKept = false, problem = CourseProblem.TooLong) }
+            KeptCourse.TooLong -> {
+                update { it.copy(isKept = false, problem = CourseProblem.TooLong) }
+            }
 
-            else -> update { it.copy(isKept = false, problem = CourseProblem.NotKept) }
+            else -> {
+                update { it.copy(isKept = false, problem = CourseProblem.NotKept) }
+            }
         }
     }
 

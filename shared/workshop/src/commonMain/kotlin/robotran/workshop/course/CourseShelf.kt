@@ -53,9 +53,13 @@ internal class CourseShelf(private val store: KeyValueStore, scope: CoroutineSco
                 KeptCourse.Kept(key)
             }
 
-            StoreResult.Full -> KeptCourse.Full
+            StoreResult.Full -> {
+                KeptCourse.Full
+            }
 
-            is StoreResult.Failed -> KeptCourse.Failed(result.reason)
+            is StoreResult.Failed -> {
+                KeptCourse.Failed(result.reason)
+            }
         }
     }
 

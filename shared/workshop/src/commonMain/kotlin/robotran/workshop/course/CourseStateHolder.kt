@@ -77,15 +77,20 @@ class CourseStateHolder(
 
     /** Keeps [courses], which were opened, and shows them. */
     suspend fun opened(courses: List<Course>) {
+        author.close()
         val keys = courses.mapNotNull { keep(it) }
         // The notice that tells why is below the page.
         if (keys.size < courses.size) return show(null)
         if (keys.size == 1) showCourse(keys.single(), fromList = false) else showList()
     }
 
-    /** Called after another project was opened. */
+    /** Called after another project was opened, which a page would hide. */
     fun projectChanged() {
         if (currentId == null) openKey = null
+        if (state.page != null) {
+            show(null)
+            launch { author.close() }
+        }
         triesChanged()
     }
 
@@ -138,7 +143,13 @@ class CourseStateHolder(
 
     private fun showList() {
         isFromList = false
-        show(CoursePage.MyCourses(shelf.records.entries.sortedByDescending { it.value.usedAt }.map { it.value.entry(it.key) }))
+        show(
+            CoursePage.MyCourses(
+                shelf.records.entries.sortedByDescending {
+                    it.value.usedAt
+                }.map { it.value.entry(it.key) },
+            ),
+        )
     }
 
     private suspend fun showCourse(key: String, fromList: Boolean) {
@@ -222,7 +233,9 @@ class CourseStateHolder(
         if (kept !is KeptCourse.Kept) return null.also { notices.show(noticeOf(kept)) }
         if (isNew) {
             val works = stored.worksAt(course.assignments.map { it.assignmentId }.toSet())
-            works.forEach { (id, project) -> shelf.update(kept.key) { it.changed(id) { task -> task.copy(project = project) } } }
+            works.forEach { (id, project) ->
+                shelf.update(kept.key) { it.changed(id) { task -> task.copy(project = project) } }
+            }
         }
         refresh()
         return kept.key
@@ -242,7 +255,13 @@ class CourseStateHolder(
     private suspend fun saveOwn(name: String) {
         val course = OwnCourses.named(name, preferences.language) ?: return
         val bytes = checkNotNull(withContext(platform.background) { courseFile(course) }) { "Our courses are files." }
-        val saved = when (val saving = platform.files.save(fileNameFor(course.title, FileKind.COURSE), FileKind.COURSE, bytes)) {
+        val saved = when (
+            val saving = platform.files.save(
+                fileNameFor(course.title, FileKind.COURSE),
+                FileKind.COURSE,
+                bytes,
+            )
+        ) {
             is Saving.Saved -> SavedOwnCourse(name, saving.name)
             is Saving.Failed -> SavedOwnCourse(name, null, saving.reason)
             Saving.Cancelled -> null

@@ -96,7 +96,13 @@ internal class FileOpener(
             autosaver.opened(first.name, first.file, before, isOnlyChosen = begun != null)
             view.show(null)
             opened.world?.let { editor.changeWorld(it) }
-            if (begun == null) replacement.offerPreviousProject(before) else notices.show(Notice.AssignmentBegunBefore(begun))
+            if (begun ==
+                null
+            ) {
+                replacement.offerPreviousProject(before)
+            } else {
+                notices.show(Notice.AssignmentBegunBefore(begun))
+            }
             addPrograms(opened)
         }
         if (!autosaver.claimFile()) {
@@ -112,12 +118,14 @@ internal class FileOpener(
         if (id == null || project.handIn != null || project.tries != null) return null
         return autosaver.repository.projects().firstOrNull { summary ->
             val stored = (autosaver.repository.read(summary.id) as? SavedProjectResult.Found)?.work?.project
-            stored?.assignment?.id == id && stored.handIn == null && (stored.tries != null || stored.isChangedFrom(project))
+            stored?.assignment?.id == id && stored.handIn == null &&
+                (stored.tries != null || stored.isChangedFrom(project))
         }?.id
     }
 
-    private fun Project.isChangedFrom(other: Project): Boolean = robots.map { it.programs.map { program -> program.files } } !=
-        other.robots.map { it.programs.map { program -> program.files } }
+    private fun Project.isChangedFrom(other: Project): Boolean =
+        robots.map { it.programs.map { program -> program.files } } !=
+            other.robots.map { it.programs.map { program -> program.files } }
 
     /** A world becomes a new project with the current programs; programs are added to the current ones. */
     private suspend fun takeParts(opened: OpenFilesResult.Opened) {

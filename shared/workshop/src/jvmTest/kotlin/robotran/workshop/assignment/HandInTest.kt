@@ -1,5 +1,6 @@
 package robotran.workshop.assignment
 
+import kotlinx.coroutines.runBlocking
 import robotran.assignments.doing.isIntact
 import robotran.assignments.doing.pupilCopy
 import robotran.projects.LinkResult
@@ -15,7 +16,6 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.LinkProblem
-import kotlinx.coroutines.runBlocking
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -45,7 +45,8 @@ class HandInTest {
         return assertIs(state.handIn)
     }
 
-    private fun saved(): Project = assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
+    private fun saved(): Project =
+        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
 
     @Test
     fun `the best try is handed in as a file with name, result and intact hash`() {

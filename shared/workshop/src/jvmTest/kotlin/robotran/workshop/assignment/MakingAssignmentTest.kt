@@ -34,7 +34,8 @@ class MakingAssignmentTest {
     private fun making(project: Project = AnyAssignment.teachers.copy(assignment = null)): Workshop =
         machine.window(AnyAssignment.request(project)).also { it.handle(AssignmentEvent.MakingRequested) }
 
-    private fun saved(): Project = assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
+    private fun saved(): Project =
+        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
 
     private fun textOf(project: Project) = project.firstPrograms.single().files.single().text
 

@@ -11,6 +11,7 @@ import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.assignment.AnyCourse
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
+import robotran.workshop.documents.projectFile
 import robotran.workshop.documents.projects
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
@@ -169,7 +170,11 @@ class DoingCourseTest {
         val workshop = window()
         workshop.handle(CourseEvent.TaskChosen(0))
         workshop.attempt(AnyAssignment.SOLUTION)
-        val more = pupils.copy(title = "More circles", assignments = pupils.assignments.reversed().take(2) + pupils.assignments.first())
+        val more = pupils.copy(
+            title = "More circles",
+            assignments =
+                pupils.assignments.reversed().take(2) + pupils.assignments.first(),
+        )
         workshop.handle(DocumentEvent.FilesBrought(listOf(AnyCourse.file(more))))
         assertEquals(listOf(false, false, true), workshop.shown.tasks.map { it.isDone })
         workshop.handle(CourseEvent.ListRequested)
@@ -241,7 +246,12 @@ class DoingCourseTest {
         window().restart()
         val name = runBlocking { machine.store.names().single { it.endsWith(".progress") } }
         runBlocking { machine.store.write(name, "{") }
-        assertEquals(listOf("Circles"), machine.window().apply { handle(CourseEvent.ListRequested) }.list.courses.map { it.title })
+        assertEquals(
+            listOf("Circles"),
+            machine.window().apply {
+                handle(CourseEvent.ListRequested)
+            }.list.courses.map { it.title },
+        )
     }
 
     @Test
@@ -250,5 +260,16 @@ class DoingCourseTest {
         workshop.handle(CourseEvent.TaskChosen(0))
         workshop.handle(LearningEvent.WorldChosen("maze"))
         assertNull(workshop.state.course.open)
+    }
+
+    @Test
+    fun `a project that is opened is not hidden by a page`() {
+        val workshop = window()
+        workshop.handle(DocumentEvent.FilesBrought(listOf(projectFile("beep\n"))))
+        assertNull(workshop.state.course.page)
+        assertEquals("beep\n", workshop.state.programText)
+        workshop.handle(CourseEvent.MakingRequested(null))
+        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyCourse.file(pupils))))
+        assertEquals("Circles", workshop.shown.title)
     }
 }

@@ -36,7 +36,8 @@ class MakingCourseTest {
     private val Workshop.making: CoursePage.Making get() = assertIs(state.course.page)
 
     private fun choose(vararg numbers: Int) {
-        machine.files.chosen = numbers.map { AnyAssignment.file(AnyCourse.teachers.assignments[it - 1], "$it.robotran") }
+        machine.files.chosen =
+            numbers.map { AnyAssignment.file(AnyCourse.teachers.assignments[it - 1], "$it.robotran") }
         workshop.handle(CourseEvent.FilesRequested)
     }
 
@@ -50,7 +51,9 @@ class MakingCourseTest {
     private fun saved(event: CourseEvent): Course {
         machine.files.location = "/home/out.course.json"
         workshop.handle(event)
-        return assertIs<CourseFileResult.Loaded>(readCourse(machine.files.disk.getValue("/home/out.course.json"))).course
+        return assertIs<CourseFileResult.Loaded>(
+            readCourse(machine.files.disk.getValue("/home/out.course.json")),
+        ).course
     }
 
     private val ids get() = workshop.making.course.assignments.map { it.assignment?.id }

@@ -35,7 +35,10 @@ internal object AnyAssignment {
         copy(
             title = "Into the circle",
             task = "Drive into the circle, and draw on the way.",
-            goals = listOf(Goal(GoalCondition.Reach(target)), Goal(GoalCondition.InkLength(atLeast = 5.0, atMost = null))),
+            goals = listOf(
+                Goal(GoalCondition.Reach(target)),
+                Goal(GoalCondition.InkLength(atLeast = 5.0, atMost = null)),
+            ),
         )
     }
 
@@ -44,7 +47,8 @@ internal object AnyAssignment {
 
     val assignment = Assignment(
         id = "circle-1",
-        text = "The robot stands in the middle. `forward 20` takes it 20 cm ahead.\n\n![A dot](dot)\n\nWrite it yourself.",
+        text = "The robot stands in the middle. `forward 20` takes it 20 cm ahead.\n\n" +
+            "![A dot](dot)\n\nWrite it yourself.",
         pictures = listOf(AssignmentPicture("dot", DOT)),
         hints = listOf(
             AssignmentHint("Does the robot move at all?", "never moved"),
@@ -56,7 +60,8 @@ internal object AnyAssignment {
         solution = listOf(program(SOLUTION)),
     )
 
-    val teachers = Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program(BEGIN)))), assignment = assignment)
+    val teachers =
+        Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program(BEGIN)))), assignment = assignment)
 
     fun file(project: Project, name: String = "circle.robotran") =
         OpenedFile(name, writeProject(project).encodeToByteArray(), "/home/$name")

@@ -11,7 +11,12 @@ internal object AnyCourse {
     val teachers = Course(
         "Circles",
         "Three circles for the first week.\n\nDo them in this order.",
-        listOf("Into the circle", "Out of the circle", "Around the circle").mapIndexed { index, title -> task(index + 1, title) },
+        listOf("Into the circle", "Out of the circle", "Around the circle").mapIndexed {
+            index,
+            title,
+            ->
+            task(index + 1, title)
+        },
         "circles-1",
     )
 

@@ -32,6 +32,7 @@ import robotran.ui.resources.make_missing_start
 import robotran.ui.resources.make_missing_task
 import robotran.ui.resources.make_pupil_file
 import robotran.ui.resources.make_pupil_link
+import robotran.ui.resources.make_qr_help
 import robotran.ui.resources.make_teacher_file
 import robotran.ui.resources.make_try_failed
 import robotran.ui.resources.make_try_mistakes
@@ -48,7 +49,12 @@ import robotran.workshop.state.SolutionCheck
 @Composable
 internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
     Section(stringResource(Res.string.make_check), "make-check-section") {
-        if (state.missing.isEmpty()) Explanation(stringResource(Res.string.make_check_all), Modifier.testTag("make-complete"))
+        if (state.missing.isEmpty()) {
+            Explanation(
+                stringResource(Res.string.make_check_all),
+                Modifier.testTag("make-complete"),
+            )
+        }
         for (part in state.missing) Explanation("⚠ ${stringResource(part.sentence)}", Modifier.testTag("make-missing"))
         val check = state.check
         if (check is SolutionCheck.Running) {
@@ -70,9 +76,13 @@ internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) 
 private fun CheckResult(check: SolutionCheck?) {
     val news = Modifier.testTag("make-checked").semantics { liveRegion = LiveRegionMode.Polite }
     when (check) {
-        null, is SolutionCheck.Running -> Unit
+        null, is SolutionCheck.Running -> {
+            Unit
+        }
 
-        is SolutionCheck.Passed -> Explanation(stringResource(Res.string.make_try_passed, check.runs), news)
+        is SolutionCheck.Passed -> {
+            Explanation(stringResource(Res.string.make_try_passed, check.runs), news)
+        }
 
         is SolutionCheck.Failed -> {
             val world = check.world.ifEmpty { stringResource(Res.string.assignment_feedback_world) }
@@ -119,7 +129,7 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                     }
                 }
             }
-            LinkOrProblem(link.link, link.problem, "make-qr")
+            LinkOrProblem(link.link, link.problem, Res.string.make_qr_help, "make-qr")
         }
     }
 }

@@ -64,7 +64,19 @@ internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
                     { changed ->
                         val isNew = index == hints.size
                         if (isNew) isAdding = false
-                        val all = if (isNew) hints + changed else hints.mapIndexed { at, old -> if (at == index) changed else old }
+                        val all = if (isNew) {
+                            hints + changed
+                        } else {
+                            hints.mapIndexed { at, old ->
+                                if (at ==
+                                    index
+                                ) {
+                                    changed
+                                } else {
+                                    old
+                                }
+                            }
+                        }
                         change(assignment.copy(hints = all))
                     },
                     {

@@ -43,7 +43,12 @@ internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
             Modifier.testTag("make-form").verticalScroll(rememberScrollState()).padding(24.dp),
             Arrangement.spacedBy(28.dp),
         ) {
-            Explanation(stringResource(Res.string.make_intro))
+            Column {
+                Explanation(stringResource(Res.string.make_intro))
+                QuietButton(stringResource(Res.string.make_undo), "make-undo", {
+                    onEvent(AssignmentEvent.UndoRequested)
+                }, enabled = state.canUndo)
+            }
             TaskSection(state, change, onEvent)
             GoalSection(state, change, onEvent)
             ProgramSection(state, change, onEvent)
@@ -52,12 +57,7 @@ internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
             GradingSection(state.assignment, change, onEvent)
             CheckSection(state, onEvent)
             GiveSection(state, onEvent)
-            Column {
-                QuietButton(stringResource(Res.string.make_undo), "make-undo", {
-                    onEvent(AssignmentEvent.UndoRequested)
-                }, enabled = state.canUndo)
-                QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
-            }
+            QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
         }
     }
 }

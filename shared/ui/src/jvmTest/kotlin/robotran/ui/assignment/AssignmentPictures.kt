@@ -1,0 +1,149 @@
+package robotran.ui.assignment
+
+import robotran.assignments.doing.HandedInWork
+import robotran.assignments.doing.makeHandIn
+import robotran.assignments.doing.pupilCopy
+import robotran.language.Language
+import robotran.projects.Assignment
+import robotran.projects.AssignmentPicture
+import robotran.projects.Feedback
+import robotran.projects.FeedbackResult
+import robotran.projects.Project
+import robotran.ui.pictures.sheetPng
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
+import robotran.workshop.Workshop
+import robotran.workshop.assignment.AnyAssignment
+import robotran.workshop.documents.Machine
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
+import kotlin.io.encoding.Base64
+import kotlin.test.Test
+
+/** Pictures of all that pupils and authors see of an assignment, for review. */
+class AssignmentPictures {
+    @Test
+    fun `what pupils see, on all screens, dark, in German and with text twice as large`() {
+        for (screen in Screen.entries) {
+            for ((look, settings) in LOOKS) {
+                for ((step, prepare) in PUPIL) {
+                    picture(pupils, screen.width, screen.height, settings, prepare)
+                        .keepAs("assignment/${screen.name.lowercase()}-$look-$step")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `what authors see, the whole page at once`() {
+        for ((name, width) in listOf("phone" to 411, "tablet" to 1280)) {
+            for ((look, settings) in LOOKS) {
+                val height = if (look == "200") 9_000 else 4_800
+                for ((step, prepare) in AUTHOR) {
+                    picture(AnyAssignment.teachers, width, height, settings, prepare)
+                        .keepAs("assignment/$name-$look-$step")
+                }
+            }
+        }
+    }
+
+    private val pupils = pupilCopy(AnyAssignment.teachers.copy(assignment = withPicture()))
+
+    /** The text with a picture of some size: the sheet of an empty project. */
+    private fun withPicture(): Assignment {
+        val empty = Machine().window()
+        val picture = sheetPng(empty.state.world, empty.state.session)
+        empty.close()
+        return AnyAssignment.assignment.copy(pictures = listOf(AssignmentPicture("dot", Base64.encode(picture))))
+    }
+
+    private fun picture(project: Project, width: Int, height: Int, settings: Settings, prepare: Workshop.() -> Unit) =
+        Machine().apply { files.location = "/home/ada.robotran" }.window(AnyAssignment.request(project)).run {
+            try {
+                handle(SettingsEvent.SettingsChanged(settings))
+                handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                prepare()
+                photograph(this, width, height)
+            } finally {
+                close()
+            }
+        }
+
+    private enum class Screen(val width: Int, val height: Int) {
+        PHONE(411, 891),
+        TABLET_UPRIGHT(800, 1280),
+        TABLET(1280, 800),
+        LAPTOP(1440, 900),
+    }
+
+    private companion object {
+        val LOOKS = mapOf(
+            "light" to Settings(lessMotion = true),
+            "dark" to Settings(lessMotion = true, theme = AppTheme.DARK),
+            "german" to Settings(lessMotion = true, language = Language.GERMAN),
+            "200" to Settings(lessMotion = true, textScale = 2f),
+        )
+
+        fun Workshop.attempt(text: String) {
+            handle(ProgramEvent.ProgramEdited(text))
+            handle(RunEvent.RunPressed)
+            advance(20_000)
+            handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        }
+
+        fun Workshop.handIn() {
+            attempt(AnyAssignment.SOLUTION)
+            handle(AssignmentEvent.HandInRequested)
+            handle(AssignmentEvent.NameEntered("Ada, 7b"))
+        }
+
+        val PUPIL: Map<String, Workshop.() -> Unit> = mapOf(
+            "opened" to {},
+            "failed" to { attempt("beep\n") },
+            "hint" to {
+                attempt("beep\n")
+                handle(WorkshopEvent.TaskShown(true))
+            },
+            "solved" to { attempt(AnyAssignment.SOLUTION) },
+            "asking" to {
+                handIn()
+                handle(AssignmentEvent.HandInClosed)
+                handle(ProgramEvent.ProgramEdited("forward 20\n"))
+                handle(AssignmentEvent.HandInRequested)
+            },
+            "ready" to {
+                handIn()
+                handle(AssignmentEvent.HandInMade())
+                handle(AssignmentEvent.HandInFileSaved)
+            },
+            "feedback" to {
+                attempt(AnyAssignment.SOLUTION)
+                val best = checkNotNull(project.tries?.best)
+                val handIn = makeHandIn(project, "Ada", HandedInWork(best))
+                val results = listOf(FeedbackResult("", 3, 3), FeedbackResult("Small", 2, 3))
+                openProject(handIn.copy(feedback = Feedback("Well done. Look at the small world again.", results)))
+            },
+        )
+
+        val AUTHOR: Map<String, Workshop.() -> Unit> = mapOf(
+            "make" to {
+                handle(AssignmentEvent.MakingRequested)
+                handle(AssignmentEvent.CheckRequested(on = true))
+                handle(AssignmentEvent.PupilFileSaved)
+            },
+            "make-empty" to {
+                handle(AssignmentEvent.MakingRequested)
+                handle(AssignmentEvent.Removed)
+                handle(AssignmentEvent.MakingRequested)
+                handle(AssignmentEvent.TaskChanged("", ""))
+                handle(AssignmentEvent.PupilLinkRequested)
+            },
+        )
+    }
+}
