@@ -71,26 +71,42 @@ test('without workers, the page grades in slices, with the same result', () =>
     assert.deepEqual(troubles, []);
   }));
 
-test('a worker that dies costs its own row only', () =>
-  onPage({ ...TABLET, prepare: killOne }, async ({ page }) => {
-    await grade(page);
-    await isGraded(page);
-    const wanted = (await expected()).split('\r\n');
-    const different = (await table(page)).split('\r\n').filter((line) => !wanted.includes(line));
-    assert.equal(different.length, 1, different.join('\n'));
-    assert.match(different[0], /could not be graded/);
-  }));
+for (const [what, harm] of [
+  ['dies', dies],
+  ['stands still', standsStill],
+]) {
+  test(`a worker that ${what} costs its own row only`, () =>
+    onPage({ ...TABLET, prepare: harm }, async ({ page }) => {
+      await grade(page);
+      await isGraded(page);
+      const wanted = (await expected()).split('\r\n');
+      const different = (await table(page)).split('\r\n').filter((line) => !wanted.includes(line));
+      assert.equal(different.length, 1, different.join('\n'));
+      assert.match(different[0], /could not be graded/);
+    }));
+}
 
-/** Runs in the page: the second hand-in's worker ends with an error. */
-function killOne() {
+/** Runs in the page: the worker of the second hand-in ends with an error. */
+function dies() {
   let handIns = 0;
   const { postMessage } = Worker.prototype;
   Worker.prototype.postMessage = function (message) {
-    // The first text is what is graded for.
+    // Only orders have a first seed.
     if (typeof message === 'string' && !message.includes('"first"') && (handIns += 1) === 2) {
       this.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' }));
     } else postMessage.call(this, message);
   };
+}
+
+/** Runs in the page: the worker of the second hand-in never answers, and the page waits for seconds instead of minutes. */
+function standsStill() {
+  let handIns = 0;
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (message) {
+    if (typeof message !== 'string' || message.includes('"first"') || (handIns += 1) !== 2) postMessage.call(this, message);
+  };
+  const wait = globalThis.setTimeout;
+  globalThis.setTimeout = (action, time, ...more) => wait(action, time === 5_000 ? 500 : time, ...more);
 }
 
 test('grading can be stopped, and the rest graded later', () =>

@@ -24,9 +24,26 @@ async function codeOf(page, program) {
 
 const scanner = (page) => page.locator('dialog.robotran-scanner');
 
+/** To draw forty centimetres. */
+const WORLD = {
+  format: 'robotran-world',
+  version: 2,
+  title: 'A long line',
+  task: 'Draw a line. It needs forty centimetres.',
+  paper: { width: 100, height: 80 },
+  robots: [{ start: { x: 30, y: 30, heading: 0 } }],
+  goals: [{ kind: 'inkLength', atLeast: 40 }],
+  timeLimit: 20,
+};
+
 async function openHandIns(page) {
+  const chooser = page.waitForEvent('filechooser');
+  await choose(page, 'work-menu', 'work-open');
+  const buffer = Buffer.from(JSON.stringify(WORLD));
+  await (await chooser).setFiles([{ name: 'line.world.json', mimeType: 'application/json', buffer }]);
+  await says(page, 'task-title', /A long line/);
   await choose(page, 'work-menu', 'work-hand-ins');
-  await appears(page, 'hand-ins-scan');
+  await appears(page, 'hand-ins-paste');
 }
 
 /** Runs in the page: keeps the streams of the camera for the test. */
@@ -93,7 +110,7 @@ test('Escape ends the scanner while the camera is still starting', () =>
     await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
     await page.keyboard.press('Escape');
     await scanner(page).waitFor({ state: 'detached' });
-    await appears(page, 'hand-ins-scan');
+    await appears(page, 'hand-ins-paste');
     assert.deepEqual(troubles, []);
   }));
 
@@ -104,8 +121,7 @@ function wait() {
 
 test('without cameras there is no button', () =>
   onPage({ ...TABLET, prepare: takeAway }, async ({ page }) => {
-    await choose(page, 'work-menu', 'work-hand-ins');
-    await appears(page, 'hand-ins-paste');
+    await openHandIns(page);
     assert.equal(await words(page, 'hand-ins-scan').count(), 0);
   }));
 
