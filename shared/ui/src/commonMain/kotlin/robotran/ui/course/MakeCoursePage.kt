@@ -58,7 +58,7 @@ internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) ->
     Page(stringResource(Res.string.course_make), "course-make", { onEvent(CourseEvent.PageClosed) }) {
         Column(
             Modifier.testTag("course-form").verticalScroll(rememberScrollState()).padding(24.dp),
-            Arrangement.spacedBy(28.dp),
+            Arrangement.spacedBy(32.dp),
         ) {
             Explanation(stringResource(Res.string.course_make_intro))
             Section(stringResource(Res.string.course_about), "course-about") {
@@ -114,7 +114,7 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
                     }
                 }
             }
-            LinkOrProblem(link.link, link.problem, Res.string.course_qr_help, "course-qr")
+            LinkOrProblem(link.link, link.problem, "course-qr", Res.string.course_qr_help)
         }
     }
 }

@@ -8,6 +8,7 @@ import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.ordinaryText
+import robotran.assignments.packaging.ScormVersion
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentLimits
@@ -75,6 +76,8 @@ internal class AssignmentAuthor(
             AssignmentEvent.PupilLinkCopied -> share { sharing.copyLink(it) }
             AssignmentEvent.PupilLinkShared -> share { sharing.shareLink(it) }
             AssignmentEvent.PupilLinkClosed -> state = now.copy(link = null)
+            AssignmentEvent.EmbedCodeCopied -> share { sharing.copyEmbedCode(it) }
+            is AssignmentEvent.PackageSaved -> pack(now, event.version)
         }
     }
 
@@ -132,6 +135,9 @@ internal class AssignmentAuthor(
             // It is about what has just been changed.
             check = before?.check?.takeIf { before.assignment == assignment },
             hasShareSheet = platform.sharing.hasShareSheet,
+            canPack = platform.webSite != null,
+            isPacking = before?.isPacking == true,
+            isAboutPackage = before?.isAboutPackage == true,
         )
     }
 
@@ -252,10 +258,23 @@ internal class AssignmentAuthor(
     private fun share(what: suspend (MakingState) -> MakingState) {
         scope.launch {
             val now = state ?: return@launch
-            val then = what(now.copy(savedAs = null, saveError = null))
+            val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false))
             // The author may have gone on meanwhile.
-            state = state?.copy(link = then.link, savedAs = then.savedAs, saveError = then.saveError)
+            state = state?.copy(
+                link = then.link,
+                savedAs = then.savedAs,
+                saveError = then.saveError,
+                embedCodeCopied = then.embedCodeCopied,
+                isPacking = false,
+                isAboutPackage = now.isPacking,
+            )
         }
+    }
+
+    private fun pack(page: MakingState, version: ScormVersion) {
+        if (page.isPacking) return
+        state = page.copy(isPacking = true)
+        share { sharing.savePackage(it, version) }
     }
 
     private companion object {

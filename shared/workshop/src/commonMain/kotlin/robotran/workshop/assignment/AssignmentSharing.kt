@@ -4,6 +4,9 @@ import kotlinx.coroutines.withContext
 import robotran.assignments.doing.pupilCopy
 import robotran.assignments.doing.teacherCopy
 import robotran.documents.projectFile
+import robotran.assignments.packaging.PackageResult
+import robotran.assignments.packaging.ScormVersion
+import robotran.assignments.packaging.learningPackage
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
@@ -49,12 +52,38 @@ internal class AssignmentSharing(
         return page
     }
 
+    /** Copies the HTML that shows the assignment in a frame; makes the link, or says why there is none. */
+    suspend fun copyEmbedCode(page: MakingState): MakingState {
+        val made = makeLink(page)
+        val link = made.link?.link ?: return made
+        val code = "<iframe src=\"${link.replaceFirst("#", "?embed=assignment#")}\" title=\"${escaped(title)}\" " +
+            "width=\"100%\" height=\"600\" allow=\"clipboard-write\"></iframe>"
+        return page.copy(embedCodeCopied = platform.sharing.copy(code))
+    }
+
+    suspend fun savePackage(page: MakingState, version: ScormVersion): MakingState {
+        val site = platform.webSite?.files() ?: return page.copy(saveError = "")
+        val copy = pupilCopy(current.project)
+        val made = withContext(platform.background) {
+            learningPackage(title, listOf(copy), version, site, preferences.language)
+        }
+        return when (made) {
+            is PackageResult.TooLong -> page.copy(saveError = made.message)
+            is PackageResult.Made -> save(page, title, FileKind.ZIP, made.bytes)
+        }
+    }
+
+    private fun escaped(text: String) = text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;")
+
     private suspend fun save(page: MakingState, project: Project, name: String): MakingState {
         val bytes = withContext(platform.background) { projectFile(project) } ?: return page.copy(saveError = "")
-        return when (val saving = platform.files.save(name, FileKind.PROJECT, bytes)) {
+        return save(page, name, FileKind.PROJECT, bytes)
+    }
+
+    private suspend fun save(page: MakingState, name: String, kind: FileKind, bytes: ByteArray): MakingState =
+        when (val saving = platform.files.save(name, kind, bytes)) {
             is Saving.Saved -> page.copy(savedAs = saving.name)
             is Saving.Failed -> page.copy(saveError = saving.reason)
             Saving.Cancelled -> page
         }
-    }
 }

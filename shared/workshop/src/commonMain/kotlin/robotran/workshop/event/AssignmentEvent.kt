@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.assignments.packaging.ScormVersion
 import robotran.projects.Assignment
 
 /** A user action on an assignment. */
@@ -91,4 +92,10 @@ sealed interface AssignmentEvent : WorkshopEvent {
     data object PupilLinkShared : OfAuthor
 
     data object PupilLinkClosed : OfAuthor
+
+    /** Saves a package for learning platforms that know [version]. */
+    data class PackageSaved(val version: ScormVersion) : OfAuthor
+
+    /** Copies what shows the assignment in a frame of another page. */
+    data object EmbedCodeCopied : OfAuthor
 }

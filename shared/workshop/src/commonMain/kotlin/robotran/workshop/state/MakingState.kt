@@ -12,6 +12,10 @@ import robotran.projects.Assignment
  * @property check the run of the solution; null before it.
  * @property link the link for pupils; null while it is not shown.
  * @property savedAs the name of the last file; null before it.
+ * @property canPack whether there is a web site at hand to make packages for learning platforms of.
+ * @property isPacking whether a package is being made.
+ * @property isAboutPackage whether [savedAs] and [saveError] are about a package.
+ * @property embedCodeCopied whether the code for a frame was copied last.
  */
 @Immutable
 data class MakingState(
@@ -28,6 +32,10 @@ data class MakingState(
     val savedAs: String? = null,
     val saveError: String? = null,
     val hasShareSheet: Boolean = false,
+    val canPack: Boolean = false,
+    val isPacking: Boolean = false,
+    val isAboutPackage: Boolean = false,
+    val embedCodeCopied: Boolean = false,
 )
 
 /** A program of the author's; [isStart] is whether pupils begin with it, [isChanged] whether it was changed since. */

@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.packaging.ScormVersion
 import robotran.ui.assignment.LinkOrProblem
 import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.Quiet
@@ -30,6 +31,10 @@ import robotran.ui.resources.make_missing_goals
 import robotran.ui.resources.make_missing_solution
 import robotran.ui.resources.make_missing_start
 import robotran.ui.resources.make_missing_task
+import robotran.ui.resources.make_embed_copy
+import robotran.ui.resources.make_packing
+import robotran.ui.resources.make_platform
+import robotran.ui.resources.make_platform_help
 import robotran.ui.resources.make_pupil_file
 import robotran.ui.resources.make_pupil_link
 import robotran.ui.resources.make_qr_help
@@ -116,7 +121,7 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                 onEvent(AssignmentEvent.PupilLinkRequested)
             })
         }
-        SaveResult(state.savedAs, state.saveError, "make-saved")
+        if (!state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-saved")
         state.link?.let { link ->
             if (link.link != null) {
                 Chips {
@@ -133,6 +138,35 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
         }
     }
 }
+
+/** Packages, and the code for a frame. */
+@Composable
+internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    Section(stringResource(Res.string.make_platform), "make-platform-section") {
+        Quiet(stringResource(Res.string.make_platform_help), "make-platform-help")
+        Chips {
+            if (state.canPack) {
+                for ((version, name) in SCORM) {
+                    SecondButton(name, "make-${name.lowercase().replace(' ', '-')}", {
+                        onEvent(AssignmentEvent.PackageSaved(version))
+                    })
+                }
+            }
+            val copy = if (state.embedCodeCopied) Res.string.hand_in_copied else Res.string.make_embed_copy
+            SecondButton(stringResource(copy), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
+        }
+        if (state.isPacking) {
+            Explanation(
+                stringResource(Res.string.make_packing),
+                Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
+            )
+        }
+        if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
+    }
+}
+
+/** The standards are called alike in all languages. */
+private val SCORM = listOf(ScormVersion.SCORM_2004 to "SCORM 2004", ScormVersion.SCORM_1_2 to "SCORM 1.2")
 
 private val MissingPart.sentence: StringResource
     get() = when (this) {

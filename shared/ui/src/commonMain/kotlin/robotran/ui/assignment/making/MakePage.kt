@@ -41,7 +41,7 @@ internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
     Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }) {
         Column(
             Modifier.testTag("make-form").verticalScroll(rememberScrollState()).padding(24.dp),
-            Arrangement.spacedBy(28.dp),
+            Arrangement.spacedBy(32.dp),
         ) {
             Column {
                 Explanation(stringResource(Res.string.make_intro))
@@ -57,6 +57,7 @@ internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
             GradingSection(state.assignment, change, onEvent)
             CheckSection(state, onEvent)
             GiveSection(state, onEvent)
+            PlatformSection(state, onEvent)
             QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
         }
     }
