@@ -1,0 +1,160 @@
+// A class without a server, by touch: a teacher sets a task, a pupil does it and hands in, the teacher grades and answers.
+import assert from 'node:assert/strict';
+import { mkdtemp, readFile, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+import { fingerOn } from './blocks.mjs';
+import { photograph } from './page.mjs';
+import { onPage, PHONE } from './set-up.mjs';
+import { appears, disappears, isSaid, says, words } from './words.mjs';
+
+const FINGERS = { hasTouch: true, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] };
+const TEACHER = { width: 1180, height: 820, ...FINGERS };
+const PUPIL = { ...PHONE, ...FINGERS, locale: 'de-DE' };
+
+const world = {
+  format: 'robotran-world',
+  version: 2,
+  title: 'To the mark',
+  task: 'Drive to the mark.',
+  paper: { width: 100, height: 80 },
+  robots: [{ start: { x: 30, y: 40, heading: 0 } }],
+  goals: [{ kind: 'reach', region: { rectangle: { x: 60, y: 30, width: 20, height: 20 } } }],
+  timeLimit: 20,
+};
+const worldLink = `#w=a${deflateRawSync(JSON.stringify(world)).toString('base64url')}`;
+
+/** Saves what is downloaded while `act` runs in `folder`, and returns its path. */
+async function downloaded(page, folder, act) {
+  const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), act()]);
+  const file = path.join(folder, download.suggestedFilename());
+  await download.saveAs(file);
+  return file;
+}
+
+/** Chooses `files` in the dialog that opens while `act` runs. */
+async function chosen(page, files, act) {
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), act()]);
+  await chooser.setFiles(files);
+}
+
+/** Taps into the field `tag` and types `text` in place of what is there, as with a keyboard on the screen. */
+async function type(page, finger, tag, text) {
+  await finger.press(tag);
+  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Delete');
+  await page.keyboard.insertText(text);
+}
+
+async function openMenu(page, finger, item) {
+  await finger.press('work-menu');
+  await finger.press(item);
+}
+
+test('a class from the assignment to the feedback, by touch', { timeout: 600_000 }, async () => {
+  const folder = await mkdtemp(path.join(tmpdir(), 'class-'));
+  let link = '';
+  let teacherFile = '';
+
+  await onPage({ ...TEACHER, address: worldLink }, async ({ page, troubles }) => {
+    const finger = fingerOn(page);
+    await type(page, finger, 'program', '// Drive to the mark.\n');
+    await openMenu(page, finger, 'work-make-assignment');
+    await appears(page, 'assignment-make');
+    await type(page, finger, 'make-text', 'The mark is 40 cm ahead.\n\n`forward` takes centimetres.');
+    await type(page, finger, 'make-name', 'First name');
+    await photograph(page, 'class-make');
+    await page.goBack();
+    await disappears(page, 'assignment-make');
+    await type(page, finger, 'program', 'forward 39\n');
+    await openMenu(page, finger, 'work-make-assignment');
+    await finger.press('make-solution-take');
+    await finger.press('make-seeds-more');
+    await finger.press('make-check');
+    await appears(page, 'make-checked');
+    await finger.press('make-pupil-link');
+    await appears(page, 'make-qr');
+    await photograph(page, 'class-give');
+    await finger.press('make-link-copy');
+    await says(page, 'make-link-copy', /Copied/);
+    link = await page.evaluate(() => navigator.clipboard.readText());
+    teacherFile = await downloaded(page, folder, () => finger.press('make-teacher-file'));
+    assert.deepEqual(troubles, []);
+  });
+  assert.match(link, /#p=a/);
+  assert.match(await readFile(teacherFile, 'utf8'), /"solution"/);
+
+  let handIn = '';
+  await onPage({ ...PUPIL, address: new URL(link).hash }, async ({ page, troubles }) => {
+    const finger = fingerOn(page);
+    await says(page, 'assignment-text', /40 cm ahead/);
+    await photograph(page, 'class-task');
+    await finger.press('run');
+    await appears(page, 'outcome-tries');
+    await photograph(page, 'class-failed');
+    await finger.press('tab-program');
+    await type(page, finger, 'program', 'forward 38\n');
+    await finger.press('run');
+    await appears(page, 'solved-hand-in');
+    await photograph(page, 'class-solved');
+    await finger.press('solved-hand-in');
+    await type(page, finger, 'hand-in-name', 'Änne');
+    await photograph(page, 'class-hand-in');
+    await finger.press('hand-in-go-on');
+    await appears(page, 'hand-in-ready');
+    await photograph(page, 'class-ready');
+    handIn = await downloaded(page, folder, () => finger.press('hand-in-file'));
+    assert.deepEqual(troubles, []);
+  });
+  const handedIn = JSON.parse(await readFile(handIn, 'utf8'));
+  assert.equal(handedIn.handIn.name, 'Änne');
+  assert.deepEqual([handedIn.handIn.tries, handedIn.handIn.result.goalsMet], [2, 1]);
+  assert.equal(handedIn.assignment.solution, undefined);
+
+  const lazy = path.join(folder, 'Ben.robo');
+  await writeFile(lazy, 'repeat forever\nend\n');
+  const broken = path.join(folder, 'Caro.zip');
+  await writeFile(broken, Buffer.from('PK\u0003\u0004 nothing else'));
+  let feedback = '';
+  await onPage(TEACHER, async ({ page, troubles }) => {
+    const finger = fingerOn(page);
+    await chosen(page, [teacherFile], () => openMenu(page, finger, 'work-open'));
+    await says(page, 'program', /forward 39/);
+    await openMenu(page, finger, 'work-hand-ins');
+    await appears(page, 'hand-ins-empty');
+    await chosen(page, [handIn, lazy, broken], () => finger.press('hand-ins-choose'));
+    await says(page, 'hand-ins-counts', /1 Solved/);
+    await says(page, 'hand-ins-counts', /1 Not solved/);
+    await says(page, 'hand-ins-counts', /1 Cannot be used/);
+    await photograph(page, 'class-table');
+    const csv = await readFile(await downloaded(page, folder, () => finger.press('hand-ins-csv')), 'utf8');
+    assert.equal(csv.trim().split('\n').length, 4, csv);
+    const html = await readFile(await downloaded(page, folder, () => finger.press('hand-ins-html')), 'utf8');
+    assert.match(html, /Änne/);
+    assert.doesNotMatch(html, /<script/);
+    await finger.press('hand-ins-order-name');
+    await finger.press('hand-in-row-0');
+    await appears(page, 'hand-in');
+    await type(page, finger, 'hand-in-comment', 'Well done, Änne.');
+    await photograph(page, 'class-one');
+    feedback = await downloaded(page, folder, () => finger.press('hand-in-feedback'));
+    await finger.press('hand-in-replay');
+    await disappears(page, 'hand-in');
+    await photograph(page, 'class-replay');
+    assert.deepEqual(troubles, []);
+  });
+
+  await onPage(PUPIL, async ({ page, troubles }) => {
+    const finger = fingerOn(page);
+    await finger.press('menu');
+    await chosen(page, [feedback], () => finger.press('menu-open'));
+    await says(page, 'assignment-comment', /Well done, Änne/);
+    await isSaid(page, /Aufgabe/);
+    await photograph(page, 'class-feedback');
+    assert.equal(await words(page, 'assignment-hand-in').count(), 0);
+    assert.deepEqual(troubles, []);
+  });
+});
