@@ -26,8 +26,12 @@ class GradingThreadsTest {
     private val assignment = AnyClass.teachers
     private val plan = GradingPlan.of(assignment)
 
-    private suspend fun submissions() =
-        collectSubmissions(AnyClass.few.map { CollectedFile(it.path, it.bytes) }, assignment).filterIsInstance<Submission.Usable>()
+    private suspend fun submissions() = collectSubmissions(
+        AnyClass.few.map {
+            CollectedFile(it.path, it.bytes)
+        },
+        assignment,
+    ).filterIsInstance<Submission.Usable>()
 
     private fun reports(graded: GradedHandIn) = (graded as? GradedHandIn.Graded)?.runs?.map { it.grade }
 
