@@ -7,7 +7,7 @@ import { appears, disappears, words } from './words.mjs';
 const STILL = 300;
 
 /** What is in a menu. One that has just opened may miss a touch, though it stays where it is. */
-const IN_MENU = /^(panel|run-panel|new|view)-/;
+const IN_MENU = /^(panel|run-panel|new|view|work|menu)-/;
 
 /**
  * Runs in the page, once in each frame: whether the accessibility HTML has been as new as the screen for two whole

@@ -3,10 +3,11 @@ package robotran.workshop.assignment
 import kotlinx.coroutines.withContext
 import robotran.assignments.doing.pupilCopy
 import robotran.assignments.doing.teacherCopy
-import robotran.documents.projectFile
 import robotran.assignments.packaging.PackageResult
 import robotran.assignments.packaging.ScormVersion
 import robotran.assignments.packaging.learningPackage
+import robotran.documents.fileNameFor
+import robotran.documents.projectFile
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
@@ -81,7 +82,7 @@ internal class AssignmentSharing(
     }
 
     private suspend fun save(page: MakingState, name: String, kind: FileKind, bytes: ByteArray): MakingState =
-        when (val saving = platform.files.save(name, kind, bytes)) {
+        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
             is Saving.Saved -> page.copy(savedAs = saving.name)
             is Saving.Failed -> page.copy(saveError = saving.reason)
             Saving.Cancelled -> page

@@ -11,6 +11,7 @@ import robotran.assignments.doing.HandedInWork
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.handInName
 import robotran.assignments.doing.makeHandIn
+import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.projects.LinkCreation
 import robotran.projects.Project
@@ -142,7 +143,11 @@ internal class HandInMaker(
         val bytes = withContext(platform.background) { projectFile(made) }
         val saving = when (bytes) {
             null -> Saving.Failed("")
-            else -> platform.files.save("${made.world.title} - ${now.name}", FileKind.PROJECT, bytes)
+            else -> platform.files.save(
+                fileNameFor("${made.world.title} - ${now.name}", FileKind.PROJECT),
+                FileKind.PROJECT,
+                bytes,
+            )
         }
         when (saving) {
             is Saving.Saved -> {
