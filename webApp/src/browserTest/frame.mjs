@@ -20,9 +20,9 @@ export function framed(page, frame) {
   };
 }
 
-/** Waits for the app in the frame of `page`, and returns it as `framed` does. */
-export async function appInFrame(page) {
-  const handle = await page.waitForSelector('iframe');
+/** Waits for the app in the frame of `around`, which is `page` or a frame in it, and returns it as `framed` does. */
+export async function appInFrame(page, around = page) {
+  const handle = await around.waitForSelector('iframe');
   const frame = await handle.contentFrame();
   await frame.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
   await frame.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'), null, { timeout: 60_000 });
