@@ -21,7 +21,10 @@ class PackageCommandTest : CommandTest() {
     }
     private val assignment by lazy {
         val checks = AssignmentChecks(1..20)
-        program(writeProject(Project(BuiltInWorlds.plain, assignment = Assignment("a1", checks = checks))), "a.robotran")
+        program(
+            writeProject(Project(BuiltInWorlds.plain, assignment = Assignment("a1", checks = checks))),
+            "a.robotran",
+        )
     }
     private val output get() = folder.resolve("out.zip")
 

@@ -80,11 +80,12 @@ private fun fileIn(place: JsonCursor): SourceFile {
 }
 
 /** Its lines, unchanged and with any line ends. */
-internal fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
-    val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
-    if ('\n' in text) line.refuse(told { mustBeOneLine() })
-    text
-}
+internal fun textIn(place: JsonCursor): String =
+    place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+        val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
+        if ('\n' in text) line.refuse(told { mustBeOneLine() })
+        text
+    }
 
 private fun settingsIn(place: JsonCursor) = ProjectSettings(
     seed = place.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),

@@ -2,8 +2,8 @@ package robotran.web.embedding
 
 import kotlinx.coroutines.delay
 import kotlinx.serialization.json.JsonObject
-import robotran.json.ObjectBuilder
 import robotran.json.JsonReading
+import robotran.json.ObjectBuilder
 import robotran.json.jsonObject
 import robotran.json.readJson
 import robotran.json.writeCompactJson

@@ -38,7 +38,7 @@ internal fun manifestOf(
         |  </resources>
         |</manifest>
         |
-    """.trimMargin()
+        """.trimMargin()
 }
 
 private fun escaped(text: String): String =

@@ -35,9 +35,10 @@ class LearningPackageTest {
         .newDocumentBuilder()
         .parse(ByteArrayInputStream(files.getValue("imsmanifest.xml")))
 
-    private fun texts(document: Document, name: String): List<String> = document.getElementsByTagNameNS("*", name).let { nodes ->
-        (0 until nodes.length).map { nodes.item(it).textContent }
-    }
+    private fun texts(document: Document, name: String): List<String> =
+        document.getElementsByTagNameNS("*", name).let { nodes ->
+            (0 until nodes.length).map { nodes.item(it).textContent }
+        }
 
     @Test
     fun `a package holds the site, the wrapper and a manifest that lists them all`() {

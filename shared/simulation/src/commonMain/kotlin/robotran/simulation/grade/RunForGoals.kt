@@ -58,7 +58,8 @@ class GoalRun(
             left -= part
             rest -= part
             val now = session.state
-            quiet = if (isOver(now) && !hasMoved(before, now) && now.robots.none { it.brick.sounding }) quiet + part else 0
+            quiet =
+                if (isOver(now) && !hasMoved(before, now) && now.robots.none { it.brick.sounding }) quiet + part else 0
         }
     }
 

@@ -122,9 +122,13 @@ private fun Solved(
         )
     }
     when {
-        assignment == null -> Next(solved, onEvent)
+        assignment == null -> {
+            Next(solved, onEvent)
+        }
 
-        course == null -> Tries(assignment, canHandIn, onEvent)
+        course == null -> {
+            Tries(assignment, canHandIn, onEvent)
+        }
 
         else -> {
             Tries(assignment, canHandIn = false, onEvent)

@@ -143,6 +143,7 @@ internal class HandInMaker(
         val bytes = withContext(platform.background) { projectFile(made) }
         val saving = when (bytes) {
             null -> Saving.Failed("")
+
             else -> platform.files.save(
                 fileNameFor("${made.world.title} - ${now.name}", FileKind.PROJECT),
                 FileKind.PROJECT,

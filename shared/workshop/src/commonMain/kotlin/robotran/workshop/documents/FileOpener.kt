@@ -54,7 +54,11 @@ internal class FileOpener(
         val given = files.map { file ->
             IncomingFile(file.name, file.bytes, file.location?.let { FileReference(it, file.name) })
         }
-        when (val opening = withContext(platform.background) { openFiles(unpackedCourses(given), preferences.language) }) {
+        when (
+            val opening = withContext(platform.background) {
+                openFiles(unpackedCourses(given), preferences.language)
+            }
+        ) {
             is OpenFilesResult.Opened -> take(opening)
             is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
         }
@@ -171,6 +175,7 @@ internal class FileOpener(
     }
 
     private companion object {
-        val KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE, FileKind.ROBOLANG, FileKind.JAVA, FileKind.ZIP)
+        val KINDS =
+            listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE, FileKind.ROBOLANG, FileKind.JAVA, FileKind.ZIP)
     }
 }

@@ -24,6 +24,7 @@ import robotran.ui.resources.hand_in_copy
 import robotran.ui.resources.hand_in_share
 import robotran.ui.resources.make_check
 import robotran.ui.resources.make_check_all
+import robotran.ui.resources.make_embed_copy
 import robotran.ui.resources.make_give
 import robotran.ui.resources.make_give_help
 import robotran.ui.resources.make_missing_allowed
@@ -31,7 +32,6 @@ import robotran.ui.resources.make_missing_goals
 import robotran.ui.resources.make_missing_solution
 import robotran.ui.resources.make_missing_start
 import robotran.ui.resources.make_missing_task
-import robotran.ui.resources.make_embed_copy
 import robotran.ui.resources.make_packing
 import robotran.ui.resources.make_platform
 import robotran.ui.resources.make_platform_help
