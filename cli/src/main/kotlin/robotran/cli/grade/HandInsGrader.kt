@@ -37,8 +37,9 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
     fun run(place: LoadedWorld, request: GradeRequest): ExitCode {
         val assignment = assignmentFor(place, request) ?: return ExitCode.BAD_INPUT
         val files = SubmittedFiles(messages).apply { add(request.programs.distinct()) }
-        val submissions = runBlocking { collectSubmissions(files.files, assignment, console.language) } +
+        val found = runBlocking { collectSubmissions(files.files, assignment, console.language) } +
             files.problems.map { (name, reason) -> Submission.Unusable(name, name, reason) }
+        val submissions = found.sortedBy { it.name.lowercase() }
         val plan = planOf(assignment, request)
         val results = grade(assignment, plan, submissions, request)
         val report = ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment))

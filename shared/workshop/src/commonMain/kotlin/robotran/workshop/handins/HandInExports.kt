@@ -51,9 +51,9 @@ internal class HandInExports(
     }
 }
 
-/** What is graded, in the order of the table. */
+/** What is graded, by name as in a teacher's own list, whatever the order on the screen. */
 private fun reportOf(open: OpenAssignment, state: HandInsState): ClassReport {
-    val rows = state.rows.filter { it.graded != null }
+    val rows = state.rows.filter { it.graded != null }.sortedBy { it.name.lowercase() }
     val results = rows.mapNotNull { it.graded }
     val comments = rows.withIndex().filter { it.value.comment.isNotBlank() }.associate { it.index to it.value.comment }
     return ClassReport(
