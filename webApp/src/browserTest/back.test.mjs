@@ -3,29 +3,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph, reload } from './page.mjs';
 import { onPage } from './set-up.mjs';
-import { appears, disappears, placeOf, words } from './words.mjs';
+import { appears, disappears, tap, tapFor, words } from './words.mjs';
 
 const TABLET = { width: 1180, height: 820, hasTouch: true };
 const PHONE = { width: 412, height: 915, hasTouch: true };
-
-async function tap(page, tag) {
-  const { x, y } = await placeOf(page, tag);
-  await page.touchscreen.tap(x, y);
-}
-
-/** Taps `tag` until `expected` is there: what has just opened or closed may miss a tap. */
-async function tapUntil(page, tag, expected) {
-  for (let attempt = 0; attempt < 4; attempt++) {
-    await tap(page, tag);
-    try {
-      await words(page, expected).first().waitFor({ state: 'attached', timeout: 6_000 });
-      return;
-    } catch {
-      if ((await words(page, tag).count()) === 0) break; // The menu is gone, and what it opens takes its time.
-    }
-  }
-  await appears(page, expected);
-}
 
 /** The number of history entries above the page's own entry, once it is stable. */
 async function entries(page) {
@@ -42,8 +23,8 @@ async function entries(page) {
 /** Opens `opened` by tapping the tags `steps` in order, and closes it by Back. */
 async function openAndGoBack(page, steps, opened) {
   const [first, item] = steps;
-  await tapUntil(page, first, item ?? opened);
-  if (item) await tapUntil(page, item, opened);
+  await tapFor(page, first, item ?? opened);
+  if (item) await tapFor(page, item, opened);
   assert.ok((await entries(page)) > 0, `${opened} has an entry`);
   await page.goBack();
   await disappears(page, opened);

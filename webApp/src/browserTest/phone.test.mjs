@@ -3,23 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage } from './set-up.mjs';
-import { appears, disappears, placeOf, tap, words } from './words.mjs';
+import { appears, disappears, placeOf, tap, tapFor, words } from './words.mjs';
 
 const PHONE = { width: 412, height: 915, hasTouch: true };
-
-/** Taps `tag` until `done` is on the screen: a menu that has just opened may miss a tap. */
-async function tapFor(page, tag, done) {
-  for (let attempt = 0; attempt < 4; attempt++) {
-    await tap(page, tag);
-    try {
-      await words(page, done).first().waitFor({ state: 'attached', timeout: 4_000 });
-      return;
-    } catch {
-      // Try again.
-    }
-  }
-  throw new Error(`${tag} does not bring ${done}`);
-}
 
 /** Fails unless `tag` is completely on the screen. */
 async function assertInSight(page, tag) {

@@ -57,6 +57,20 @@ export async function tap(page, tag) {
   await page.touchscreen.tap(x, y);
 }
 
+/** Taps `tag` until `expected` is there: what has just opened or closed may miss a tap. */
+export async function tapFor(page, tag, expected) {
+  for (let attempt = 0; attempt < 4; attempt++) {
+    await tap(page, tag);
+    try {
+      await words(page, expected).first().waitFor({ state: 'attached', timeout: 6_000 });
+      return;
+    } catch {
+      if ((await words(page, tag).count()) === 0) break; // The menu is gone, and what it opens takes its time.
+    }
+  }
+  await appears(page, expected);
+}
+
 /**
  * Presses `tag`, a tool of the program, by touch or mouse as `point` does. A row of tools without room for it has it in
  * its menu.
