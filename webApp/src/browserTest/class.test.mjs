@@ -3,11 +3,11 @@ import assert from 'node:assert/strict';
 import { mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { fingerOn } from './blocks.mjs';
 import { photograph } from './page.mjs';
 import { onPage, PHONE } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, disappears, isSaid, says, words } from './words.mjs';
 
 const FINGERS = { hasTouch: true, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] };

@@ -1,10 +1,10 @@
 // An assignment in a frame: what the page around learns, and who may be around.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { appInFrame, message, pageAround } from './frame.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { press, words, writeProgram } from './words.mjs';
 
 const world = {

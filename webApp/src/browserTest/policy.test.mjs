@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { test } from 'node:test';
 import { findColour } from './browser.mjs';
 import { RUN_GREEN } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 
 /** Runs in the page: records policy violations. */
 function watch() {

@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { test } from 'node:test';
 import { startBrowser } from './browser.mjs';
 import { cameraOf, film } from './camera.mjs';
 import { look, openPage, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, placeOf, press, says, words, writeProgram } from './words.mjs';
+import { test } from './tried-again.mjs';
+import { appears, choose, disappears, PATIENCE, placeOf, press, says, words, writeProgram } from './words.mjs';
 
 /** A picture of the QR code of a link to `program`. */
 async function codeOf(page, program) {
@@ -70,7 +70,7 @@ test('codes before the camera become hand-ins, each once, and then the camera is
       const isLoaded = () => fetched.some((address) => address.includes('qr-scanner'));
       assert.ok(!isLoaded(), 'the scanner is loaded before it is needed');
       await press(page, 'hand-ins-scan');
-      await scanner(page).getByRole('status').filter({ hasText: 'Codes read: 2' }).waitFor({ timeout: 30_000 });
+      await scanner(page).getByRole('status').filter({ hasText: 'Codes read: 2' }).waitFor({ timeout: PATIENCE });
       assert.ok(isLoaded());
       await page.waitForTimeout(4_000); // All codes are seen again.
       assert.equal(await scanner(page).getByRole('status').textContent(), 'Codes read: 2');

@@ -3,13 +3,13 @@ import assert from 'node:assert/strict';
 import { mkdtemp, readFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { appInFrame } from './frame.mjs';
 import { platformPage, unpack } from './platform.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import { serve } from './serve.mjs';
-import { appears, choose, press, says, words, writeProgram } from './words.mjs';
+import { test } from './tried-again.mjs';
+import { appears, choose, PATIENCE, press, says, words, writeProgram } from './words.mjs';
 
 const assignment = {
   format: 'robotran-project',
@@ -95,7 +95,7 @@ for (const [version, keys] of [
       await press(app, 'run');
       await becomes(page, keys.score, '100');
       await becomes(page, keys.status, keys.done);
-      await page.waitForFunction(() => /^#h=a/.test(values['cmi.suspend_data']), null, { timeout: 30_000 });
+      await page.waitForFunction(() => /^#h=a/.test(values['cmi.suspend_data']), null, { timeout: PATIENCE });
       await page.waitForTimeout(2_500);
     });
     assert.deepEqual([kept.calls[0], kept.calls.includes('save')], ['begin', true]);
