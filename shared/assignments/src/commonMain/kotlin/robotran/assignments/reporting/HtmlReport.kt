@@ -4,7 +4,6 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradedWorld
-import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 import robotran.simulation.picture.WorldPictures
@@ -26,8 +25,8 @@ private class HtmlReport(
     private val language: Language,
 ) {
     private val messages = ReportMessages.of(language)
-    private val collecting = CollectingMessages.of(language)
     private val html = HtmlWriter()
+    private val hasSimilar = report.pairs.any { it.isMarked }
 
     fun write(): String {
         val title = report.assignment.world.title
@@ -43,9 +42,16 @@ private class HtmlReport(
         html.element("p", "${messages.summary(report.results.size, passed)} $plan")
         table()
         similar()
+        notes()
         report.results.indices.forEach(::section)
         html.raw("</body></html>\n")
         return html.text
+    }
+
+    private fun notes() {
+        if (report.notes.isEmpty()) return
+        html.element("h2", messages.notHandIns())
+        html.list(report.notes)
     }
 
     private fun table() {
@@ -55,7 +61,9 @@ private class HtmlReport(
         html.element("th", columns[1])
         html.element("th", columns[2])
         report.plan.worlds.forEach { html.element("th", nameOf(it).ifEmpty { columns[4] }) }
-        columns.drop(6).forEach { html.element("th", it) }
+        columns.subList(SECONDS, REMARKS).forEach { html.element("th", it) }
+        if (hasSimilar) html.element("th", columns[SIMILAR])
+        html.element("th", columns[REMARKS])
         html.raw("</tr></thead>\n<tbody>\n")
         report.results.forEachIndexed { index, result -> row(index, result) }
         html.raw("</tbody></table>\n")
@@ -72,10 +80,11 @@ private class HtmlReport(
             val runs = graded?.runsIn(world.name)
             html.element("td", runs?.let { all -> messages.countOf(all.count { it.grade.passed }, all.size) }.orEmpty())
         }
-        html.element("td", graded?.seconds?.let(::tenths).orEmpty())
+        html.element("td", graded?.seconds?.let { tenths(it, language) }.orEmpty())
         html.element("td", result.submission.linesOfCode.takeIf { it > 0 }?.toString().orEmpty())
         html.element("td", (result.submission as? Submission.Usable)?.handIn?.tries?.toString().orEmpty())
-        html.element("td", remarksOf(result, collecting).take(MOST_REMARKS).joinToString(" "), "words")
+        if (hasSimilar) html.element("td", similarTo(report, index), "words")
+        html.element("td", remarksOf(report, index, language).take(MOST_REMARKS).joinToString(" "), "words")
         html.raw("</tr>\n")
     }
 
@@ -92,10 +101,11 @@ private class HtmlReport(
         html.element("h2", result.submission.name)
         html.element("p", messages.verdict(result.verdict), result.verdict.name.lowercase())
         if (result is GradedHandIn.Graded) {
+            html.element("p", messages.runsMet(result.met, result.runs.size))
             picture(result)
             report.plan.worlds.forEach { goals(it, result.runsIn(it.name)) }
         }
-        val remarks = remarksOf(result, collecting)
+        val remarks = remarksOf(report, index, language)
         if (remarks.isNotEmpty()) {
             html.element("h3", messages.remarks())
             html.list(remarks)
@@ -125,7 +135,7 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        listOf(messages.goal(), messages.seedsMet(), messages.columns().last()).forEach { html.element("th", it) }
+        listOf(messages.goal(), messages.seedsMet(), messages.columns()[REMARKS]).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->
             val missed = runs.filter { it.grade.goals[goal].status != GoalStatus.MET }
@@ -165,6 +175,11 @@ private class HtmlReport(
     private companion object {
         const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
         const val MOST_REMARKS = 3
+
+        /** Of [ReportMessages.columns]. */
+        const val SECONDS = 6
+        const val REMARKS = 9
+        const val SIMILAR = 11
         const val MOST_SEEDS = 10
 
         /** A longer one is larger than the same picture in pixels. */

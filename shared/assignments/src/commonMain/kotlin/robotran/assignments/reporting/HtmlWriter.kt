@@ -29,9 +29,23 @@ internal class HtmlWriter {
         }
     }
 
+    /** The same, where what is between backticks in a line is program text. */
+    fun marked(words: String) {
+        var place = 0
+        for (code in CODE.findAll(words)) {
+            text(words.substring(place, code.range.first))
+            raw("<code>")
+            text(code.groupValues[1])
+            raw("</code>")
+            place = code.range.last + 1
+        }
+        text(words.substring(place))
+    }
+
+    /** @param words as [marked]. */
     fun element(name: String, words: String, style: String? = null) {
         raw(if (style == null) "<$name>" else "<$name class=\"$style\">")
-        text(words)
+        if (name in PLAIN) text(words) else marked(words)
         raw("</$name>")
     }
 
@@ -39,6 +53,13 @@ internal class HtmlWriter {
         raw("<ul>")
         items.forEach { element("li", it) }
         raw("</ul>\n")
+    }
+
+    private companion object {
+        val CODE = Regex("`([^`\n]+)`")
+
+        /** Elements in which no other may be, or which are program text as a whole. */
+        val PLAIN = setOf("title", "pre")
     }
 }
 
