@@ -26,7 +26,6 @@ private class HtmlReport(
 ) {
     private val messages = ReportMessages.of(language)
     private val html = HtmlWriter()
-    private val hasSimilar = report.pairs.any { it.isMarked }
 
     fun write(): String {
         val title = report.assignment.world.title
@@ -40,7 +39,7 @@ private class HtmlReport(
         val seeds = report.plan.seeds
         val plan = messages.plan(report.plan.worlds.size, seeds.first, seeds.last)
         html.element("p", "${messages.summary(report.results.size, passed)} $plan")
-        table()
+        writeOverview(report, html, language)
         similar()
         notes()
         report.results.indices.forEach(::section)
@@ -52,40 +51,6 @@ private class HtmlReport(
         if (report.notes.isEmpty()) return
         html.element("h2", messages.notHandIns())
         html.list(report.notes)
-    }
-
-    private fun table() {
-        html.raw("<table class=\"all\"><thead><tr>")
-        val columns = messages.columns()
-        html.element("th", columns[0])
-        html.element("th", columns[1])
-        html.element("th", columns[2])
-        report.plan.worlds.forEach { html.element("th", nameOf(it).ifEmpty { columns[4] }) }
-        columns.subList(SECONDS, REMARKS).forEach { html.element("th", it) }
-        if (hasSimilar) html.element("th", columns[SIMILAR])
-        html.element("th", columns[REMARKS])
-        html.raw("</tr></thead>\n<tbody>\n")
-        report.results.forEachIndexed { index, result -> row(index, result) }
-        html.raw("</tbody></table>\n")
-    }
-
-    private fun row(index: Int, result: GradedHandIn) {
-        val graded = result as? GradedHandIn.Graded
-        html.raw("<tr><td><a href=\"#p$index\">")
-        html.text(result.submission.name)
-        html.raw("</a></td>")
-        html.element("td", messages.verdict(result.verdict), result.verdict.name.lowercase())
-        html.element("td", graded?.let { messages.countOf(it.goalsMet, it.goals) }.orEmpty())
-        for (world in report.plan.worlds) {
-            val runs = graded?.runsIn(world.name)
-            html.element("td", runs?.let { all -> messages.countOf(all.count { it.grade.passed }, all.size) }.orEmpty())
-        }
-        html.element("td", graded?.seconds?.let { tenths(it, language) }.orEmpty())
-        html.element("td", result.submission.linesOfCode.takeIf { it > 0 }?.toString().orEmpty())
-        html.element("td", (result.submission as? Submission.Usable)?.handIn?.tries?.toString().orEmpty())
-        if (hasSimilar) html.element("td", similarTo(report, index), "words")
-        html.element("td", remarksOf(report, index, language).take(MOST_REMARKS).joinToString(" "), "words")
-        html.raw("</tr>\n")
     }
 
     private fun similar() {
@@ -168,18 +133,10 @@ private class HtmlReport(
         }
     }
 
-    /** Empty if there is only one world. */
-    private fun nameOf(world: GradedWorld): String =
-        if (report.plan.worlds.size == 1) "" else world.name.ifEmpty { messages.ownWorld() }
-
     private companion object {
         const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-        const val MOST_REMARKS = 3
-
         /** Of [ReportMessages.columns]. */
-        const val SECONDS = 6
         const val REMARKS = 9
-        const val SIMILAR = 11
         const val MOST_SEEDS = 10
 
         /** A longer one is larger than the same picture in pixels. */

@@ -71,10 +71,11 @@ internal val REPORT_STYLE = """
     table { border-collapse: collapse; width: 100%; margin: .6em 0 }
     th, td { border-bottom: 1px solid #ccc; padding: .25em .5em; text-align: left; vertical-align: top }
     th { background: #f2f2f2 } caption { text-align: left; font-weight: 600; padding: .2em 0 }
+    table.all { table-layout: fixed; font-size: .9em } table.all td, table.all th { padding: .25em .35em }
+    th, td, h1, h2, caption { overflow-wrap: anywhere; hyphens: auto }
     .words { overflow-wrap: anywhere }
     .passed { color: #14632a; font-weight: 600 } .partly { color: #7a4d00; font-weight: 600 }
     .missed, .mistakes, .failed, .unusable { color: #9c1c1c; font-weight: 600 }
-    .passed, .partly, .missed, .mistakes, .failed, .unusable { white-space: nowrap }
     section { border-top: 2px solid #888; padding-top: .8em; margin-top: 1.6em; overflow: hidden }
     img { float: right; width: 45%; max-height: 18em; object-fit: contain; margin: 0 0 .6em 1em }
     img { border: 1px solid #ccc }

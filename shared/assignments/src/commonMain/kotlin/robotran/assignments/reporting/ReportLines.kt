@@ -48,12 +48,19 @@ fun similarityLines(report: ClassReport, language: Language): List<String> {
     }
 }
 
-/** Whose programs are equal or nearly so to those of the result [index] of [report], such as `Ben (100 %)`. */
-internal fun similarTo(report: ClassReport, index: Int): String =
-    report.pairs.filter { it.isMarked && index in listOf(it.first, it.second) }.joinToString { pair ->
+/**
+ * Whose programs are equal or nearly so to those of the result [index] of [report], such as `Ben (100 %)`.
+ *
+ * @param most the number of names; the number of others follows them, such as `+6`.
+ */
+internal fun similarTo(report: ClassReport, index: Int, most: Int = Int.MAX_VALUE): String {
+    val names = report.pairs.filter { it.isMarked && index in listOf(it.first, it.second) }.map { pair ->
         val other = if (pair.first == index) pair.second else pair.first
         "${report.results[other].submission.name} (${percentOf(pair.share)})"
     }
+    val rest = names.size - most
+    return names.take(most).joinToString() + if (rest > 0) " +$rest" else ""
+}
 
 /** Rounded down: only equal programs have all in common. */
 private fun percentOf(share: Double) = "${(share * PERCENT).toInt()} %"
