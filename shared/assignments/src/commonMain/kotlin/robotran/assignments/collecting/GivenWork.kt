@@ -23,7 +23,7 @@ internal class GivenWork(private val assignment: Project) {
         return (project.tries?.tries ?: 0) == 0 && (handedIn.isEmpty() || textsOf(handedIn) == programs)
     }
 
-    /** Sorted, without what an editor or a mail program may change: blanks at the ends of lines, and empty last lines. */
+    /** Sorted, without what an editor or a mail program may change: blanks at the ends of lines, empty last lines. */
     private fun textsOf(programs: List<ProjectProgram>): List<String> = programs.flatMap { program ->
         program.files.map { file -> file.text.lines().joinToString("\n") { it.trimEnd() }.trimEnd() }
     }.sorted()

@@ -21,7 +21,7 @@ internal class FileGroup(
 /**
  * Sorts [files] by pupils: by the names that learning platforms make, or else by folders, or else file by file.
  *
- * @param isNoHandIn whether a file is something else, such as the assignment, which may lie beside the folder of a class.
+ * @param isNoHandIn whether a file is something else, such as the assignment, which may lie beside a class's folder.
  */
 internal fun groupsOf(files: List<FoundFile>, isNoHandIn: (FoundFile) -> Boolean): List<FileGroup> {
     val named = files.map { file -> file to platformPlace(file) }

@@ -15,18 +15,6 @@ import robotran.projects.openHandInLink
 import robotran.projects.readProject
 import robotran.rcxrom.Brick
 
-/**
- * One hand-in of a pupil, who may have handed in several.
- *
- * @property place the pupil's, in a way that tells it from others; empty for a file or link that lies in none.
- * @property pupil the same for all hand-ins of one pupil.
- * @property modified in milliseconds since 1970; 0 if unknown.
- */
-internal class Candidate(val place: String, val pupil: String, val modified: Long, val submission: Submission)
-
-/** @property notes on files that are no hand-ins, in sentences. */
-internal class ReadFiles(val candidates: List<Candidate>, val notes: List<String>)
-
 /** Reads what the files of a group hold. */
 internal class GroupReader(private val assignment: Project, private val language: Language) {
     private val messages = CollectingMessages.of(language)
@@ -104,7 +92,7 @@ internal class GroupReader(private val assignment: Project, private val language
         private suspend fun addText(file: FoundFile, text: String) {
             if (isProject(text)) {
                 when (val result = readProject(text, language)) {
-                    is ProjectFileResult.Loaded -> addFile(file, result.project)
+                    is ProjectFileResult.Loaded -> addProject(file, result.project, group.name, file.name)
                     is ProjectFileResult.Rejected -> problems += "${file.name}: ${result.message}"
                 }
                 return
@@ -119,7 +107,7 @@ internal class GroupReader(private val assignment: Project, private val language
             val name = if (isOnly || group.isFolder) group.name else messages.linkIn(file.name, line)
             val origin = if (isOnly) file.name else messages.linkIn(file.name, line)
             val reason = when (val result = openHandInLink(link, assignment.world, language)) {
-                is LinkResult.OfProject -> return projects.plusAssign(candidate(file, result.project, name, origin, link))
+                is LinkResult.OfProject -> return addProject(file, result.project, name, origin, link)
                 is LinkResult.OfWorld -> messages.onlyWorld()
                 is LinkResult.OfCourse -> messages.onlyCourse()
                 is LinkResult.Rejected -> result.message
@@ -127,22 +115,22 @@ internal class GroupReader(private val assignment: Project, private val language
             projects += candidate(Submission.Unusable(name, originOf(origin), reason), link = link)
         }
 
-        private fun addFile(file: FoundFile, project: Project) {
+        /** @param link from which [project] came; null if it is a file. */
+        private fun addProject(file: FoundFile, project: Project, name: String, origin: String, link: String? = null) {
             val isAssignment = given.isAssignment(project)
             when {
-                project.feedback != null -> notes += messages.isFeedback(file.name)
-                isAssignment && !group.isPupils -> notes += messages.isAssignment(file.name)
-                else -> (if (isAssignment) copies else projects) += candidate(file, project, group.name, file.name)
+                project.feedback != null -> notes += messages.isFeedback(origin)
+                isAssignment && !group.isPupils -> notes += messages.isAssignment(origin)
+                else -> (if (isAssignment) copies else projects) += candidate(file, project, name, origin, link)
             }
         }
 
-        /** @param link from which [project] came; null if it is a file. */
         private fun candidate(
             file: FoundFile,
             project: Project,
             name: String,
             origin: String,
-            link: String? = null,
+            link: String?,
         ): Candidate {
             val handIn = project.handIn
             val entered = handIn?.name.orEmpty().takeIf { it.isNotBlank() && group.key == null }
@@ -209,6 +197,3 @@ internal class GroupReader(private val assignment: Project, private val language
         val LINK = Regex("#[wph]=[A-Za-z0-9_-]+")
     }
 }
-
-/** The same for names that differ only in case and blanks. */
-internal fun keyOf(name: String): String = name.filterNot { it.isWhitespace() }.lowercase()

@@ -47,7 +47,7 @@ sealed interface SubmissionRemark {
     /** The pupil has changed the world, which the assignment does not allow. It is graded in the assignment's own. */
     data object WorldChanged : SubmissionRemark
 
-    /** The pupil has changed the world, which the assignment allows. It is graded in the assignment's own all the same. */
+    /** The pupil has changed the world, which the assignment allows. It is graded in the assignment's all the same. */
     data object OwnWorld : SubmissionRemark
 
     /** The programs are those that the pupil began with. */

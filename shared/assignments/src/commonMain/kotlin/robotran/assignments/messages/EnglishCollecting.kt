@@ -59,8 +59,7 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun unchanged() = "The programs are as they were given."
 
-    override fun sameName(count: Int, file: String) =
-        "$count hand-ins have this name. This one is from $file."
+    override fun sameName(count: Int, file: String) = "$count hand-ins have this name. This one is from $file."
 
     override fun languageNotAllowed(program: String) = "$program is in a language that the assignment does not allow."
 

@@ -34,12 +34,11 @@ internal object EnglishReportMessages : ReportMessages {
 
     override fun summary(handIns: Int, passed: Int) = "$passed of $handIns hand-ins are solved."
 
-    override fun runsMet(some: Int, all: Int) =
-        if (all == 1) {
-            if (some == 1) "Reached all goals." else "Did not reach all goals."
-        } else {
-            "Reached all goals in $some of $all runs."
-        }
+    override fun runsMet(some: Int, all: Int) = if (all == 1) {
+        if (some == 1) "Reached all goals." else "Did not reach all goals."
+    } else {
+        "Reached all goals in $some of $all runs."
+    }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "the seed $firstSeed" else "the seeds $firstSeed to $lastSeed"

@@ -59,8 +59,7 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun unchanged() = "Die Programme sind so, wie sie gegeben waren."
 
-    override fun sameName(count: Int, file: String) =
-        "$count Abgaben haben diesen Namen. Diese ist aus $file."
+    override fun sameName(count: Int, file: String) = "$count Abgaben haben diesen Namen. Diese ist aus $file."
 
     override fun languageNotAllowed(program: String) = "$program ist in einer Sprache, die die Aufgabe nicht erlaubt."
 

@@ -34,12 +34,11 @@ internal object GermanReportMessages : ReportMessages {
 
     override fun summary(handIns: Int, passed: Int) = "$passed von $handIns Abgaben sind gelöst."
 
-    override fun runsMet(some: Int, all: Int) =
-        if (all == 1) {
-            if (some == 1) "Hat alle Ziele erreicht." else "Hat nicht alle Ziele erreicht."
-        } else {
-            "Hat in $some von $all Läufen alle Ziele erreicht."
-        }
+    override fun runsMet(some: Int, all: Int) = if (all == 1) {
+        if (some == 1) "Hat alle Ziele erreicht." else "Hat nicht alle Ziele erreicht."
+    } else {
+        "Hat in $some von $all Läufen alle Ziele erreicht."
+    }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "dem Seed $firstSeed" else "den Seeds $firstSeed bis $lastSeed"

@@ -6,8 +6,8 @@ import robotran.language.choose
 /** The words of reports on a class. */
 interface ReportMessages {
     /**
-     * The headings of a table: name, verdict, goals met in the best run, goals, seeds met, seeds, seconds, lines, tries,
-     * remarks, goals met in all runs, similar programs.
+     * The headings of a table: name, verdict, goals met in the best run, goals, seeds met, seeds, seconds, lines,
+     * tries, remarks, goals met in all runs, similar programs.
      */
     fun columns(): List<String>
 

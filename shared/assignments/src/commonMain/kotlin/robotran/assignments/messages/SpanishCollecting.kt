@@ -58,8 +58,7 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun unchanged() = "Los programas están tal como se dieron."
 
-    override fun sameName(count: Int, file: String) =
-        "$count entregas tienen este nombre. Esta viene de $file."
+    override fun sameName(count: Int, file: String) = "$count entregas tienen este nombre. Esta viene de $file."
 
     override fun languageNotAllowed(program: String) = "$program está en un lenguaje que la tarea no permite."
 

@@ -34,12 +34,11 @@ internal object SpanishReportMessages : ReportMessages {
 
     override fun summary(handIns: Int, passed: Int) = "Están resueltas $passed de $handIns entregas."
 
-    override fun runsMet(some: Int, all: Int) =
-        if (all == 1) {
-            if (some == 1) "Ha cumplido todas las metas." else "No ha cumplido todas las metas."
-        } else {
-            "Ha cumplido todas las metas en $some de $all pruebas."
-        }
+    override fun runsMet(some: Int, all: Int) = if (all == 1) {
+        if (some == 1) "Ha cumplido todas las metas." else "No ha cumplido todas las metas."
+    } else {
+        "Ha cumplido todas las metas en $some de $all pruebas."
+    }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "la semilla $firstSeed" else "las semillas $firstSeed a $lastSeed"

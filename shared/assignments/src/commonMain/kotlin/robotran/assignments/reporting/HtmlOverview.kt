@@ -45,7 +45,7 @@ private fun overviewColumns(report: ClassReport, language: Language): List<Overv
         graded(index)?.let { messages.countOf(it.met, it.runs.size) }.orEmpty()
     }
     val worlds = report.plan.worlds.map { world ->
-        OverviewColumn(world.name.ifEmpty { messages.ownWorld() }, NUMBER_WIDTH) { index ->
+        OverviewColumn(shortened(world.name).ifEmpty { messages.ownWorld() }, NUMBER_WIDTH) { index ->
             val runs = graded(index)?.runsIn(world.name)
             runs?.let { messages.countOf(it.count { run -> run.grade.passed }, it.size) }.orEmpty()
         }
@@ -53,7 +53,9 @@ private fun overviewColumns(report: ClassReport, language: Language): List<Overv
     val similar = OverviewColumn(titles[SIMILAR], null) { similarTo(report, it, MOST_NAMES) }
     return listOf(
         OverviewColumn(titles[0], NAME_WIDTH) { result(it).submission.name },
-        OverviewColumn(titles[1], VERDICT_WIDTH, { it.verdict.name.lowercase() }) { messages.verdict(result(it).verdict) },
+        OverviewColumn(titles[1], VERDICT_WIDTH, {
+            it.verdict.name.lowercase()
+        }) { messages.verdict(result(it).verdict) },
         OverviewColumn(titles[GOALS_MET], NUMBER_WIDTH) { index ->
             graded(index)?.let { messages.countOf(it.goalsMet, it.goals) }.orEmpty()
         },
@@ -65,12 +67,17 @@ private fun overviewColumns(report: ClassReport, language: Language): List<Overv
         }
 }
 
-private const val NAME_WIDTH = 19
-private const val VERDICT_WIDTH = 12
-private const val NUMBER_WIDTH = 8
+/** Whole further down, for each hand-in. */
+private fun shortened(name: String): String =
+    if (name.length <= LONGEST_WORLD) name else "${name.take(LONGEST_WORLD).substringBeforeLast(' ')} …"
+
+private const val LONGEST_WORLD = 40
+private const val NAME_WIDTH = 17
+private const val VERDICT_WIDTH = 11
+private const val NUMBER_WIDTH = 9
 
 /** More worlds would leave no room for names and remarks; each hand-in has them further down. */
-private const val MOST_WORLDS = 3
+private const val MOST_WORLDS = 2
 private const val MOST_REMARKS = 3
 private const val MOST_NAMES = 2
 

@@ -100,14 +100,15 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        listOf(messages.goal(), messages.seedsMet(), messages.columns()[REMARKS]).forEach { html.element("th", it) }
+        val remarks = messages.columns()[REMARKS].takeIf { runs.any { run -> !run.grade.passed } }
+        listOfNotNull(messages.goal(), messages.seedsMet(), remarks).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->
             val missed = runs.filter { it.grade.goals[goal].status != GoalStatus.MET }
             html.raw("<tr>")
             html.element("td", progress.sentence, "words")
             html.element("td", messages.countOf(runs.size - missed.size, runs.size))
-            html.element("td", missedSentences(missed, goal), "words")
+            if (remarks != null) html.element("td", missedSentences(missed, goal), "words")
             html.raw("</tr>\n")
         }
         html.raw("</tbody></table>\n")
@@ -135,6 +136,7 @@ private class HtmlReport(
 
     private companion object {
         const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
         /** Of [ReportMessages.columns]. */
         const val REMARKS = 9
         const val MOST_SEEDS = 10

@@ -17,6 +17,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.handInLinkOf
+import robotran.projects.linkOf
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -83,6 +84,18 @@ class WhoseHandInTest {
         )
         assertEquals(emptyList(), remarks(found.submissions[0]))
         assertEquals(listOf<SubmissionRemark>(SubmissionRemark.Unchanged), remarks(found.submissions[1]))
+    }
+
+    @Test
+    fun `a link to the assignment is no hand-in`() = runTest {
+        val ofAssignment = "https://school.example/" + assertIs<LinkCreation.Made>(linkOf(pupils)).fragment
+        val found =
+            collectAll(file("links.txt", "$ofAssignment\n${link(handIn("Eva"))}\n"), file("one.txt", ofAssignment))
+        assertEquals(listOf("Eva"), names(found.submissions))
+        assertEquals(
+            listOf("links.txt, line 1", "one.txt").map { "$it is the assignment itself, not a hand-in." },
+            found.notes,
+        )
     }
 
     @Test

@@ -23,11 +23,16 @@ class ExportNamesTest {
     fun `names are safe on all file systems`() {
         val name = feedbackFileName("../C:\\con?|\n<Ida>.robo", "a/b.", Language.ENGLISH)
         assertEquals("-C--con----Ida-.robo - feedback - a-b.robotran", name)
-        val all = listOf("", "  ", "\uD83D\uDE00".repeat(60), "ü".repeat(60), "x\uD83D\uDE00".repeat(40), "漢".repeat(200))
-        for (pupil in all) for (title in all) for (number in listOf(1, 500)) {
-            val long = feedbackFileName(pupil, title, Language.GERMAN, number)
-            val bytes = long.encodeToByteArray(throwOnInvalidSequence = true)
-            assertTrue(bytes.size <= 255 && "Rückmeldung" in long && long.endsWith(".robotran"), long)
+        val all =
+            listOf("", "  ", "\uD83D\uDE00".repeat(60), "ü".repeat(60), "x\uD83D\uDE00".repeat(40), "漢".repeat(200))
+        for (pupil in all) {
+            for (title in all) {
+                for (number in listOf(1, 500)) {
+                    val long = feedbackFileName(pupil, title, Language.GERMAN, number)
+                    val bytes = long.encodeToByteArray(throwOnInvalidSequence = true)
+                    assertTrue(bytes.size <= 255 && "Rückmeldung" in long && long.endsWith(".robotran"), long)
+                }
+            }
         }
         val pupil = "Maximiliane ".repeat(5).take(55)
         assertEquals("$pupil - Rückmeldung - the maze.robotran", feedbackFileName(pupil, "the maze", Language.GERMAN))

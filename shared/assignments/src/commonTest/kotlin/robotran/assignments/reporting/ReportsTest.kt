@@ -71,7 +71,10 @@ class ReportsTest {
         for ((language, verdict) in listOf(Language.GERMAN to "gelöst", Language.SPANISH to "resuelta")) {
             val lines = csvReport(report(language), language).split("\r\n")
             assertEquals(12, lines.first().split(';').size)
-            assertTrue(Regex("\"Anna, the \"\"first\"\"\";$verdict;1;1;4;4;\\d+,\\d;2;3;;1;") matches lines[1], lines[1])
+            assertTrue(
+                Regex("\"Anna, the \"\"first\"\"\";$verdict;1;1;4;4;\\d+,\\d;2;3;;1;") matches lines[1],
+                lines[1],
+            )
             assertTrue(lines[2].startsWith("'=1+2;$verdict;"), lines[2])
             assertContentEquals(BYTE_ORDER_MARK, csvFile(report(language), language).take(3).toByteArray())
         }
@@ -96,7 +99,10 @@ class ReportsTest {
             graded.copy(graded.submission.copy(name = "anna", origin = "b.robotran"))
         }
         val both = ClassReport(anna.assignment, anna.plan, anna.results + other)
-        assertEquals("anna: 2 hand-ins have this name. This one is from b.robotran.", remarkLines(both, Language.ENGLISH)[1])
+        assertEquals(
+            "anna: 2 hand-ins have this name. This one is from b.robotran.",
+            remarkLines(both, Language.ENGLISH)[1],
+        )
         val rows = csvReport(both).lines()
         assertTrue(",2 hand-ins have this name. This one is from b.robotran.," in rows[2], rows[2])
         assertFalse("have this name" in csvReport(anna))
@@ -134,7 +140,9 @@ class ReportsTest {
         assertTrue("<th>nearly the same program</th>" in page, page)
         assertTrue("<td>+1+2 (100 %)</td>" in page, page)
         val given = collectHandIns(listOf(file("draw.robotran", ASSIGNMENT), file("a.robo", DRAWS)), ASSIGNMENT)
-        val report = reportOn(handIn("Lea")).let { ClassReport(it.assignment, it.plan, it.results, notes = given.notes) }
+        val report = reportOn(handIn("Lea")).let {
+            ClassReport(it.assignment, it.plan, it.results, notes = given.notes)
+        }
         assertTrue("<li>draw.robotran is the assignment itself, not a hand-in.</li>" in htmlReport(report, null))
     }
 
@@ -146,7 +154,13 @@ class ReportsTest {
     ): ClassReport {
         val plan = GradingPlan.of(assignment, seeds)
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
-        val submission = Submission.Usable(handIn.handIn?.name.orEmpty(), "", handIn.robots.single(), handIn, handIn.handIn)
+        val submission = Submission.Usable(
+            handIn.handIn?.name.orEmpty(),
+            "",
+            handIn.robots.single(),
+            handIn,
+            handIn.handIn,
+        )
         val results = gradeAll(grader, listOf(submission)) { runs -> runs.map { it.finish() } }
         return ClassReport(ASSIGNMENT, plan, results, comments = mapOf(0 to comment))
     }

@@ -33,7 +33,9 @@ class RecordedGradesTest {
         val results = gradeAll(grader, submissions) { runs -> runs.map { it.finish() } }
         assertEquals(
             folder.resolve("grades.csv").readText(),
-            csvFile(ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment))).decodeToString(),
+            csvFile(
+                ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment)),
+            ).decodeToString(),
         )
     }
 }

@@ -32,7 +32,9 @@ internal class HandInExports(
     }
 
     fun saveFeedback(open: OpenAssignment, state: HandInsState) =
-        save(feedbackZipName(state.title, open.language), FileKind.ZIP) { feedbackZip(reportOf(open, state), open.language) }
+        save(feedbackZipName(state.title, open.language), FileKind.ZIP) {
+            feedbackZip(reportOf(open, state), open.language)
+        }
 
     /** Saves the feedback for the hand-in [id] only. */
     fun saveFeedback(open: OpenAssignment, state: HandInsState, id: String) {
