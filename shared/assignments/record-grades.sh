@@ -3,4 +3,8 @@
 set -euo pipefail
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 grades=$here/src/commonTest/resources/grades
-"$here/../../robotran" grade "$grades/parking.robotran" "$grades/class" --csv "$grades/grades.csv"
+recorded=$(mktemp -d)
+trap 'rm -rf "$recorded"' EXIT
+# Its status says that not all hand-ins are solved and not all can be used, as it should be in this class.
+"$here/../../robotran" grade "$grades/parking.robotran" "$grades/class" --language en --csv "$recorded/grades.csv" || [ $? -eq 2 ]
+cp "$recorded/grades.csv" "$grades/grades.csv"

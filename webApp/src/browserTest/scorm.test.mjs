@@ -44,10 +44,10 @@ async function madePackage(version) {
     await appears(page, tag);
 
     const [download] = await Promise.all([page.waitForEvent('download', { timeout: 120_000 }), press(page, tag)]);
-    assert.match(download.suggestedFilename(), /^To the mark\.zip$/);
+    assert.match(download.suggestedFilename(), /^To the mark - SCORM (1\.2|2004)\.zip$/);
     const zip = path.join(folder, 'package.zip');
     await download.saveAs(zip);
-    await says(page, 'make-packed', /To the mark\.zip/);
+    await says(page, 'make-packed', /To the mark - SCORM (1\.2|2004)\.zip/);
     const files = await unpack(zip, folder);
     assert.ok(files.includes('imsmanifest.xml') && files.includes('site/index.html'), files.join());
     assert.doesNotMatch(await readFile(path.join(folder, 'assignments.js'), 'utf8'), /forward 40/);

@@ -2,7 +2,7 @@ package robotran.cli.grade
 
 import kotlinx.coroutines.runBlocking
 import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.comparing.compareSubmissions
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedWorld
@@ -30,28 +30,30 @@ import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
 import java.util.concurrent.Executors
 
-/** Grades the hand-ins of a class, see [collectSubmissions]. */
+/** Grades the hand-ins of a class, see [collectHandIns]. */
 internal class HandInsGrader(private val console: Console, private val desktop: DesktopApp?) {
     private val messages = console.messages
 
     fun run(place: LoadedWorld, request: GradeRequest): ExitCode {
         val assignment = assignmentFor(place, request) ?: return ExitCode.BAD_INPUT
         val files = SubmittedFiles(messages).apply { add(request.programs.distinct()) }
-        val found = runBlocking { collectSubmissions(files.files, assignment, console.language) } +
-            files.problems.map { (name, reason) -> Submission.Unusable(name, name, reason) }
-        val submissions = found.sortedBy { it.name.lowercase() }
+        val collected = runBlocking { collectHandIns(files.files, assignment, console.language) }
+        val problems = files.problems.map { (name, reason) -> Submission.Unusable(name, name, reason) }
+        val submissions = (collected.submissions + problems).sortedBy { it.name.lowercase() }
         val plan = planOf(assignment, request)
         val results = grade(assignment, plan, submissions, request)
-        val report = ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment))
-        val rows = results.map { rowOf(it, files) }
+        val pairs = compareSubmissions(submissions, assignment)
+        val report = ClassReport(assignment, plan, results, pairs, notes = collected.notes)
+        val rows = results.map { rowOf(it, files, report.countOfName(it.submission.name) > 1) }
+        collected.notes.forEach(console::complain)
         val rejected = rows.filterIsInstance<ProgramGrades.Rejected>()
         rejected.forEach { row -> row.reasons.forEach { console.complain("${row.shownName}: $it") } }
         if (rows.isEmpty()) console.complain(messages.noHandIns())
-        val problems = write(report, rows, request)
-        problems.forEach(console::complain)
+        val unwritten = write(report, rows, request)
+        unwritten.forEach(console::complain)
         if (!request.outputs.useConsole && rows.isNotEmpty()) console.say(words(report, rows, request))
         return when {
-            problems.isNotEmpty() || rejected.isNotEmpty() || rows.isEmpty() -> ExitCode.BAD_INPUT
+            unwritten.isNotEmpty() || rejected.isNotEmpty() || rows.isEmpty() -> ExitCode.BAD_INPUT
             results.all { it is GradedHandIn.Graded && it.hasPassed } -> ExitCode.DONE
             else -> ExitCode.PROGRAM_FAILED
         }
@@ -117,9 +119,10 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
         }
     }
 
-    private fun rowOf(result: GradedHandIn, files: SubmittedFiles): ProgramGrades {
+    private fun rowOf(result: GradedHandIn, files: SubmittedFiles, isNameOfSeveral: Boolean): ProgramGrades {
         val submission = result.submission
-        val shownName = submission.name.filterNot { it.isISOControl() }
+        val called = if (isNameOfSeveral) "${submission.name} (${submission.origin})" else submission.name
+        val shownName = called.filterNot { it.isISOControl() }
         val name = files.pathOf(submission.origin) ?: submission.origin
         return when (result) {
             is GradedHandIn.Graded -> {

@@ -135,7 +135,8 @@ class ClassOfHandInsTest : CommandTest() {
         assertContains(console.complaints.joinToString(), "The page has no pictures")
         assertFalse("<img" in html.readText())
         assertEquals(2, grade(assignment, subs, "--language", "de", "--csv", "-"))
-        assertTrue(console.said.single().startsWith("Name,Ergebnis,"), console.said.single())
+        assertContains(console.said.single(), Regex("\r\nAnna M;teilweise gelöst;1;1;2;4;\\d,\\d;"))
+        assertTrue(console.said.single().startsWith("Name;Ergebnis;"), console.said.single())
     }
 
     @Test
@@ -152,6 +153,38 @@ class ClassOfHandInsTest : CommandTest() {
             assertContains(said, Regex("\\| $name +\\| +1 of 1"))
         }
         assertContains(said, "anna and ben have the same program.")
+    }
+
+    @Test
+    fun `what is no hand-in costs nothing, and pupils of the same name have rows of their own`() {
+        program(writeProject(teachers), "class/ahead.robotran")
+        program(writeProject(handIn("Anna", "forward 30\n")), "class/one.robotran")
+        program(writeProject(handIn("Anna", "forward 10\n")), "class/two.robotran")
+        assertEquals(1, grade(assignment, "$folder/class"))
+        assertEquals("ahead.robotran is the assignment itself, not a hand-in.", console.complaints.single())
+        val said = console.said.single()
+        assertContains(said, Regex("Anna +\\| +2 of 4.+\\R\\| \\(one.robotran\\)"))
+        assertContains(said, Regex("Anna +\\| +0 of 4.+\\R\\| \\(two.robotran\\)"))
+        assertContains(said, "2 hand-ins have this name. This one is from two.robotran.")
+    }
+
+    @Test
+    fun `a pupil's own world does not decide, even where it may be changed`() {
+        val free = teachers.copy(assignment = teachers.assignment?.copy(mayChangeWorld = true))
+        val easy = world.copy(robots = world.robots.map { it.copy(start = it.start.copy(x = 79.0)) })
+        val sly = handIn("Sly", "wait 1 seconds\n").copy(world = easy)
+        val honest = handIn("Eva", "forward 30\n")
+        for (project in listOf(sly, honest)) {
+            val marked = project.copy(assignment = project.assignment?.copy(mayChangeWorld = true))
+            program(writeProject(sealedHandIn(marked)), "free/${project.handIn?.name}.robotran")
+        }
+        val task = program(writeProject(free), "free.robotran")
+        assertEquals(1, grade(task, "$folder/free"))
+        val said = console.said.single()
+        assertContains(said, Regex("Sly +\\| +0 of 4"))
+        assertContains(said, Regex("Eva +\\| +2 of 4"))
+        assertContains(said, "Sly: The world was changed, which the assignment allows.")
+        assertFalse("Eva: " in said)
     }
 
     @Test

@@ -5,29 +5,45 @@ import robotran.language.Language
 import robotran.projects.Project
 
 /**
- * Finds the submissions for [assignment] in [files]: programs, projects, hand-ins, texts with links, and zips with any
- * of these, sorted by pupils. A pupil is a folder, or a file, or what a learning platform has written before its name;
- * hand-ins tell their pupil's name themselves. Of several hand-ins of one pupil the one with the most tries counts, or
- * else the newest, or else the last.
+ * What a teacher has collected.
  *
- * Never fails: what cannot be used is a [Submission.Unusable] with the reason.
- *
- * @param assignment or any project with the world to grade in.
- * @param language of reasons.
+ * @property notes on files that are no hand-ins, such as the assignment itself, in sentences.
  */
+class CollectedHandIns(val submissions: List<Submission>, val notes: List<String>)
+
+/** The same as [collectHandIns], without notes. */
 suspend fun collectSubmissions(
     files: List<CollectedFile>,
     assignment: Project,
     language: Language = Language.ENGLISH,
-): List<Submission> {
+): List<Submission> = collectHandIns(files, assignment, language).submissions
+
+/**
+ * Finds the submissions for [assignment] in [files]: programs, projects, hand-ins, texts with links, and zips with any
+ * of these, sorted by pupils. A pupil is a folder, or a file, or what a learning platform has written before its name;
+ * hand-ins tell their pupil's name themselves. Of several hand-ins of one pupil the one with the most tries counts, or
+ * else the newest, or else the last. The same name alone does not make one pupil of two files.
+ *
+ * Never fails: what cannot be used is a [Submission.Unusable] with the reason.
+ *
+ * @param assignment or any project with the world to grade in.
+ * @param language of reasons and notes.
+ */
+suspend fun collectHandIns(
+    files: List<CollectedFile>,
+    assignment: Project,
+    language: Language = Language.ENGLISH,
+): CollectedHandIns {
     val messages = CollectingMessages.of(language)
     val reader = GroupReader(assignment, language)
-    val candidates = groupsOf(Unpacking(messages).unpack(files)).flatMap { reader.read(it) }
-    val found = candidates.groupBy { it.key }.values.map(::chosenOf)
+    val contents = groupsOf(Unpacking(messages).unpack(files), reader::isNoHandIn).map { reader.read(it) }
+    val notes = contents.flatMap { it.notes }.distinct()
+    val found = withoutCopies(contents.flatMap { it.candidates }).groupBy { it.pupil }.values.map(::chosenOf)
     val rest = found.size - CollectingLimits.MAXIMUM_SUBMISSIONS
-    if (rest <= 0) return found
+    if (rest <= 0) return CollectedHandIns(found, notes)
     val reason = messages.leftOut(rest, CollectingLimits.MAXIMUM_SUBMISSIONS)
-    return found.take(CollectingLimits.MAXIMUM_SUBMISSIONS) + Submission.Unusable(messages.others(), "", reason)
+    val shown = found.take(CollectingLimits.MAXIMUM_SUBMISSIONS)
+    return CollectedHandIns(shown + Submission.Unusable(messages.others(), "", reason), notes)
 }
 
 /** The hand-in that counts of all hand-ins of one pupil. */
@@ -43,4 +59,13 @@ private fun chosenOf(candidates: List<Candidate>): Submission {
     ).value.submission as Submission.Usable
     val others = usable.size - 1
     return if (others == 0) chosen else chosen.copy(remarks = chosen.remarks + SubmissionRemark.OlderLeftOut(others))
+}
+
+/** Of copies of one hand-in outside of pupils' folders, and in one such folder, the first is left. */
+private fun withoutCopies(candidates: List<Candidate>): List<Candidate> {
+    val known = mutableSetOf<Any>()
+    return candidates.filter { candidate ->
+        val submission = candidate.submission as? Submission.Usable
+        submission?.handIn == null || known.add(listOf(candidate.place, submission.handIn, submission.robot))
+    }
 }

@@ -7,6 +7,7 @@ package robotran.assignments.collecting
  * @property name of the pupil, as far as folders and files tell.
  * @property origin the folder or file, as shown.
  * @property isFolder whether it is a pupil's folder rather than one file.
+ * @property isPupils whether the files lie where only this pupil's do.
  */
 internal class FileGroup(
     val key: String?,
@@ -14,10 +15,15 @@ internal class FileGroup(
     val origin: String,
     val files: List<FoundFile>,
     val isFolder: Boolean,
+    val isPupils: Boolean = isFolder,
 )
 
-/** Sorts [files] by pupils: by the names that learning platforms make, or else by folders, or else file by file. */
-internal fun groupsOf(files: List<FoundFile>): List<FileGroup> {
+/**
+ * Sorts [files] by pupils: by the names that learning platforms make, or else by folders, or else file by file.
+ *
+ * @param isNoHandIn whether a file is something else, such as the assignment, which may lie beside a class's folder.
+ */
+internal fun groupsOf(files: List<FoundFile>, isNoHandIn: (FoundFile) -> Boolean): List<FileGroup> {
     val named = files.map { file -> file to platformPlace(file) }
     val byPlatform = named.filter { it.second != null }.groupBy({ checkNotNull(it.second).name.key }, { it })
         .map { (key, found) ->
@@ -32,7 +38,7 @@ internal fun groupsOf(files: List<FoundFile>): List<FileGroup> {
                 true,
             )
         }
-    return byPlatform + FolderGrouping().groups(named.filter { it.second == null }.map { it.first }, 0, "")
+    return byPlatform + FolderGrouping(isNoHandIn).groups(named.filter { it.second == null }.map { it.first }, 0, "")
 }
 
 private class PlatformPlace(val name: PlatformName, val origin: String, val inner: List<String>)
@@ -46,7 +52,7 @@ private fun platformPlace(file: FoundFile): PlatformPlace? {
     return null
 }
 
-private class FolderGrouping {
+private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
     /**
      * The groups of [files], which all lie in the same folder at [depth].
      *
@@ -55,7 +61,10 @@ private class FolderGrouping {
     fun groups(files: List<FoundFile>, depth: Int, prefix: String): List<FileGroup> {
         val direct = files.filter { it.path.size == depth + 1 }
         val folders = (files - direct.toSet()).groupBy { it.path[depth] }
-        if (direct.isEmpty() && folders.size == 1) return groups(files, depth + 1, prefix)
+        if (folders.size == 1 && (direct.all(isNoHandIn) || isClass(folders.values.single(), depth + 1))) {
+            return directGroups(direct, depth, prefix, isOnly = false) +
+                groups(folders.values.single(), depth + 1, prefix)
+        }
         val isOnly = folders.isEmpty() && direct.size == 1 && depth >= 2
         val classes = folders.filterValues { holdsPupils(it, depth + 1) }.keys
         return directGroups(direct, depth, prefix, isOnly) + folders.flatMap { (name, inside) ->
@@ -73,7 +82,7 @@ private class FolderGrouping {
         val isOneProgram = java.size > 1 && java.count(::hasMain) < 2
         val single = direct.filterNot { isOneProgram && it in java }.map { file ->
             val name = if (isOnly) file.path[depth - 1] else stemOf(file.name)
-            FileGroup(null, prefix + name, file.shownPath, listOf(file.at(listOf(file.name))), false)
+            FileGroup(null, prefix + name, file.shownPath, listOf(file.at(listOf(file.name))), false, isOnly)
         }
         if (!isOneProgram) return single
         val main = java.firstOrNull(::hasMain) ?: java.first()
@@ -91,10 +100,19 @@ private class FolderGrouping {
         return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || useful.count(::hasMain) > 1)
     }
 
+    /** Whether the only folder beside loose files holds the projects of several pupils, rather than the work of one. */
+    private fun isClass(files: List<FoundFile>, depth: Int): Boolean {
+        val works = files.filter { it.path.size == depth + 1 && it.content !is FoundContent.Ignored }
+        return works.size >= FEWEST_OF_CLASS && works.any { it.name.endsWith(PROJECT, ignoreCase = true) }
+    }
+
     private fun hasMain(file: FoundFile): Boolean = file.kind == FoundKind.JAVA &&
         (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
 
     private companion object {
+        /** A pupil may leave a program and two versions of a project. */
+        const val FEWEST_OF_CLASS = 3
+        const val PROJECT = ".robotran"
         val MAIN = Regex("\\bvoid\\s+main\\s*\\(")
     }
 }

@@ -15,29 +15,35 @@ import robotran.projects.openHandInLink
 import robotran.projects.readProject
 import robotran.rcxrom.Brick
 
-/**
- * One hand-in of a pupil, who may have handed in several.
- *
- * @property key the same for all hand-ins of one pupil.
- * @property modified in milliseconds since 1970; 0 if unknown.
- */
-internal class Candidate(val key: String, val modified: Long, val submission: Submission)
-
 /** Reads what the files of a group hold. */
 internal class GroupReader(private val assignment: Project, private val language: Language) {
     private val messages = CollectingMessages.of(language)
-    private val remarks = RemarkFinder(assignment)
+    private val given = GivenWork(assignment)
+    private val remarks = RemarkFinder(assignment, given)
 
-    suspend fun read(group: FileGroup): List<Candidate> {
+    suspend fun read(group: FileGroup): ReadFiles {
         val contents = GroupContents(group)
         group.files.forEach { contents.add(it) }
-        return contents.candidates()
+        return contents.read()
+    }
+
+    /** Whether [file] is feedback, or the assignment as the teacher has given it. */
+    fun isNoHandIn(file: FoundFile): Boolean {
+        val bytes = (file.content as? FoundContent.Bytes)?.bytes
+        if (file.kind != FoundKind.TEXT || bytes == null || bytes.size > JsonLimits.MAXIMUM_BYTES) return false
+        val text = textOf(bytes)?.takeIf(::isProject) ?: return false
+        val project = (readProject(text, language) as? ProjectFileResult.Loaded)?.project ?: return false
+        return project.feedback != null || given.isAssignment(project)
     }
 
     private inner class GroupContents(private val group: FileGroup) {
         private val projects = mutableListOf<Candidate>()
         private val sources = mutableListOf<Pair<FoundFile, String>>()
         private val problems = mutableListOf<String>()
+
+        /** The assignment itself, which is a hand-in only where nothing else is. */
+        private val copies = mutableListOf<Candidate>()
+        private val notes = mutableListOf<String>()
 
         suspend fun add(file: FoundFile) {
             val bytes = when (val content = file.content) {
@@ -73,17 +79,18 @@ internal class GroupReader(private val assignment: Project, private val language
             }
         }
 
-        fun candidates(): List<Candidate> {
+        fun read(): ReadFiles {
             val hasWork = projects.any { it.submission is Submission.Usable }
             val programs = if (hasWork) emptyList() else listOfNotNull(ofPrograms())
-            val usable = projects + programs
-            if (usable.isNotEmpty()) return usable
-            val reason = problems.firstOrNull() ?: messages.nothingUsable()
-            return listOf(candidate(null, 0, Submission.Unusable(group.name, group.origin, reason)))
+            val usable = (projects + programs).ifEmpty { if (group.isPupils) copies else emptyList() }
+            val isNone = usable.isEmpty() && (group.isPupils || problems.isNotEmpty() || notes.isEmpty())
+            val reason = problems.firstOrNull() ?: notes.firstOrNull() ?: messages.nothingUsable()
+            if (!isNone) return ReadFiles(usable, notes)
+            return ReadFiles(listOf(candidate(Submission.Unusable(group.name, group.origin, reason))), emptyList())
         }
 
         private suspend fun addText(file: FoundFile, text: String) {
-            if (text.trimStart().startsWith('{')) {
+            if (isProject(text)) {
                 when (val result = readProject(text, language)) {
                     is ProjectFileResult.Loaded -> addProject(file, result.project, group.name, file.name)
                     is ProjectFileResult.Rejected -> problems += "${file.name}: ${result.message}"
@@ -100,17 +107,34 @@ internal class GroupReader(private val assignment: Project, private val language
             val name = if (isOnly || group.isFolder) group.name else messages.linkIn(file.name, line)
             val origin = if (isOnly) file.name else messages.linkIn(file.name, line)
             val reason = when (val result = openHandInLink(link, assignment.world, language)) {
-                is LinkResult.OfProject -> return addProject(file, result.project, name, origin)
+                is LinkResult.OfProject -> return addProject(file, result.project, name, origin, link)
                 is LinkResult.OfWorld -> messages.onlyWorld()
                 is LinkResult.OfCourse -> messages.onlyCourse()
                 is LinkResult.Rejected -> result.message
             }
-            projects += Candidate(group.key ?: keyOf(name), 0, Submission.Unusable(name, originOf(origin), reason))
+            projects += candidate(Submission.Unusable(name, originOf(origin), reason), link = link)
         }
 
-        private fun addProject(file: FoundFile, project: Project, name: String, origin: String) {
+        /** @param link from which [project] came; null if it is a file. */
+        private fun addProject(file: FoundFile, project: Project, name: String, origin: String, link: String? = null) {
+            val isAssignment = given.isAssignment(project)
+            when {
+                project.feedback != null -> notes += messages.isFeedback(origin)
+                isAssignment && !group.isPupils -> notes += messages.isAssignment(origin)
+                else -> (if (isAssignment) copies else projects) += candidate(file, project, name, origin, link)
+            }
+        }
+
+        private fun candidate(
+            file: FoundFile,
+            project: Project,
+            name: String,
+            origin: String,
+            link: String?,
+        ): Candidate {
             val handIn = project.handIn
-            val shown = if (group.key == null && handIn != null) handIn.name else name
+            val entered = handIn?.name.orEmpty().takeIf { it.isNotBlank() && group.key == null }
+            val shown = entered ?: name
             val first = project.world.robots.first().name
             val robot = project.robots.firstOrNull { it.name == first }
             val submission = if (robot == null || robot.programs.isEmpty()) {
@@ -119,7 +143,7 @@ internal class GroupReader(private val assignment: Project, private val language
                 val found = remarks.of(project) + remarks.of(robot.programs)
                 Submission.Usable(shown, originOf(origin), robot, project, handIn, found)
             }
-            projects += candidate(shown, file.modified ?: 0, submission)
+            return candidate(submission, file.modified ?: 0, link)
         }
 
         /** All Java files are one program; of files with the same name the newest counts. */
@@ -142,11 +166,17 @@ internal class GroupReader(private val assignment: Project, private val language
                 val robot = ProjectRobot(assignment.world.robots.first().name, programs)
                 Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs))
             }
-            return candidate(null, modified, submission)
+            return candidate(submission, modified)
         }
 
-        private fun candidate(name: String?, modified: Long, submission: Submission) =
-            Candidate(group.key ?: keyOf(name ?: group.name), modified, submission)
+        /** @param link from which it came; null for files. */
+        private fun candidate(submission: Submission, modified: Long = 0, link: String? = null): Candidate {
+            val place = group.key ?: if (group.isFolder) group.origin else ""
+            // A folder that no platform has made may still hold what several pupils have handed in.
+            val pupil = group.key ?: listOf(link.takeUnless { group.isFolder } ?: group.origin, keyOf(submission.name))
+                .joinToString(" ")
+            return Candidate(place, pupil, modified, submission)
+        }
 
         private fun originOf(file: String) = if (group.isFolder) "${group.origin}/$file" else file
     }
@@ -160,11 +190,10 @@ internal class GroupReader(private val assignment: Project, private val language
     private fun isTooLong(text: String) = text.length > ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS ||
         text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
 
+    private fun isProject(text: String): Boolean = text.trimStart().startsWith('{')
+
     private companion object {
         /** The part of a link that matters. */
         val LINK = Regex("#[wph]=[A-Za-z0-9_-]+")
     }
 }
-
-/** The same for names that differ only in case and blanks. */
-internal fun keyOf(name: String): String = name.filterNot { it.isWhitespace() }.lowercase()

@@ -10,7 +10,7 @@ import robotran.world.World
 import robotran.world.file.elementOf
 
 /** Finds what a teacher should know about hand-ins for [assignment]. */
-internal class RemarkFinder(private val assignment: Project) {
+internal class RemarkFinder(private val assignment: Project, private val given: GivenWork) {
     private val world by lazy { compact(assignment.world) }
 
     /** About a whole project. One that does not belong to any assignment has nothing to compare. */
@@ -24,7 +24,8 @@ internal class RemarkFinder(private val assignment: Project) {
         val rules = assignment.assignment ?: return emptyList()
         val languages = forbiddenLanguages(rules, programs)
         val words = forbiddenWords(rules, programs)
-        return programs.filter { it.language in languages }.map { SubmissionRemark.LanguageNotAllowed(it.name) } +
+        return listOfNotNull(SubmissionRemark.Unchanged.takeIf { given.isUnchanged(programs) }) +
+            programs.filter { it.language in languages }.map { SubmissionRemark.LanguageNotAllowed(it.name) } +
             listOfNotNull(words.takeIf { it.isNotEmpty() }?.let(SubmissionRemark::WordsNotAllowed))
     }
 
@@ -33,8 +34,9 @@ internal class RemarkFinder(private val assignment: Project) {
         val own = project.assignment ?: return null
         return when {
             own.id != rules.id -> SubmissionRemark.OtherAssignment(project.world.title)
-            !rules.mayChangeWorld && compact(project.world) != world -> SubmissionRemark.WorldChanged
-            else -> null
+            compact(project.world) == world -> null
+            rules.mayChangeWorld -> SubmissionRemark.OwnWorld
+            else -> SubmissionRemark.WorldChanged
         }
     }
 

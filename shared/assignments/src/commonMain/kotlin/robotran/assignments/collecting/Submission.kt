@@ -47,6 +47,12 @@ sealed interface SubmissionRemark {
     /** The pupil has changed the world, which the assignment does not allow. It is graded in the assignment's own. */
     data object WorldChanged : SubmissionRemark
 
+    /** The pupil has changed the world, which the assignment allows. It is graded in the assignment's all the same. */
+    data object OwnWorld : SubmissionRemark
+
+    /** The programs are those that the pupil began with. */
+    data object Unchanged : SubmissionRemark
+
     /** A program is in a language that the assignment does not allow. */
     data class LanguageNotAllowed(val program: String) : SubmissionRemark
 

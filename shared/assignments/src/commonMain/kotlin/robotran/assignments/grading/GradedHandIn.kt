@@ -33,10 +33,15 @@ sealed interface GradedHandIn {
         /** The number of goals of the assignment's own world. */
         val goals: Int get() = runs.first().grade.goals.size
 
+        /** The number of these goals that the best run in that world met. */
+        val goalsMet: Int get() = ownRuns.maxOf { run -> run.grade.goals.count { it.status == GoalStatus.MET } }
+
         /** The number of these goals that all runs in that world met. */
-        val goalsMet: Int get() = runsIn(runs.first().world.name).let { own ->
-            runs.first().grade.goals.indices.count { goal -> own.all { it.grade.goals[goal].status == GoalStatus.MET } }
+        val goalsMetAlways: Int get() = runs.first().grade.goals.indices.count { goal ->
+            ownRuns.all { it.grade.goals[goal].status == GoalStatus.MET }
         }
+
+        private val ownRuns: List<GradedRun> get() = runsIn(runs.first().world.name)
 
         /** The runs in the world called [name]. */
         fun runsIn(name: String): List<GradedRun> = runs.filter { it.world.name == name }

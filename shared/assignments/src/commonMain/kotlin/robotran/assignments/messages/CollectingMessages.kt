@@ -49,12 +49,27 @@ interface CollectingMessages {
     /** The name of the link in a line. */
     fun linkIn(file: String, line: Int): String
 
+    /** The file is the assignment, as it was given. */
+    fun isAssignment(file: String): String
+
+    /** The file is a teacher's answer to a hand-in. */
+    fun isFeedback(file: String): String
+
     /** The file is not as it was handed in. From here on, the functions are remarks on a submission that is usable. */
     fun changed(): String
 
     fun otherAssignment(title: String): String
 
     fun worldChanged(): String
+
+    /** The assignment allows to change the world. */
+    fun ownWorld(): String
+
+    /** The programs are those that the pupil began with. */
+    fun unchanged(): String
+
+    /** @param count of hand-ins with the same name. */
+    fun sameName(count: Int, file: String): String
 
     fun languageNotAllowed(program: String): String
 

@@ -43,12 +43,23 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, line $line"
 
+    override fun isAssignment(file: String) = "$file is the assignment itself, not a hand-in."
+
+    override fun isFeedback(file: String) = "$file is feedback, not a hand-in."
+
     override fun changed() = "The file was changed after it was handed in, or it is damaged."
 
     override fun otherAssignment(title: String) = "It was handed in for another assignment: $title."
 
     override fun worldChanged() =
         "The world was changed, which the assignment does not allow. It was graded in the assignment's own world."
+
+    override fun ownWorld() =
+        "The world was changed, which the assignment allows. It was graded in the assignment's own world all the same."
+
+    override fun unchanged() = "The programs are as they were given."
+
+    override fun sameName(count: Int, file: String) = "$count hand-ins have this name. This one is from $file."
 
     override fun languageNotAllowed(program: String) = "$program is in a language that the assignment does not allow."
 

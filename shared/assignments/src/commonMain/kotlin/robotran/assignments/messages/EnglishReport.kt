@@ -3,8 +3,20 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object EnglishReportMessages : ReportMessages {
-    override fun columns() =
-        listOf("name", "verdict", "goals met", "goals", "seeds met", "seeds", "seconds", "lines", "tries", "remarks")
+    override fun columns() = listOf(
+        "name",
+        "verdict",
+        "goals met",
+        "goals",
+        "seeds met",
+        "seeds",
+        "seconds",
+        "lines",
+        "tries",
+        "remarks",
+        "goals met in all runs",
+        "nearly the same program",
+    )
 
     override fun solved() = "solved"
 
@@ -21,6 +33,12 @@ internal object EnglishReportMessages : ReportMessages {
     override fun countOf(some: Int, all: Int) = "$some of $all"
 
     override fun summary(handIns: Int, passed: Int) = "$passed of $handIns hand-ins are solved."
+
+    override fun runsMet(some: Int, all: Int) = if (all == 1) {
+        if (some == 1) "Reached all goals." else "Did not reach all goals."
+    } else {
+        "Reached all goals in $some of $all runs."
+    }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "the seed $firstSeed" else "the seeds $firstSeed to $lastSeed"
@@ -47,6 +65,10 @@ internal object EnglishReportMessages : ReportMessages {
     override fun programs() = "Program"
 
     override fun comment() = "Comment"
+
+    override fun feedback() = "feedback"
+
+    override fun notHandIns() = "Not hand-ins"
 
     override fun shortened() = "(The rest is not shown.)"
 }

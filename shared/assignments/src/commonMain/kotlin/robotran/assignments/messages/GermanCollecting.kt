@@ -43,12 +43,23 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, Zeile $line"
 
+    override fun isAssignment(file: String) = "$file ist die Aufgabe selbst, keine Abgabe."
+
+    override fun isFeedback(file: String) = "$file ist eine Rückmeldung, keine Abgabe."
+
     override fun changed() = "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
 
     override fun otherAssignment(title: String) = "Es wurde für eine andere Aufgabe abgegeben: $title."
 
     override fun worldChanged() =
         "Die Welt wurde geändert, was die Aufgabe nicht erlaubt. Bewertet wurde in der Welt der Aufgabe."
+
+    override fun ownWorld() =
+        "Die Welt wurde geändert, was die Aufgabe erlaubt. Bewertet wurde trotzdem in der Welt der Aufgabe."
+
+    override fun unchanged() = "Die Programme sind so, wie sie gegeben waren."
+
+    override fun sameName(count: Int, file: String) = "$count Abgaben haben diesen Namen. Diese ist aus $file."
 
     override fun languageNotAllowed(program: String) = "$program ist in einer Sprache, die die Aufgabe nicht erlaubt."
 

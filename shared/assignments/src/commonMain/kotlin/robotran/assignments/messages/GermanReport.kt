@@ -14,6 +14,8 @@ internal object GermanReportMessages : ReportMessages {
         "Zeilen",
         "Versuche",
         "Hinweise",
+        "in allen Läufen erreichte Ziele",
+        "fast das gleiche Programm",
     )
 
     override fun solved() = "gelöst"
@@ -31,6 +33,12 @@ internal object GermanReportMessages : ReportMessages {
     override fun countOf(some: Int, all: Int) = "$some von $all"
 
     override fun summary(handIns: Int, passed: Int) = "$passed von $handIns Abgaben sind gelöst."
+
+    override fun runsMet(some: Int, all: Int) = if (all == 1) {
+        if (some == 1) "Hat alle Ziele erreicht." else "Hat nicht alle Ziele erreicht."
+    } else {
+        "Hat in $some von $all Läufen alle Ziele erreicht."
+    }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "dem Seed $firstSeed" else "den Seeds $firstSeed bis $lastSeed"
@@ -57,6 +65,10 @@ internal object GermanReportMessages : ReportMessages {
     override fun programs() = "Programm"
 
     override fun comment() = "Rückmeldung"
+
+    override fun feedback() = "Rückmeldung"
+
+    override fun notHandIns() = "Keine Abgaben"
 
     override fun shortened() = "(Der Rest wird nicht gezeigt.)"
 }

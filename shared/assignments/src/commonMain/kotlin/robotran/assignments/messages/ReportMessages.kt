@@ -5,7 +5,10 @@ import robotran.language.choose
 
 /** The words of reports on a class. */
 interface ReportMessages {
-    /** The headings of a table: name, verdict, goals met, goals, seeds met, seeds, seconds, lines, tries, remarks. */
+    /**
+     * The headings of a table: name, verdict, goals met in the best run, goals, seeds met, seeds, seconds, lines,
+     * tries, remarks, goals met in all runs, similar programs.
+     */
     fun columns(): List<String>
 
     /** All runs met all goals. From here on, the functions are verdicts in a word or two. */
@@ -28,6 +31,9 @@ interface ReportMessages {
 
     /** @param passed the number of [handIns] that met all goals with all seeds. */
     fun summary(handIns: Int, passed: Int): String
+
+    /** In how many of [all] runs all goals were met. */
+    fun runsMet(some: Int, all: Int): String
 
     /** How many runs decide. */
     fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String
@@ -55,6 +61,12 @@ interface ReportMessages {
     fun programs(): String
 
     fun comment(): String
+
+    /** A teacher's answer to a hand-in, in the name of its file. */
+    fun feedback(): String
+
+    /** Above notes on files that are no hand-ins. */
+    fun notHandIns(): String
 
     /** The rest of a long program is not shown. */
     fun shortened(): String

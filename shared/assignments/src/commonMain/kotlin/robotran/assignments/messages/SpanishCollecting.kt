@@ -42,12 +42,23 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, línea $line"
 
+    override fun isAssignment(file: String) = "$file es la tarea misma, no una entrega."
+
+    override fun isFeedback(file: String) = "$file son comentarios, no una entrega."
+
     override fun changed() = "El archivo se cambió después de entregarlo, o está dañado."
 
     override fun otherAssignment(title: String) = "Se entregó para otra tarea: $title."
 
     override fun worldChanged() =
         "El mundo está cambiado, y la tarea no lo permite. Se ha evaluado en el mundo de la tarea."
+
+    override fun ownWorld() =
+        "El mundo está cambiado, y la tarea lo permite. Aun así, se ha evaluado en el mundo de la tarea."
+
+    override fun unchanged() = "Los programas están tal como se dieron."
+
+    override fun sameName(count: Int, file: String) = "$count entregas tienen este nombre. Esta viene de $file."
 
     override fun languageNotAllowed(program: String) = "$program está en un lenguaje que la tarea no permite."
 

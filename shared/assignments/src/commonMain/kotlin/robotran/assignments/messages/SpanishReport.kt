@@ -14,6 +14,8 @@ internal object SpanishReportMessages : ReportMessages {
         "líneas",
         "intentos",
         "observaciones",
+        "metas cumplidas en todas las pruebas",
+        "casi el mismo programa",
     )
 
     override fun solved() = "resuelta"
@@ -31,6 +33,12 @@ internal object SpanishReportMessages : ReportMessages {
     override fun countOf(some: Int, all: Int) = "$some de $all"
 
     override fun summary(handIns: Int, passed: Int) = "Están resueltas $passed de $handIns entregas."
+
+    override fun runsMet(some: Int, all: Int) = if (all == 1) {
+        if (some == 1) "Ha cumplido todas las metas." else "No ha cumplido todas las metas."
+    } else {
+        "Ha cumplido todas las metas en $some de $all pruebas."
+    }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "la semilla $firstSeed" else "las semillas $firstSeed a $lastSeed"
@@ -61,6 +69,10 @@ internal object SpanishReportMessages : ReportMessages {
     override fun programs() = "Programa"
 
     override fun comment() = "Comentarios"
+
+    override fun feedback() = "comentarios"
+
+    override fun notHandIns() = "No son entregas"
 
     override fun shortened() = "(El resto no se muestra.)"
 }

@@ -1,5 +1,6 @@
 package robotran.assignments.reporting
 
+import robotran.assignments.collecting.keyOf
 import robotran.assignments.comparing.SimilarPair
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
@@ -10,6 +11,7 @@ import robotran.projects.Project
  *
  * @property pairs between [results], by their indices.
  * @property comments for pupils, by the index in [results].
+ * @property notes on files that were no hand-ins.
  */
 class ClassReport(
     val assignment: Project,
@@ -17,4 +19,10 @@ class ClassReport(
     val results: List<GradedHandIn>,
     val pairs: List<SimilarPair> = emptyList(),
     val comments: Map<Int, String> = emptyMap(),
-)
+    val notes: List<String> = emptyList(),
+) {
+    private val counts = results.groupingBy { keyOf(it.submission.name) }.eachCount()
+
+    /** How many of [results] have this name, apart from case and blanks. */
+    fun countOfName(name: String): Int = counts[keyOf(name)] ?: 0
+}

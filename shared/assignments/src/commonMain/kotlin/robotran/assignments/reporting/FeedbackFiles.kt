@@ -5,6 +5,7 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.documents.ZipEntry
 import robotran.documents.projectFile
 import robotran.documents.zipOf
+import robotran.language.Language
 import robotran.projects.Assignment
 import robotran.projects.AssignmentLimits
 import robotran.projects.Feedback
@@ -14,24 +15,26 @@ import robotran.projects.Project
 /**
  * A file for one pupil, with the hand-in and the teacher's answer.
  *
- * @property name such as `Anna Meyer.robotran`, unique among the files of a class.
+ * @property name as [feedbackFileName] makes it, unique among the files of a class.
  */
 class FeedbackFile(val name: String, val bytes: ByteArray)
 
 /** One file for each hand-in of [report] that has programs. */
-fun feedbackFiles(report: ClassReport): List<FeedbackFile> {
+fun feedbackFiles(report: ClassReport, language: Language = Language.ENGLISH): List<FeedbackFile> {
     val taken = mutableSetOf<String>()
+    val title = report.assignment.world.title
     return report.results.mapIndexedNotNull { index, result ->
         val bytes = feedbackProject(report, index)?.let(::projectFile) ?: return@mapIndexedNotNull null
-        val stem = fileNameOf(result.submission.name)
-        val name = generateSequence(1) { it + 1 }.map { if (it == 1) stem else "$stem ($it)" }
+        val name = generateSequence(1) { it + 1 }
+            .map { number -> feedbackFileName(result.submission.name, title, language, number) }
             .first { taken.add(it.lowercase()) }
-        FeedbackFile("$name.robotran", bytes)
+        FeedbackFile(name, bytes)
     }
 }
 
 /** All [feedbackFiles] as one zip. */
-fun feedbackZip(report: ClassReport): ByteArray = zipOf(feedbackFiles(report).map { ZipEntry(it.name, it.bytes) })
+fun feedbackZip(report: ClassReport, language: Language = Language.ENGLISH): ByteArray =
+    zipOf(feedbackFiles(report, language).map { ZipEntry(it.name, it.bytes) })
 
 /** The answer to the hand-in with the index [index]; null if it has no programs. */
 fun feedbackProject(report: ClassReport, index: Int): Project? {
@@ -51,11 +54,3 @@ fun feedbackProject(report: ClassReport, index: Int): Project? {
     )
     return project.copy(feedback = Feedback(comment, results.orEmpty()))
 }
-
-/** [name] without what a file system may not accept. */
-private fun fileNameOf(name: String): String {
-    val safe = name.map { if (it.isLetterOrDigit() || it in " -_()'") it else '_' }.joinToString("")
-    return safe.trim().take(MAXIMUM_NAME).ifEmpty { "_" }
-}
-
-private const val MAXIMUM_NAME = 60

@@ -4,7 +4,6 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradedWorld
-import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 import robotran.simulation.picture.WorldPictures
@@ -26,7 +25,6 @@ private class HtmlReport(
     private val language: Language,
 ) {
     private val messages = ReportMessages.of(language)
-    private val collecting = CollectingMessages.of(language)
     private val html = HtmlWriter()
 
     fun write(): String {
@@ -41,42 +39,18 @@ private class HtmlReport(
         val seeds = report.plan.seeds
         val plan = messages.plan(report.plan.worlds.size, seeds.first, seeds.last)
         html.element("p", "${messages.summary(report.results.size, passed)} $plan")
-        table()
+        writeOverview(report, html, language)
         similar()
+        notes()
         report.results.indices.forEach(::section)
         html.raw("</body></html>\n")
         return html.text
     }
 
-    private fun table() {
-        html.raw("<table class=\"all\"><thead><tr>")
-        val columns = messages.columns()
-        html.element("th", columns[0])
-        html.element("th", columns[1])
-        html.element("th", columns[2])
-        report.plan.worlds.forEach { html.element("th", nameOf(it).ifEmpty { columns[4] }) }
-        columns.drop(6).forEach { html.element("th", it) }
-        html.raw("</tr></thead>\n<tbody>\n")
-        report.results.forEachIndexed { index, result -> row(index, result) }
-        html.raw("</tbody></table>\n")
-    }
-
-    private fun row(index: Int, result: GradedHandIn) {
-        val graded = result as? GradedHandIn.Graded
-        html.raw("<tr><td><a href=\"#p$index\">")
-        html.text(result.submission.name)
-        html.raw("</a></td>")
-        html.element("td", messages.verdict(result.verdict), result.verdict.name.lowercase())
-        html.element("td", graded?.let { messages.countOf(it.goalsMet, it.goals) }.orEmpty())
-        for (world in report.plan.worlds) {
-            val runs = graded?.runsIn(world.name)
-            html.element("td", runs?.let { all -> messages.countOf(all.count { it.grade.passed }, all.size) }.orEmpty())
-        }
-        html.element("td", graded?.seconds?.let(::tenths).orEmpty())
-        html.element("td", result.submission.linesOfCode.takeIf { it > 0 }?.toString().orEmpty())
-        html.element("td", (result.submission as? Submission.Usable)?.handIn?.tries?.toString().orEmpty())
-        html.element("td", remarksOf(result, collecting).take(MOST_REMARKS).joinToString(" "), "words")
-        html.raw("</tr>\n")
+    private fun notes() {
+        if (report.notes.isEmpty()) return
+        html.element("h2", messages.notHandIns())
+        html.list(report.notes)
     }
 
     private fun similar() {
@@ -92,10 +66,11 @@ private class HtmlReport(
         html.element("h2", result.submission.name)
         html.element("p", messages.verdict(result.verdict), result.verdict.name.lowercase())
         if (result is GradedHandIn.Graded) {
+            html.element("p", messages.runsMet(result.met, result.runs.size))
             picture(result)
             report.plan.worlds.forEach { goals(it, result.runsIn(it.name)) }
         }
-        val remarks = remarksOf(result, collecting)
+        val remarks = remarksOf(report, index, language)
         if (remarks.isNotEmpty()) {
             html.element("h3", messages.remarks())
             html.list(remarks)
@@ -125,14 +100,15 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        listOf(messages.goal(), messages.seedsMet(), messages.columns().last()).forEach { html.element("th", it) }
+        val remarks = messages.columns()[REMARKS].takeIf { runs.any { run -> !run.grade.passed } }
+        listOfNotNull(messages.goal(), messages.seedsMet(), remarks).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->
             val missed = runs.filter { it.grade.goals[goal].status != GoalStatus.MET }
             html.raw("<tr>")
             html.element("td", progress.sentence, "words")
             html.element("td", messages.countOf(runs.size - missed.size, runs.size))
-            html.element("td", missedSentences(missed, goal), "words")
+            if (remarks != null) html.element("td", missedSentences(missed, goal), "words")
             html.raw("</tr>\n")
         }
         html.raw("</tbody></table>\n")
@@ -158,13 +134,11 @@ private class HtmlReport(
         }
     }
 
-    /** Empty if there is only one world. */
-    private fun nameOf(world: GradedWorld): String =
-        if (report.plan.worlds.size == 1) "" else world.name.ifEmpty { messages.ownWorld() }
-
     private companion object {
         const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-        const val MOST_REMARKS = 3
+
+        /** Of [ReportMessages.columns]. */
+        const val REMARKS = 9
         const val MOST_SEEDS = 10
 
         /** A longer one is larger than the same picture in pixels. */

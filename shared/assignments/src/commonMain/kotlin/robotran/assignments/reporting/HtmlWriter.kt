@@ -29,9 +29,23 @@ internal class HtmlWriter {
         }
     }
 
+    /** The same, where what is between backticks in a line is program text. */
+    fun marked(words: String) {
+        var place = 0
+        for (code in CODE.findAll(words)) {
+            text(words.substring(place, code.range.first))
+            raw("<code>")
+            text(code.groupValues[1])
+            raw("</code>")
+            place = code.range.last + 1
+        }
+        text(words.substring(place))
+    }
+
+    /** @param words as [marked]. */
     fun element(name: String, words: String, style: String? = null) {
         raw(if (style == null) "<$name>" else "<$name class=\"$style\">")
-        text(words)
+        if (name in PLAIN) text(words) else marked(words)
         raw("</$name>")
     }
 
@@ -39,6 +53,13 @@ internal class HtmlWriter {
         raw("<ul>")
         items.forEach { element("li", it) }
         raw("</ul>\n")
+    }
+
+    private companion object {
+        val CODE = Regex("`([^`\n]+)`")
+
+        /** Elements in which no other may be, or which are program text as a whole. */
+        val PLAIN = setOf("title", "pre")
     }
 }
 
@@ -50,14 +71,17 @@ internal val REPORT_STYLE = """
     table { border-collapse: collapse; width: 100%; margin: .6em 0 }
     th, td { border-bottom: 1px solid #ccc; padding: .25em .5em; text-align: left; vertical-align: top }
     th { background: #f2f2f2 } caption { text-align: left; font-weight: 600; padding: .2em 0 }
+    table.all { table-layout: fixed; font-size: .9em } table.all td, table.all th { padding: .25em .35em }
+    table.all th { font-size: .8em; padding-right: 0 }
+    th, td, h1, h2, caption { overflow-wrap: anywhere; hyphens: auto }
     .words { overflow-wrap: anywhere }
     .passed { color: #14632a; font-weight: 600 } .partly { color: #7a4d00; font-weight: 600 }
     .missed, .mistakes, .failed, .unusable { color: #9c1c1c; font-weight: 600 }
-    .passed, .partly, .missed, .mistakes, .failed, .unusable { white-space: nowrap }
     section { border-top: 2px solid #888; padding-top: .8em; margin-top: 1.6em; overflow: hidden }
     img { float: right; width: 45%; max-height: 18em; object-fit: contain; margin: 0 0 .6em 1em }
     img { border: 1px solid #ccc }
-    table.goals { width: auto; min-width: 50% }
+    table.goals { width: auto; min-width: 50%; font-size: .9em } table.goals th { overflow-wrap: normal }
+    section p { margin: .3em 0 }
     pre { font: 13px/1.35 ui-monospace, monospace; background: #f6f6f6; padding: .6em; margin: .2em 0 }
     pre { white-space: pre-wrap; overflow-wrap: anywhere; clear: both; tab-size: 4 }
     .file { font-weight: 600; margin: .4em 0 0 } .comment { white-space: pre-wrap }

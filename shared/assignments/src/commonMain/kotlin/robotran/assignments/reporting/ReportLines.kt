@@ -9,12 +9,27 @@ import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 
 /** What a teacher should know about usable hand-ins, one line each, with the pupil's name. */
-fun remarkLines(report: ClassReport, language: Language): List<String> {
-    val messages = CollectingMessages.of(language)
-    return report.results.filter { it !is GradedHandIn.Unusable }.flatMap { result ->
-        val submission = result.submission as? Submission.Usable
-        submission?.remarks.orEmpty().map { "${result.submission.name}: ${messages.remark(it)}" }
+fun remarkLines(report: ClassReport, language: Language): List<String> = report.results.indices
+    .filter { report.results[it] !is GradedHandIn.Unusable }
+    .flatMap { index -> warnings(report, index, language).map { "${report.results[index].submission.name}: $it" } }
+
+/** Why the hand-in [index] has no grade, and what else a teacher should know about it, in sentences or lines. */
+internal fun remarksOf(report: ClassReport, index: Int, language: Language): List<String> {
+    val reasons = when (val result = report.results[index]) {
+        is GradedHandIn.Unusable -> listOf(result.submission.reason)
+        is GradedHandIn.HasMistakes -> result.reasons
+        is GradedHandIn.Failed -> result.reasons
+        is GradedHandIn.Graded -> emptyList()
     }
+    return reasons + warnings(report, index, language)
+}
+
+private fun warnings(report: ClassReport, index: Int, language: Language): List<String> {
+    val messages = CollectingMessages.of(language)
+    val submission = report.results[index].submission
+    val same = report.countOfName(submission.name)
+    val ofName = listOfNotNull(messages.sameName(same, submission.origin).takeIf { same > 1 })
+    return ofName + (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
 }
 
 /** The similar hand-ins of [report], a sentence for each group. */
@@ -32,5 +47,22 @@ fun similarityLines(report: ClassReport, language: Language): List<String> {
         }
     }
 }
+
+/**
+ * Whose programs are equal or nearly so to those of the result [index] of [report], such as `Ben (100 %)`.
+ *
+ * @param most the number of names; the number of others follows them, such as `+6`.
+ */
+internal fun similarTo(report: ClassReport, index: Int, most: Int = Int.MAX_VALUE): String {
+    val names = report.pairs.filter { it.isMarked && index in listOf(it.first, it.second) }.map { pair ->
+        val other = if (pair.first == index) pair.second else pair.first
+        "${report.results[other].submission.name} (${percentOf(pair.share)})"
+    }
+    val rest = names.size - most
+    return names.take(most).joinToString() + if (rest > 0) " +$rest" else ""
+}
+
+/** Rounded down: only equal programs have all in common. */
+private fun percentOf(share: Double) = "${(share * PERCENT).toInt()} %"
 
 private const val PERCENT = 100

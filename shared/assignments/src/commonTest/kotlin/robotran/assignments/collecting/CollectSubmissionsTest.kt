@@ -153,9 +153,9 @@ class CollectSubmissionsTest {
     @Test
     fun `of several hand-ins of a pupil the one with most tries counts, or the newest`() = runTest {
         val found = collect(
-            file("a.robotran", handIn("Anna", tries = 3)),
-            file("b.robotran", handIn(" anNA ", tries = 7)),
-            file("c.robotran", handIn("Anna", tries = 2)),
+            file("anna/a.robotran", handIn("Anna", tries = 3)),
+            file("anna/b.robotran", handIn(" anNA ", tries = 7)),
+            file("anna/c.robotran", handIn("Anna", tries = 2)),
             file("ben/x.robotran", handIn("Ben", listOf(robolang("buzz\n", "newer.robo"))), modified = 2000),
             file("ben/y.robotran", handIn("Ben", listOf(robolang("beep\n"))), modified = 1000),
         )

@@ -3,6 +3,7 @@ package robotran.assignments.grading
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.comparing.compareSubmissions
 import robotran.assignments.reporting.ClassReport
 import robotran.assignments.reporting.csvFile
 import robotran.language.Language
@@ -28,10 +29,13 @@ class RecordedGradesTest {
         }
         val plan = GradingPlan.of(assignment)
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
-        val results = gradeAll(grader, collectSubmissions(files, assignment)) { runs -> runs.map { it.finish() } }
+        val submissions = collectSubmissions(files, assignment)
+        val results = gradeAll(grader, submissions) { runs -> runs.map { it.finish() } }
         assertEquals(
             folder.resolve("grades.csv").readText(),
-            csvFile(ClassReport(assignment, plan, results)).decodeToString(),
+            csvFile(
+                ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment)),
+            ).decodeToString(),
         )
     }
 }

@@ -37,7 +37,7 @@ class TeachersMessagesTest {
             told.toSet().size < told.size || told.map { it.endsWith('.') }.toSet().size > 1
         }.map { it.name }
         assertEquals(emptyList(), wrong)
-        for (language in Language.entries) assertEquals(10, ReportMessages.of(language).columns().size)
+        for (language in Language.entries) assertEquals(12, ReportMessages.of(language).columns().size)
     }
 
     private fun told(message: Method, language: Language): String {

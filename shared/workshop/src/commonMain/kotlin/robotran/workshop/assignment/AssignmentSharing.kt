@@ -6,6 +6,7 @@ import robotran.assignments.doing.teacherCopy
 import robotran.assignments.packaging.PackageResult
 import robotran.assignments.packaging.ScormVersion
 import robotran.assignments.packaging.learningPackage
+import robotran.assignments.reporting.packageFileName
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.projects.LinkCreation
@@ -70,7 +71,7 @@ internal class AssignmentSharing(
         }
         return when (made) {
             is PackageResult.TooLong -> page.copy(saveError = made.message)
-            is PackageResult.Made -> save(page, title, FileKind.ZIP, made.bytes)
+            is PackageResult.Made -> save(page, packageFileName(title, version), FileKind.ZIP, made.bytes)
         }
     }
 

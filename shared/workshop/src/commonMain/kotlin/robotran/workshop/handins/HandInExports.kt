@@ -6,8 +6,10 @@ import kotlinx.coroutines.withContext
 import robotran.assignments.comparing.compareSubmissions
 import robotran.assignments.reporting.ClassReport
 import robotran.assignments.reporting.csvFile
+import robotran.assignments.reporting.feedbackFileName
 import robotran.assignments.reporting.feedbackFiles
 import robotran.assignments.reporting.feedbackZip
+import robotran.assignments.reporting.feedbackZipName
 import robotran.assignments.reporting.htmlReport
 import robotran.documents.fileNameFor
 import robotran.workshop.platform.FileKind
@@ -30,13 +32,17 @@ internal class HandInExports(
     }
 
     fun saveFeedback(open: OpenAssignment, state: HandInsState) =
-        save(state.title, FileKind.ZIP) { feedbackZip(reportOf(open, state)) }
+        save(feedbackZipName(state.title, open.language), FileKind.ZIP) {
+            feedbackZip(reportOf(open, state), open.language)
+        }
 
     /** Saves the feedback for the hand-in [id] only. */
     fun saveFeedback(open: OpenAssignment, state: HandInsState, id: String) {
         val only = state.copy(rows = state.rows.filter { it.id == id })
         val name = only.rows.firstOrNull()?.name ?: return
-        save(name, FileKind.PROJECT) { feedbackFiles(reportOf(open, only)).firstOrNull()?.bytes }
+        save(feedbackFileName(name, state.title, open.language), FileKind.PROJECT) {
+            feedbackFiles(reportOf(open, only)).firstOrNull()?.bytes
+        }
     }
 
     private fun save(name: String, kind: FileKind, make: () -> ByteArray?) {

@@ -378,7 +378,7 @@ class HandInsStateHolderTest {
         assertContains(page, "A little further.")
         assertEquals(HandInsMessage.Saved("class.html"), workshop.page.told)
         val zip = workshop.save(HandInsEvent.FeedbackRequested, "/home/class.zip")
-        assertContains(zip.decodeToString(), "Ben.robotran")
+        assertContains(zip.decodeToString(), "Ben - feedback - ")
         val file = workshop.save(HandInsEvent.FeedbackFileRequested("Ben"), "/home/Ben.robotran").decodeToString()
         val project = assertIs<ProjectFileResult.Loaded>(readProject(file)).project
         assertEquals("A little further.", project.feedback?.comment)
