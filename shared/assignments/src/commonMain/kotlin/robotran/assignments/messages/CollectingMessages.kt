@@ -49,6 +49,9 @@ interface CollectingMessages {
     /** The name of the link in a line. */
     fun linkIn(file: String, line: Int): String
 
+    /** The name of a link that was pasted or scanned; they are numbered from 1. */
+    fun pastedLink(number: Int): String
+
     /** The file is not as it was handed in. From here on, the functions are remarks on a submission that is usable. */
     fun changed(): String
 

@@ -43,6 +43,8 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, line $line"
 
+    override fun pastedLink(number: Int) = "Pasted link $number"
+
     override fun changed() = "The file was changed after it was handed in, or it is damaged."
 
     override fun otherAssignment(title: String) = "It was handed in for another assignment: $title."

@@ -43,6 +43,8 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, Zeile $line"
 
+    override fun pastedLink(number: Int) = "Eingefügter Link $number"
+
     override fun changed() = "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
 
     override fun otherAssignment(title: String) = "Es wurde für eine andere Aufgabe abgegeben: $title."

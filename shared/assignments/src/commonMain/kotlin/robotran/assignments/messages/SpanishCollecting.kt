@@ -42,6 +42,8 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, línea $line"
 
+    override fun pastedLink(number: Int) = "Enlace pegado $number"
+
     override fun changed() = "El archivo se cambió después de entregarlo, o está dañado."
 
     override fun otherAssignment(title: String) = "Se entregó para otra tarea: $title."
