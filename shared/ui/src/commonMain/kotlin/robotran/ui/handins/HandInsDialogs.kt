@@ -30,6 +30,7 @@ import robotran.ui.documents.DialogFrame
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.parts.RadioMark
 import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_cancel

@@ -50,7 +50,7 @@ internal fun HandInsTable(
     val focus = remember { FocusRequester() }
     var wanted by remember { mutableStateOf(state.last) }
     LaunchedEffect(Unit) {
-        val index = state.rows.indexOfFirst { it.id == wanted }
+        val index = state.rows.indexOfFirst { it.id == state.last }
         if (index >= 0) list.show(index + if (form == TableForm.TABLE) 3 else 2)
     }
     LazyVerticalGrid(

@@ -1,6 +1,10 @@
 package robotran.workshop.handins
 
 import kotlinx.coroutines.CoroutineScope
+import robotran.workshop.platform.GradingCrew
+import robotran.assignments.grading.GradingPlan
+import robotran.assignments.grading.GradedHandIn
+import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.awaitCancellation
 import kotlinx.coroutines.launch
@@ -544,29 +548,70 @@ class HandInsStateHolderTest {
     }
 
     @Test
-    fun `what comes while others are graded does not disturb them`() = looking { workshop ->
-        files.chosen = AnyClass.few
-        workshop.handle(HandInsEvent.FilesRequested)
-        runCurrent()
-        while (workshop.page.rows.none { it.name == "Ada" && it.graded != null }) {
-            testScheduler.advanceTimeBy(1)
-            runCurrent()
+    fun `what comes while others are graded does not disturb them`() {
+        val begun = mutableListOf<String>()
+        val next = Channel<Unit>(Channel.UNLIMITED)
+        workers = object : GradingWorkers {
+            override suspend fun start(assignment: Project, plan: GradingPlan, language: Language) =
+                object : GradingCrew {
+                    override val size = 1
+
+                    override suspend fun grade(
+                        submission: Submission.Usable,
+                        onProgress: (runs: Int) -> Unit,
+                    ): GradedHandIn {
+                        begun += submission.name
+                        next.receive()
+                        return GradedHandIn.HasMistakes(submission, emptyList())
+                    }
+
+                    override fun close() = Unit
+                }
         }
-        testScheduler.advanceTimeBy(40)
-        runCurrent()
-        val before = checkNotNull(workshop.page.progress)
-        files.chosen = listOf(AnyClass.file("Gabi", AnyClass.solved))
-        workshop.handle(HandInsEvent.FilesRequested)
-        runCurrent()
-        val after = checkNotNull(workshop.page.progress)
-        assertEquals(listOf(before.handIns, before.of + 1), listOf(after.handIns, after.of))
-        testScheduler.advanceTimeBy(250)
-        runCurrent()
-        // The work on the hand-in that was begun counts still.
-        val done = workshop.page.progress
-        assertTrue(done == null || done.part * 7 >= before.part * 6, "$before $done")
-        advanceUntilIdle()
-        assertTrue(workshop.page.rows.size == 7 && workshop.page.rows.none { it.graded == null })
+        looking { workshop ->
+            workshop.bring(AnyClass.few.take(2))
+            val first = begun.toList()
+            workshop.bring(listOf(AnyClass.file("Gabi", AnyClass.solved)))
+            workshop.handle(HandInsEvent.HandInRemoved("Gabi"))
+            workshop.handle(HandInsEvent.RemovalUndone)
+            advanceUntilIdle()
+            assertEquals(first, begun)
+            assertEquals(listOf(0, 3), workshop.page.progress?.run { listOf(handIns, of) })
+            repeat(3) { next.trySend(Unit) }
+            advanceUntilIdle()
+            assertEquals(listOf("Ada", "Ben", "Gabi"), begun)
+            assertTrue(workshop.page.rows.none { it.graded == null })
+            assertNull(workshop.page.progress)
+        }
+    }
+
+    @Test
+    fun `a hand-in that is replaced while it is graded has the grade of the new one`() {
+        val next = Channel<Unit>(Channel.UNLIMITED)
+        workers = object : GradingWorkers {
+            override suspend fun start(assignment: Project, plan: GradingPlan, language: Language) =
+                object : GradingCrew {
+                    override val size = 1
+
+                    override suspend fun grade(
+                        submission: Submission.Usable,
+                        onProgress: (runs: Int) -> Unit,
+                    ): GradedHandIn {
+                        next.receive()
+                        return GradedHandIn.HasMistakes(submission, listOf("${submission.handIn?.tries}"))
+                    }
+
+                    override fun close() = Unit
+                }
+        }
+        looking { workshop ->
+            workshop.bring(listOf(AnyClass.file("Ada", AnyClass.short, tries = 1)))
+            workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved, tries = 4)))
+            repeat(2) { next.trySend(Unit) }
+            advanceUntilIdle()
+            val graded = workshop.page.rows.single().graded as GradedHandIn.HasMistakes
+            assertEquals(listOf("4"), graded.reasons)
+        }
     }
 
     @Test
