@@ -8,10 +8,12 @@ import android.graphics.Bitmap
 import android.graphics.Color
 import android.net.Uri
 import android.provider.MediaStore
+import androidx.core.content.FileProvider
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
 import org.junit.Assert.assertTrue
+import org.junit.Before
 import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
@@ -40,6 +42,13 @@ class PhotosTest {
     private val context = RuntimeEnvironment.getApplication()
     private val page: HandInsState get() = checkNotNull(app.workshop.state.handIns)
 
+    /** Each test has a cache of its own, but the provider keeps the place of the first. */
+    @Before
+    fun forgetPlaces() {
+        val kept = FileProvider::class.java.getDeclaredField("sCache").apply { isAccessible = true }.get(null)
+        (kept as MutableMap<*, *>).clear()
+    }
+
     @Test
     fun `without a camera app only pictures are offered`() {
         openHandIns()
@@ -54,7 +63,9 @@ class PhotosTest {
         openHandIns()
         assertTrue(app.isThere("hand-ins-scan-pictures"))
         val link = runBlocking { linkOf(Project(BuiltInWorlds.plain)) } as LinkCreation.Made
-        answer(Activity.RESULT_OK) { write(it, pictureOf(checkNotNull(QrCode.of("https://a.example/${link.fragment}")))) }
+        answer(Activity.RESULT_OK) {
+            write(it, pictureOf(checkNotNull(QrCode.of("https://a.example/${link.fragment}"))))
+        }
         assertEquals(listOf("Pasted link 1"), page.rows.map { it.submission.origin })
         assertFalse(File(context.cacheDir, "photos").exists())
         assertFalse(page.isScanning)

@@ -13,11 +13,7 @@ import kotlin.js.Promise
 internal class CameraQrScanner private constructor() : QrScanner {
     override val kinds: List<QrScannerKind> get() = listOf(QrScannerKind.CAMERA)
 
-    override suspend fun scan(
-        kind: QrScannerKind,
-        words: QrScannerWords,
-        onFound: (String) -> Boolean,
-    ): QrScanResult {
+    override suspend fun scan(kind: QrScannerKind, words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
         val end = newEnd()
         val error = try {
             scan(wordsFor(words), onFound, end).await<JsString>().toString()

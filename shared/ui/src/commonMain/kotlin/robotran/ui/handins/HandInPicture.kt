@@ -17,7 +17,6 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
-import kotlin.math.sqrt
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
@@ -31,6 +30,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.Space
 import robotran.world.World
+import kotlin.math.sqrt
 
 /**
  * The sheet at the end of the first run of [graded]; an empty place before it is graded. The words beside it say what

@@ -174,9 +174,11 @@ internal fun NameLines(row: HandInRow) {
         lineHeight = LineHeights.COMPACT,
     )
     ShortenedText(row.name, style, maxLines = 2)
-    if (row.submission.origin == row.name) return
+    // The name of the file says nothing more if it is the pupil's.
+    val origin = row.submission.origin
+    if (!row.hasNamesake && (origin == row.name || origin.substringBeforeLast('.') == row.name)) return
     val small = TextStyle(colours.quiet, TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
-    ShortenedText(row.submission.origin, small, maxLines = 1)
+    ShortenedText(origin, small, maxLines = 1)
 }
 
 @Composable

@@ -1,7 +1,6 @@
 package robotran.ui.handins
 
 import androidx.compose.runtime.Composable
-import kotlin.math.roundToInt
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
@@ -41,6 +40,7 @@ import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage
 import robotran.world.writeThousandths
+import kotlin.math.roundToInt
 
 /** In how many runs all goals were met; where there is only one run, how many goals. */
 @Composable
@@ -84,8 +84,7 @@ private fun worldsOf(row: HandInRow, plan: GradingPlan): List<String> {
 
 /** What the screen calls [world]. */
 @Composable
-internal fun nameOf(world: GradedWorld): String =
-    world.name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+internal fun nameOf(world: GradedWorld): String = world.name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
 
 /** The comment in one line; null for none. */
 @Composable
@@ -109,7 +108,8 @@ internal fun remarksOf(row: HandInRow): List<String> {
     val namesake = listOfNotNull(
         if (row.hasNamesake) stringResource(Res.string.hand_ins_namesake, submission.origin) else null,
     )
-    return reasons + namesake + alike + (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
+    return reasons + namesake + alike +
+        (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
 }
 
 internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usable)?.handIn?.tries
@@ -123,35 +123,56 @@ internal fun secondsText(seconds: Double): String {
 
 @Composable
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
-    is HandInsMessage.Brought -> if (message.others == 0) {
-        stringResource(Res.string.hand_ins_brought, message.count)
-    } else {
-        stringResource(Res.string.hand_ins_brought_known, message.count, message.others)
+    is HandInsMessage.Brought -> {
+        if (message.others == 0) {
+            stringResource(Res.string.hand_ins_brought, message.count)
+        } else {
+            stringResource(Res.string.hand_ins_brought_known, message.count, message.others)
+        }
     }
 
-    HandInsMessage.NothingFound -> stringResource(Res.string.hand_ins_nothing_found)
+    HandInsMessage.NothingFound -> {
+        stringResource(Res.string.hand_ins_nothing_found)
+    }
 
-    is HandInsMessage.Removed -> stringResource(Res.string.hand_ins_removed, message.name)
+    is HandInsMessage.Removed -> {
+        stringResource(Res.string.hand_ins_removed, message.name)
+    }
 
-    is HandInsMessage.NoCodes ->
+    is HandInsMessage.NoCodes -> {
         stringResource(if (message.isPhoto) Res.string.hand_ins_no_code_in_photo else Res.string.hand_ins_no_codes)
+    }
 
-    HandInsMessage.CameraNotAllowed -> stringResource(Res.string.hand_ins_camera_not_allowed)
+    HandInsMessage.CameraNotAllowed -> {
+        stringResource(Res.string.hand_ins_camera_not_allowed)
+    }
 
-    HandInsMessage.NoCamera -> stringResource(Res.string.hand_ins_no_camera)
+    HandInsMessage.NoCamera -> {
+        stringResource(Res.string.hand_ins_no_camera)
+    }
 
-    is HandInsMessage.TooMany -> stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
+    is HandInsMessage.TooMany -> {
+        stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
+    }
 
-    is HandInsMessage.NotKept -> stringResource(Res.string.hand_ins_not_kept, message.reason)
+    is HandInsMessage.NotKept -> {
+        stringResource(Res.string.hand_ins_not_kept, message.reason)
+    }
 
-    is HandInsMessage.Unreadable -> message.sentence
+    is HandInsMessage.Unreadable -> {
+        message.sentence
+    }
 
-    is HandInsMessage.Saved -> stringResource(Res.string.documents_saved, message.name)
+    is HandInsMessage.Saved -> {
+        stringResource(Res.string.documents_saved, message.name)
+    }
 
-    is HandInsMessage.NotSaved -> stringResource(
-        if (message.isFull) Res.string.documents_save_full else Res.string.documents_save_failed,
-        message.reason,
-    )
+    is HandInsMessage.NotSaved -> {
+        stringResource(
+            if (message.isFull) Res.string.documents_save_full else Res.string.documents_save_failed,
+            message.reason,
+        )
+    }
 }
 
 /** The run that tells most: the first in which a goal was not met, or else the first. */

@@ -84,7 +84,11 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
         OutlinedTextField(
             text,
             { text = it },
-            Modifier.fillMaxWidth().heightIn(max = MAX_HEIGHT).focusRequester(focus).testTag("hand-ins-links"),
+            Modifier.fillMaxWidth()
+                .heightIn(max = MAX_HEIGHT)
+                .tabLeaves()
+                .focusRequester(focus)
+                .testTag("hand-ins-links"),
             textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
             label = { Text(stringResource(Res.string.hand_ins_paste_label)) },
             minLines = LINES,
@@ -136,8 +140,11 @@ private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) 
                     Column {
                         NameLines(row)
                         alike[row.id]?.let { isEqual ->
-                            val words = if (isEqual) Res.string.hand_in_beside_equal else Res.string.hand_in_beside_alike
-                            RemarkLine(stringResource(words))
+                            RemarkLine(
+                                stringResource(
+                                    if (isEqual) Res.string.hand_in_beside_equal else Res.string.hand_in_beside_alike,
+                                ),
+                            )
                         }
                     }
                 }

@@ -41,12 +41,7 @@ import robotran.workshop.state.HandInsState
  * @param list keeps its place meanwhile.
  */
 @Composable
-internal fun HandInsTable(
-    state: HandInsState,
-    list: LazyGridState,
-    form: TableForm,
-    onEvent: (HandInsEvent) -> Unit,
-) {
+internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableForm, onEvent: (HandInsEvent) -> Unit) {
     val focus = remember { FocusRequester() }
     var wanted by remember { mutableStateOf(state.last) }
     LaunchedEffect(Unit) {

@@ -29,8 +29,8 @@ import robotran.ui.theme.Space
 import robotran.ui.theme.TextSizes
 
 /**
- * A mark for each run, rows for each world with its name if there are several, and a column for each seed: a tick on a
- * filled square where all goals were met, a cross where they were not. The words beside it say the same, so it needs no
+ * A mark for each run, a row for each world with its name, and a column for each seed: a tick on a filled square where
+ * all goals were met, a cross where they were not. What the row of the table says is the same, so it needs no
  * accessibility text.
  */
 @Composable
@@ -41,15 +41,16 @@ internal fun RunMarks(graded: GradedHandIn.Graded, plan: GradingPlan, modifier: 
         val columns = (maxWidth / cell).toInt().coerceIn(1, MAX_COLUMNS)
         Column(verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
             for (world in plan.worlds) {
-                if (plan.worlds.size > 1) WorldName(nameOf(world))
+                WorldName(nameOf(world), plan.seeds)
                 graded.runsIn(world.name).chunked(columns).forEach { MarksRow(it, cell) }
             }
         }
     }
 
+/** The world of a row, and the seeds of its columns. */
 @Composable
-private fun WorldName(name: String) = ShortenedText(
-    name,
+private fun WorldName(name: String, seeds: IntRange) = ShortenedText(
+    if (seeds.first == seeds.last) name else "$name, ${seeds.first}–${seeds.last}",
     TextStyle(LocalRobotranColours.current.quiet, TextSizes.SMALL, lineHeight = LineHeights.TIGHT),
     maxLines = 1,
 )

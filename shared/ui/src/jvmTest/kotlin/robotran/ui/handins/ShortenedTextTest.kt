@@ -11,7 +11,7 @@ class ShortenedTextTest {
 
     @Test
     fun `the end of a long name, which is the pupil's, stays`() =
-        assertEquals("To the w… - Änne.robotran", shortened("To the wide flag at the wall - Änne.robotran", 25))
+        assertEquals("To the wi…- Änne.robotran", shortened("To the wide flag at the wall - Änne.robotran", 25))
 
     @Test
     fun `signs of two letters are not cut`() {

@@ -68,29 +68,55 @@ class HandInsStateHolder internal constructor(
         val open = open ?: return
         when (event) {
             HandInsEvent.Requested -> Unit
+
             HandInsEvent.Closed -> close()
+
             HandInsEvent.FilesRequested -> scope.launch { bring(platform.files.open(KINDS)) }
+
             HandInsEvent.PastingRequested -> show { copy(dialog = HandInsDialog.PastingLinks) }
+
             is HandInsEvent.LinksPasted -> bringLinks(event.text)
+
             is HandInsEvent.ScanRequested -> beginScan(event)
+
             HandInsEvent.ScanEnded -> endScan()
+
             is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted() }
+
             HandInsEvent.GradingCancelled -> stopGrading()
+
             HandInsEvent.GradingResumed -> grading.begin(open)
+
             is HandInsEvent.HandInChosen -> choose(event.id)
+
             HandInsEvent.ComparisonsRequested -> show { copy(dialog = HandInsDialog.Comparing) }
-            is HandInsEvent.ComparisonChosen -> show { copy(opened = opened?.copy(beside = event.other), dialog = null) }
+
+            is HandInsEvent.ComparisonChosen -> show {
+                copy(opened = opened?.copy(beside = event.other), dialog = null)
+            }
+
             is HandInsEvent.CommentChanged -> comment(open, event.id, event.comment)
+
             is HandInsEvent.ReplayRequested -> replay(open, now, event)
+
             HandInsEvent.CsvRequested -> exports.saveCsv(open, now)
+
             HandInsEvent.PageRequested -> exports.savePage(open, now)
+
             HandInsEvent.FeedbackRequested -> exports.saveFeedback(open, now)
+
             is HandInsEvent.FeedbackFileRequested -> exports.saveFeedback(open, now, event.id)
+
             is HandInsEvent.HandInRemoved -> removeOne(open, event.id)
+
             HandInsEvent.RemovalUndone -> undoRemoval(open)
+
             HandInsEvent.RemovalRequested -> show { copy(dialog = HandInsDialog.Removing(rows.size)) }
+
             HandInsEvent.RemovalConfirmed -> remove(open)
+
             HandInsEvent.DialogClosed -> show { copy(dialog = null) }
+
             HandInsEvent.MessageDismissed -> show { copy(told = null) }
         }
     }

@@ -27,11 +27,7 @@ class PictureQrScanner(
     override val kinds: List<QrScannerKind>
         get() = listOfNotNull(QrScannerKind.PHOTO.takeIf { photos?.isThere == true }, QrScannerKind.PICTURES)
 
-    override suspend fun scan(
-        kind: QrScannerKind,
-        words: QrScannerWords,
-        onFound: (String) -> Boolean,
-    ): QrScanResult {
+    override suspend fun scan(kind: QrScannerKind, words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
         val pictures = if (kind == QrScannerKind.PHOTO && photos != null) {
             when (val photo = photos.take()) {
                 is Photo.Taken -> listOf(photo.bytes)

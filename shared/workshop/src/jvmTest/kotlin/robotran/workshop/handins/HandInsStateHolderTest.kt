@@ -1,12 +1,9 @@
 package robotran.workshop.handins
 
 import kotlinx.coroutines.CoroutineScope
-import robotran.workshop.platform.GradingCrew
-import robotran.assignments.grading.GradingPlan
-import robotran.assignments.grading.GradedHandIn
-import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.awaitCancellation
+import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.test.StandardTestDispatcher
 import kotlinx.coroutines.test.TestScope
@@ -15,6 +12,8 @@ import kotlinx.coroutines.test.runCurrent
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.SubmissionRemark
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradingPlan
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.language.Language
@@ -41,6 +40,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.FixedClock
+import robotran.workshop.platform.GradingCrew
 import robotran.workshop.platform.GradingThreads
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.MemoryPlatform
