@@ -6,10 +6,12 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.aspectRatio
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -52,10 +54,11 @@ internal fun HandInCard(
         verticalAlignment = Alignment.CenterVertically,
     ) {
         val words = spokenRow(row, plan)
-        // Beside a picture there is no room for large words.
-        val isLarge = LocalDensity.current.fontScale >= LARGE
+        val aspect = plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
+        // Beside a picture there is no room for large words, and beside words none for a wide picture.
+        val isStacked = LocalDensity.current.fontScale >= LARGE || aspect >= WIDE
         Opening(
-            isLarge,
+            isStacked,
             Modifier
                 .weight(1f)
                 .heightIn(min = Dimensions.TARGET)
@@ -67,8 +70,13 @@ internal fun HandInCard(
                 .clearAndSetSemantics { contentDescription = words }
                 .padding(Space.MEDIUM),
         ) { room ->
-            if (!isLarge || row.results != null) {
-                HandInPicture(row.results, plan, Modifier.size(pictureSize(plan, PICTURE_WIDTH)))
+            if (!isStacked || row.results != null) {
+                val size = if (aspect >= WIDE) {
+                    Modifier.widthIn(max = WIDE_WIDTH).fillMaxWidth().aspectRatio(aspect)
+                } else {
+                    Modifier.size(pictureSize(plan, PICTURE_WIDTH))
+                }
+                HandInPicture(row.results, plan, size)
             }
             Column(room, Arrangement.spacedBy(6.dp)) { CardWords(row, plan) }
         }
@@ -79,9 +87,9 @@ internal fun HandInCard(
     }
 }
 
-/** The picture beside or, if [isLarge], above the words. [content] gets what the words need to fill the room. */
+/** The picture beside or, if [isStacked], above the words. [content] gets what the words need to fill the room. */
 @Composable
-private fun Opening(isLarge: Boolean, modifier: Modifier, content: @Composable (Modifier) -> Unit) = if (isLarge) {
+private fun Opening(isStacked: Boolean, modifier: Modifier, content: @Composable (Modifier) -> Unit) = if (isStacked) {
     Column(modifier, Arrangement.spacedBy(Space.SMALL)) { content(Modifier.fillMaxWidth()) }
 } else {
     Row(modifier, Arrangement.spacedBy(Space.MEDIUM)) { content(Modifier.weight(1f)) }
@@ -114,4 +122,8 @@ private fun CardWords(row: HandInRow, plan: GradingPlan) {
 }
 
 private val PICTURE_WIDTH = 110.dp
+private val WIDE_WIDTH = 320.dp
 private const val LARGE = 1.5f
+
+/** From this ratio of width to height on. */
+private const val WIDE = 2f

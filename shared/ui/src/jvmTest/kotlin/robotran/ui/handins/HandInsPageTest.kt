@@ -7,6 +7,7 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.assertIsNotFocused
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
@@ -256,11 +257,14 @@ class HandInsPageTest {
             onNodeWithTag("hand-in-row-24").assertIsDisplayed()
             press(Key.Enter)
             assertEquals(workshop.state.handIns?.rows?.get(24)?.id, workshop.state.handIns?.opened?.id)
+            goTo("hand-in-run--1")
             goTo("hand-in-comment")
             onNodeWithTag("hand-in-comment").performTextInput("Go on")
             settle()
+            // Tab leaves the field and is no letter in it.
+            press(Key.Tab)
+            onNodeWithTag("hand-in-comment").assertIsNotFocused()
             assertEquals("Go on", workshop.state.handIns?.openedRow?.comment)
-            goTo("hand-in-run--1")
             press(Key.Escape)
             onNodeWithTag("hand-in-row-24").assertIsFocused()
             press(Key.Tab)

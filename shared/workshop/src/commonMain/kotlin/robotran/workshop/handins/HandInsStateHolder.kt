@@ -14,14 +14,12 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.collectSubmissions
 import robotran.assignments.comparing.compareSubmissions
 import robotran.documents.StoreResult
-import robotran.projects.isLink
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Platform
-import robotran.workshop.platform.QrScanResult
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.AlikeHandIn
@@ -30,7 +28,6 @@ import robotran.workshop.state.HandInsDialog
 import robotran.workshop.state.HandInsMessage
 import robotran.workshop.state.HandInsState
 import robotran.workshop.state.OpenedHandIn
-import robotran.workshop.state.QrScannerKind
 
 /**
  * The page on which a teacher looks at what pupils have handed in for the open project. Everything happens on this
@@ -56,7 +53,7 @@ class HandInsStateHolder internal constructor(
     private var open: OpenAssignment? = null
     private var reading: Job? = null
     private val bringing = Mutex()
-    private var scanning: Job? = null
+    private val scanning = HandInScan(platform.qrScanner, scope, ::show, ::bringLinks)
     private val grading = GradingRounds(platform, scope, physics, ::state, ::show)
     private val comments = CommentWriter(scope, ::tell)
     private var removed: HandInRow? = null
@@ -77,9 +74,9 @@ class HandInsStateHolder internal constructor(
 
             is HandInsEvent.LinksPasted -> bringLinks(event.text)
 
-            is HandInsEvent.ScanRequested -> beginScan(event)
+            is HandInsEvent.ScanRequested -> scanning.begin(event.kind, event.words)
 
-            HandInsEvent.ScanEnded -> endScan()
+            HandInsEvent.ScanEnded -> scanning.end()
 
             is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted() }
 
@@ -142,7 +139,7 @@ class HandInsStateHolder internal constructor(
     fun close() {
         reading?.cancel()
         grading.stop()
-        endScan()
+        scanning.end()
         resting = state?.copy(progress = null, isReading = false, dialog = null, told = null) ?: resting
         state = null
         comments.flush()
@@ -159,7 +156,7 @@ class HandInsStateHolder internal constructor(
         val opened = OpenAssignment(title(), current.project, preferences.language, platform.store)
         open = opened
         resting = null
-        state = opened.firstState(scanners).copy(isReading = true)
+        state = opened.firstState(scanning.kinds).copy(isReading = true)
         reading = scope.launch {
             val batches = opened.kept.read()
             for (batch in batches) opened.submissions.add(collect(opened, batch))
@@ -195,26 +192,6 @@ class HandInsStateHolder internal constructor(
         open.lastLink += files.size
         show { copy(dialog = null, told = if (files.isEmpty()) HandInsMessage.NothingFound else told) }
         scope.launch { bring(files) }
-    }
-
-    private fun beginScan(event: HandInsEvent.ScanRequested) {
-        val scanner = platform.qrScanner ?: return
-        if (scanning?.isActive == true) return
-        show { copy(isScanning = true) }
-        scanning = scope.launch {
-            val result = scanner.scan(event.kind, event.words) { text ->
-                val isUseful = isLink(text)
-                if (isUseful) bringLinks(text)
-                isUseful
-            }
-            show { copy(isScanning = false) }
-            messageFor(result, event.kind)?.let(::tell)
-        }
-    }
-
-    private fun endScan() {
-        scanning?.cancel()
-        show { copy(isScanning = false) }
     }
 
     /** Everything that was brought together belongs together, such as the files of a program. */
@@ -320,12 +297,10 @@ class HandInsStateHolder internal constructor(
     private fun remove(open: OpenAssignment) {
         grading.stop()
         comments.forget()
-        show { open.firstState(scanners) }
+        show { open.firstState(scanning.kinds) }
         this.open = open.emptied()
         reading = scope.launch { open.kept.clear() }
     }
-
-    private val scanners: List<QrScannerKind> get() = platform.qrScanner?.kinds.orEmpty()
 
     private fun tell(message: HandInsMessage) = show { copy(told = message) }
 
@@ -337,15 +312,6 @@ class HandInsStateHolder internal constructor(
         val KINDS = listOf(FileKind.PROJECT, FileKind.ZIP, FileKind.ROBOLANG, FileKind.JAVA, FileKind.TEXT)
         val TOO_MUCH = HandInsMessage.TooMany(KeptHandIns.MAXIMUM_FILES, KeptHandIns.MAXIMUM_MEGABYTES)
     }
-}
-
-/** Null if there is nothing more to say. */
-private fun messageFor(result: QrScanResult, kind: QrScannerKind): HandInsMessage? = when (result) {
-    QrScanResult.Ended -> null
-    QrScanResult.NoCodes -> HandInsMessage.NoCodes(isPhoto = kind == QrScannerKind.PHOTO)
-    QrScanResult.NotAllowed -> HandInsMessage.CameraNotAllowed
-    QrScanResult.NoCamera -> HandInsMessage.NoCamera
-    is QrScanResult.Failed -> HandInsMessage.Unreadable(result.reason)
 }
 
 internal fun notKept(result: StoreResult): HandInsMessage? = when (result) {
