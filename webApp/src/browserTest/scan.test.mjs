@@ -114,6 +114,23 @@ test('Escape ends the scanner while the camera is still starting', () =>
     assert.deepEqual(troubles, []);
   }));
 
+test('Back ends the scanner, and the hand-ins stay open', () =>
+  onPage({ ...TABLET, prepare: wait }, async ({ page, troubles }) => {
+    await openHandIns(page);
+    for (let time = 0; time < 2; time++) {
+      await press(page, 'hand-ins-scan');
+      await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
+      await page.waitForTimeout(500);
+      await page.goBack();
+      await scanner(page).waitFor({ state: 'detached' });
+      await appears(page, 'hand-ins-paste');
+      await page.waitForTimeout(500);
+    }
+    await page.goBack();
+    await disappears(page, 'hand-ins-paste');
+    assert.deepEqual(troubles, []);
+  }));
+
 /** Runs in the page: a camera that never comes. */
 function wait() {
   navigator.mediaDevices.getUserMedia = () => new Promise(() => undefined);

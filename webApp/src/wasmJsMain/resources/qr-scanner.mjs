@@ -27,10 +27,13 @@ const VIDEO = { facingMode: 'environment', width: { ideal: 1920 }, height: { ide
  * Shows the camera until the user ends it, and calls `onFound` with each text once. What that returns is whether the text was
  * of use. Resolves to '' then, otherwise to the name of the error for which there is no picture, such as 'NotAllowedError'.
  *
- * `words` has the texts `title`, `hint`, `starting`, `counted` with '%1$d' for a number, `useless` and `done`.
+ * `words` has the texts `title`, `hint`, `starting`, `counted` with '%1$d' for a number, `useless` and `done`. The app ends it
+ * by `signal`, for example on the browser's Back.
  */
-export async function scan(words, onFound) {
+export async function scan(words, onFound, signal) {
+  if (signal.aborted) return '';
   const view = openView(words);
+  signal.addEventListener('abort', () => view.end());
   let stream = null;
   try {
     const coming = navigator.mediaDevices.getUserMedia({ audio: false, video: VIDEO });
@@ -88,6 +91,7 @@ function openView(words) {
     closed,
     say: (text) => (status.textContent = text),
     isClosed: () => !dialog.open,
+    end: () => dialog.close(),
     close() {
       if (dialog.open) dialog.close();
       dialog.remove();

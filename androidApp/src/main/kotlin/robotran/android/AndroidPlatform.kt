@@ -6,6 +6,7 @@ import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
 import robotran.android.platform.AndroidFilePicker
+import robotran.android.platform.AndroidPhotos
 import robotran.android.platform.AndroidPosters
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
@@ -49,7 +50,8 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val isForFingers: Boolean =
         context.resources.configuration.keyboard != Configuration.KEYBOARD_QWERTY
     override val gradingWorkers: GradingWorkers = GradingThreads()
-    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, ::pixelsIn)
+    val photos = AndroidPhotos(context)
+    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, photos, ::pixelsIn)
     override val background: CoroutineContext = Dispatchers.Default
 
     /** Uses the app's language, which may differ from the system's. */

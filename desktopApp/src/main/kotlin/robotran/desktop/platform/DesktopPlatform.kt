@@ -36,6 +36,6 @@ internal class DesktopPlatform(
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()
     override val gradingWorkers: GradingWorkers = GradingThreads()
-    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, ::pixelsIn)
+    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, pixelsIn = ::pixelsIn)
     override val background: CoroutineContext = Dispatchers.Default
 }

@@ -11,10 +11,15 @@ import kotlin.js.Promise
 
 /** Reads QR codes with the camera. Its view is a dialog of HTML above the canvas, since only HTML shows a camera. */
 internal class CameraQrScanner private constructor() : QrScanner {
-    override val kind: QrScannerKind get() = QrScannerKind.CAMERA
+    override val kinds: List<QrScannerKind> get() = listOf(QrScannerKind.CAMERA)
 
-    override suspend fun scan(words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
-        val error = scan(wordsFor(words), onFound).await<JsString>().toString()
+    override suspend fun scan(kind: QrScannerKind, words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
+        val end = newEnd()
+        val error = try {
+            scan(wordsFor(words), onFound, end).await<JsString>().toString()
+        } finally {
+            come(end)
+        }
         return when (error) {
             "" -> QrScanResult.Ended
             in NOT_ALLOWED -> QrScanResult.NotAllowed
@@ -47,8 +52,13 @@ private fun wordsFor(
     done: String,
 ): JsAny = js("({ title, hint, starting, counted, useless, done })")
 
+/** What ends the scanner when it comes. */
+private fun newEnd(): JsAny = js("new AbortController()")
+
+private fun come(end: JsAny): Unit = js("end.abort()")
+
 /** A dynamic import, so that the page loads the module only when it is needed. */
-private fun scan(words: JsAny, onFound: (String) -> Boolean): Promise<JsString> = js(
+private fun scan(words: JsAny, onFound: (String) -> Boolean, end: JsAny): Promise<JsString> = js(
     "import(/* webpackChunkName: 'qr-scanner' */ './qr-scanner.mjs')" +
-        ".then((module) => module.scan(words, onFound), (error) => String(error))",
+        ".then((module) => module.scan(words, onFound, end.signal), (error) => String(error))",
 )

@@ -55,6 +55,9 @@ interface CollectingMessages {
     /** The file is a teacher's answer to a hand-in. */
     fun isFeedback(file: String): String
 
+    /** The name of a link that was pasted or scanned; they are numbered from 1. */
+    fun pastedLink(number: Int): String
+
     /** The file is not as it was handed in. From here on, the functions are remarks on a submission that is usable. */
     fun changed(): String
 

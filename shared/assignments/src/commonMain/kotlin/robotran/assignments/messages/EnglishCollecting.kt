@@ -47,6 +47,8 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun isFeedback(file: String) = "$file is feedback, not a hand-in."
 
+    override fun pastedLink(number: Int) = "Pasted link $number"
+
     override fun changed() = "The file was changed after it was handed in, or it is damaged."
 
     override fun otherAssignment(title: String) = "It was handed in for another assignment: $title."

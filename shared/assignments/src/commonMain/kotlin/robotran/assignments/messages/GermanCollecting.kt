@@ -47,6 +47,8 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun isFeedback(file: String) = "$file ist eine Rückmeldung, keine Abgabe."
 
+    override fun pastedLink(number: Int) = "Eingefügter Link $number"
+
     override fun changed() = "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
 
     override fun otherAssignment(title: String) = "Es wurde für eine andere Aufgabe abgegeben: $title."

@@ -46,6 +46,8 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun isFeedback(file: String) = "$file son comentarios, no una entrega."
 
+    override fun pastedLink(number: Int) = "Enlace pegado $number"
+
     override fun changed() = "El archivo se cambió después de entregarlo, o está dañado."
 
     override fun otherAssignment(title: String) = "Se entregó para otra tarea: $title."

@@ -36,7 +36,7 @@ internal fun CommentField(row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
             if (changed.text != text.text) onEvent(HandInsEvent.CommentChanged(row.id, changed.text))
             text = changed
         },
-        Modifier.fillMaxWidth().testTag("hand-in-comment"),
+        Modifier.fillMaxWidth().tabLeaves().testTag("hand-in-comment"),
         textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
         label = { Text(stringResource(Res.string.hand_in_comment, row.name)) },
         supportingText = { Text(stringResource(Res.string.hand_in_comment_help), fontSize = TextSizes.SMALL) },

@@ -14,6 +14,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.layout.ContentScale
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.DpSize
+import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
@@ -27,6 +30,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.Space
 import robotran.world.World
+import kotlin.math.sqrt
 
 /**
  * The sheet at the end of the first run of [graded]; an empty place before it is graded. The words beside it say what
@@ -45,6 +49,17 @@ internal fun HandInPicture(graded: GradedHandIn.Graded?, plan: GradingPlan, modi
         }
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
+}
+
+/**
+ * The size of a picture in the table: as wide as the sheet of [plan] asks, so that nothing of it stays empty, and of the
+ * same area for all but very long sheets.
+ */
+internal fun pictureSize(plan: GradingPlan, maxWidth: Dp = MAX_WIDTH): DpSize {
+    val paper = plan.worlds.first().world.paper
+    val aspect = (paper.width / paper.height).toFloat()
+    val width = sqrt(AREA * aspect).coerceIn(MIN_WIDTH.value, maxWidth.value)
+    return DpSize(width.dp, (width / aspect).coerceAtMost(MAX_HEIGHT.value).dp)
 }
 
 private suspend fun drawn(world: World, key: PictureKey): ImageBitmap {
@@ -82,3 +97,9 @@ private class KeptPictures {
 }
 
 private val pictures = KeptPictures()
+
+/** In dp by dp. */
+private const val AREA = 6_400f
+private val MIN_WIDTH = 56.dp
+private val MAX_WIDTH = 150.dp
+private val MAX_HEIGHT = 110.dp

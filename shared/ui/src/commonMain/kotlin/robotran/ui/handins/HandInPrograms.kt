@@ -19,10 +19,12 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectProgram
+import robotran.ui.learning.QuietButton
 import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_beside
 import robotran.ui.resources.hand_in_beside_none
+import robotran.ui.resources.hand_in_beside_other
 import robotran.ui.resources.hand_in_equal_lines
 import robotran.ui.resources.hand_in_program
 import robotran.ui.resources.hand_in_solution
@@ -45,7 +47,8 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         PartTitle(Res.string.hand_in_program)
         val choices = choicesOf(state, row)
-        if (choices.size > 1) BesideChoice(choices, chosen) { onEvent(HandInsEvent.ComparisonChosen(it)) }
+        val hasOthers = state.comparable.isNotEmpty()
+        if (choices.size > 1 || hasOthers) BesideChoice(choices, chosen, hasOthers, onEvent)
         if (other == null) {
             ReadOnlyPrograms(row.name, row.programs, emptyList(), "hand-in-program", Modifier.fillMaxWidth())
             return@Column
@@ -77,16 +80,26 @@ private fun besideOf(state: HandInsState, chosen: String?): Pair<String, List<Pr
     else -> state.rows.firstOrNull { it.id == chosen }?.let { it.name to it.programs }
 }?.takeIf { it.second.isNotEmpty() }
 
-/** Nothing, the solution, and the hand-ins that are like this one. */
+/** Nothing, the solution, the hand-ins that are like this one, and the one that was chosen among all others. */
 @Composable
-private fun choicesOf(state: HandInsState, row: HandInRow): List<Pair<String?, String>> = listOfNotNull(
-    null to stringResource(Res.string.hand_in_beside_none),
-    ("" to stringResource(Res.string.hand_in_solution)).takeIf { state.solution.isNotEmpty() },
-) + row.alike.map { it.id to it.name }
+private fun choicesOf(state: HandInsState, row: HandInRow): List<Pair<String?, String>> {
+    val alike = row.alike.map { it.id }.toSet()
+    val shown = state.comparable.filter { it.id in alike }.take(FEW) +
+        state.comparable.filter { it.id == state.opened?.beside }
+    return listOfNotNull(
+        null to stringResource(Res.string.hand_in_beside_none),
+        ("" to stringResource(Res.string.hand_in_solution)).takeIf { state.solution.isNotEmpty() },
+    ) + shown.distinct().map { it.id to it.name }
+}
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun BesideChoice(choices: List<Pair<String?, String>>, chosen: String?, onChoose: (String?) -> Unit) = FlowRow(
+private fun BesideChoice(
+    choices: List<Pair<String?, String>>,
+    chosen: String?,
+    hasOthers: Boolean,
+    onEvent: (HandInsEvent) -> Unit,
+) = FlowRow(
     Modifier.selectableGroup(),
     Arrangement.spacedBy(Space.SMALL),
 ) {
@@ -104,7 +117,9 @@ private fun BesideChoice(choices: List<Pair<String?, String>>, chosen: String?, 
                 .testTag("hand-in-beside-$index")
                 .defaultMinSize(minHeight = Dimensions.TARGET)
                 .focusRing()
-                .selectable(value == chosen, role = Role.RadioButton) { onChoose(value) }
+                .selectable(value == chosen, role = Role.RadioButton) {
+                    onEvent(HandInsEvent.ComparisonChosen(value))
+                }
                 .padding(end = Space.MEDIUM),
             verticalAlignment = Alignment.CenterVertically,
         ) {
@@ -112,4 +127,12 @@ private fun BesideChoice(choices: List<Pair<String?, String>>, chosen: String?, 
             Text(words, color = colours.onPane, fontSize = TextSizes.COMPACT)
         }
     }
+    if (hasOthers) {
+        QuietButton(stringResource(Res.string.hand_in_beside_other), "hand-in-beside-other", {
+            onEvent(HandInsEvent.ComparisonsRequested)
+        })
+    }
 }
+
+/** Of those that are alike; the list of others has them all. */
+private const val FEW = 4

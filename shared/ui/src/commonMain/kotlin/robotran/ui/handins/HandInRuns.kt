@@ -15,6 +15,8 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradedHandIn
@@ -29,10 +31,9 @@ import robotran.ui.parts.IconTouch
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_goals
-import robotran.ui.resources.hand_in_met_with
 import robotran.ui.resources.hand_in_more_runs
-import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.hand_in_replay_seed
+import robotran.ui.resources.hand_in_runs_help
 import robotran.ui.resources.hand_in_seed
 import robotran.ui.resources.hand_in_world_runs
 import robotran.ui.resources.run_mark_goal
@@ -54,9 +55,14 @@ internal fun HandInRuns(
     onEvent: (HandInsEvent) -> Unit,
 ) = Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM)) {
     PartTitle(Res.string.hand_in_goals)
+    Text(
+        stringResource(Res.string.hand_in_runs_help),
+        color = LocalRobotranColours.current.quiet,
+        fontSize = TextSizes.SMALL,
+        lineHeight = LineHeights.SMALL,
+    )
     for (world in plan.worlds) {
-        val name = world.name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
-        RunsInWorld(row, name, graded.runsIn(world.name), onEvent)
+        RunsInWorld(row, nameOf(world), graded.runsIn(world.name), onEvent)
     }
 }
 
@@ -66,15 +72,13 @@ private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, on
         val (met, unmet) = runs.partition { it.grade.passed }
         Text(
             stringResource(Res.string.hand_in_world_runs, world, met.size, runs.size),
+            Modifier.semantics { heading() },
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
             lineHeight = LineHeights.LABEL,
             fontWeight = FontWeight.SemiBold,
         )
-        if (met.isNotEmpty()) {
-            val seeds = seedsText(met.map { it.grade.seed })
-            Reason(isMet = true, stringResource(Res.string.hand_in_met_with, seeds))
-        }
+        RunTouches(row, world, runs, onEvent)
         var areAllShown by remember(row.id) { mutableStateOf(false) }
         for (run in if (areAllShown) unmet else unmet.take(FEW)) UnmetRun(row, run, onEvent)
         val more = unmet.size - FEW
@@ -121,19 +125,5 @@ private fun Reason(isMet: Boolean, words: String, modifier: Modifier = Modifier)
         SmallIcon(if (isMet) DONE_ICON else Icon.CLOSE, if (isMet) colours.good else colours.error)
         Words(words, Modifier.weight(1f))
     }
-
-/** Seeds with those in a row as a range: `1-12, 14`. */
-private fun seedsText(seeds: List<Int>): String {
-    val ranges = mutableListOf<IntRange>()
-    for (seed in seeds.sorted()) {
-        val last = ranges.lastOrNull()
-        if (last != null && seed == last.last + 1) {
-            ranges[ranges.lastIndex] = last.first..seed
-        } else {
-            ranges += seed..seed
-        }
-    }
-    return ranges.joinToString { if (it.first == it.last) "${it.first}" else "${it.first}–${it.last}" }
-}
 
 private const val FEW = 4

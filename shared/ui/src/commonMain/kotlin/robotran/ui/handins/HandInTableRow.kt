@@ -25,6 +25,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
@@ -34,7 +35,9 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradingPlan
 import robotran.ui.learning.PLAY_ICON
+import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_column_lines
 import robotran.ui.resources.hand_ins_column_name
@@ -43,6 +46,7 @@ import robotran.ui.resources.hand_ins_column_result
 import robotran.ui.resources.hand_ins_column_runs
 import robotran.ui.resources.hand_ins_column_seconds
 import robotran.ui.resources.hand_ins_column_tries
+import robotran.ui.resources.hand_ins_remove_one
 import robotran.ui.resources.hand_ins_replay_of
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -51,18 +55,19 @@ import robotran.ui.theme.Shapes
 import robotran.ui.theme.Space
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
+import robotran.ui.worldedit.EditIcons
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 
 /** The titles of the columns; each row tells screen readers itself what its figures mean. */
 @Composable
-internal fun ColumnTitles() = Row(Modifier.fillMaxWidth().clearAndSetSemantics { }) {
+internal fun ColumnTitles(plan: GradingPlan) = Row(Modifier.fillMaxWidth().clearAndSetSemantics { }) {
     Row(
         Modifier.weight(1f).padding(horizontal = Space.SMALL),
         Arrangement.spacedBy(Space.MEDIUM),
         Alignment.Bottom,
     ) {
-        Spacer(Modifier.width(PICTURE_WIDTH))
+        Spacer(Modifier.width(pictureSize(plan).width))
         Title(Res.string.hand_ins_column_name, Modifier.weight(NAME_WEIGHT))
         Title(Res.string.hand_ins_column_result, Modifier.width(scaled(RESULT_WIDTH)))
         Title(Res.string.hand_ins_column_runs, Modifier.width(scaled(RUNS_WIDTH)))
@@ -71,23 +76,30 @@ internal fun ColumnTitles() = Row(Modifier.fillMaxWidth().clearAndSetSemantics {
         Title(Res.string.hand_ins_column_seconds, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
         Title(Res.string.hand_ins_column_remarks, Modifier.weight(REMARKS_WEIGHT))
     }
-    Spacer(Modifier.width(Dimensions.TARGET))
+    Spacer(Modifier.width(Dimensions.TARGET * 2))
 }
 
 /** A hand-in as a row of the table. A touch opens it. */
 @Composable
-internal fun HandInTableRow(row: HandInRow, index: Int, plan: GradingPlan, onEvent: (HandInsEvent) -> Unit) {
+internal fun HandInTableRow(
+    row: HandInRow,
+    index: Int,
+    plan: GradingPlan,
+    onEvent: (HandInsEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     Row(
         Modifier.fillMaxWidth().border(1.dp, colours.line, Shapes.MEDIUM).background(colours.pane, Shapes.MEDIUM),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        val words = spokenRow(row)
+        val words = spokenRow(row, plan)
         Row(
             Modifier
                 .weight(1f)
                 .heightIn(min = Dimensions.TARGET)
                 .testTag("hand-in-row-$index")
+                .then(modifier)
                 .focusRing()
                 .clip(Shapes.MEDIUM)
                 .clickable(role = Role.Button) { onEvent(HandInsEvent.HandInChosen(row.id)) }
@@ -96,7 +108,7 @@ internal fun HandInTableRow(row: HandInRow, index: Int, plan: GradingPlan, onEve
             Arrangement.spacedBy(Space.MEDIUM),
             Alignment.CenterVertically,
         ) {
-            HandInPicture(row.results, plan, Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT))
+            HandInPicture(row.results, plan, Modifier.size(pictureSize(plan)))
             NameCell(row)
             Box(Modifier.width(scaled(RESULT_WIDTH))) { VerdictMark(row.verdict) }
             RunsCell(row, plan)
@@ -105,9 +117,37 @@ internal fun HandInTableRow(row: HandInRow, index: Int, plan: GradingPlan, onEve
             Figure(row.results?.seconds?.let { secondsText(it) }.orEmpty())
             Column(Modifier.weight(REMARKS_WEIGHT), Arrangement.spacedBy(Space.HAIR)) {
                 for (remark in remarksOf(row)) RemarkLine(remark)
+                CommentLine(row)
             }
         }
         ReplayOfRow(row, index, onEvent)
+        RemoveRow(row, index, onEvent)
+    }
+}
+
+/** Removes a hand-in, which can be undone. */
+@Composable
+internal fun RemoveRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
+    val words = stringResource(Res.string.hand_ins_remove_one, row.name)
+    IconTouch(EditIcons.DELETE, words, "hand-in-row-remove-$index", { onEvent(HandInsEvent.HandInRemoved(row.id)) })
+}
+
+/** The beginning of the teacher's comment, with a sign. */
+@Composable
+internal fun CommentLine(row: HandInRow) {
+    val words = commentOf(row) ?: return
+    Row(horizontalArrangement = Arrangement.spacedBy(Space.TINY), verticalAlignment = Alignment.CenterVertically) {
+        val colours = LocalRobotranColours.current
+        SmallIcon(COMMENT_ICON, colours.onPane, size = 16.dp)
+        Text(
+            words,
+            color = colours.onPane,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.TIGHT,
+            fontWeight = FontWeight.Medium,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
     }
 }
 
@@ -121,27 +161,24 @@ internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> 
 }
 
 @Composable
-private fun RowScope.NameCell(row: HandInRow) = Column(Modifier.weight(NAME_WEIGHT)) {
+private fun RowScope.NameCell(row: HandInRow) = Column(Modifier.weight(NAME_WEIGHT)) { NameLines(row) }
+
+/** The name, and where it comes from. */
+@Composable
+internal fun NameLines(row: HandInRow) {
     val colours = LocalRobotranColours.current
-    Text(
-        row.name,
-        color = colours.onPane,
-        fontSize = TextSizes.BODY,
+    val style = TextStyle(
+        colours.onPane,
+        TextSizes.BODY,
+        FontWeight.SemiBold,
         lineHeight = LineHeights.COMPACT,
-        fontWeight = FontWeight.SemiBold,
-        maxLines = 2,
-        overflow = TextOverflow.Ellipsis,
     )
-    if (row.submission.origin != row.name) {
-        Text(
-            row.submission.origin,
-            color = colours.quiet,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.TIGHT,
-            maxLines = 1,
-            overflow = TextOverflow.Ellipsis,
-        )
-    }
+    ShortenedText(row.name, style, maxLines = 2)
+    // The name of the file says nothing more if it is the pupil's.
+    val origin = row.submission.origin
+    if (!row.hasNamesake && (origin == row.name || origin.substringBeforeLast('.') == row.name)) return
+    val small = TextStyle(colours.quiet, TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+    ShortenedText(origin, small, maxLines = 1)
 }
 
 @Composable
@@ -193,8 +230,8 @@ private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = 
 @Composable
 private fun scaled(width: Dp): Dp = width * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
 
-private val PICTURE_WIDTH = 88.dp
-private val PICTURE_HEIGHT = 66.dp
+/** A bubble with words. */
+private val COMMENT_ICON = Icon.strokes("M4 5H20V16H12L7 20V16H4V5", "M8 9H16", "M8 12H13")
 private val RESULT_WIDTH = 180.dp
 private val RUNS_WIDTH = 164.dp
 private val FIGURE_WIDTH = 68.dp

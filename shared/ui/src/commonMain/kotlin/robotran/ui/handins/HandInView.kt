@@ -32,6 +32,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_feedback
 import robotran.ui.resources.hand_in_next
 import robotran.ui.resources.hand_in_previous
+import robotran.ui.resources.hand_in_remove
 import robotran.ui.resources.hand_in_replay
 import robotran.ui.resources.hand_in_replay_own
 import robotran.ui.theme.LineHeights
@@ -53,7 +54,6 @@ internal fun HandInView(state: HandInsState, row: HandInRow, isWide: Boolean, on
         Arrangement.spacedBy(Space.LARGE),
     ) {
         Head(state, row, onEvent)
-        state.told?.let { Told(it, onEvent) }
         key(row.id) {
             if (isWide && row.results != null) {
                 Row(horizontalArrangement = Arrangement.spacedBy(Space.PAGE)) {
@@ -117,6 +117,9 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
                     onEvent(HandInsEvent.FeedbackFileRequested(row.id))
                 })
             }
+            QuietButton(stringResource(Res.string.hand_in_remove), "hand-in-remove", {
+                onEvent(HandInsEvent.HandInRemoved(row.id))
+            })
         }
     }
 

@@ -5,6 +5,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
 import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradedWorld
+import robotran.assignments.grading.GradingPlan
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
@@ -14,16 +16,21 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.documents_save_failed
 import robotran.ui.resources.documents_save_full
 import robotran.ui.resources.documents_saved
+import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.hand_ins_alike
 import robotran.ui.resources.hand_ins_brought
 import robotran.ui.resources.hand_ins_brought_known
 import robotran.ui.resources.hand_ins_camera_not_allowed
+import robotran.ui.resources.hand_ins_commented
 import robotran.ui.resources.hand_ins_equal
 import robotran.ui.resources.hand_ins_lines
+import robotran.ui.resources.hand_ins_namesake
 import robotran.ui.resources.hand_ins_no_camera
+import robotran.ui.resources.hand_ins_no_code_in_photo
 import robotran.ui.resources.hand_ins_no_codes
 import robotran.ui.resources.hand_ins_not_kept
 import robotran.ui.resources.hand_ins_nothing_found
+import robotran.ui.resources.hand_ins_removed
 import robotran.ui.resources.hand_ins_runs
 import robotran.ui.resources.hand_ins_runs_of
 import robotran.ui.resources.hand_ins_seconds
@@ -53,7 +60,7 @@ internal fun shortRunsText(graded: GradedHandIn.Graded): String = if (graded.run
 
 /** A hand-in as a screen reader tells it. */
 @Composable
-internal fun spokenRow(row: HandInRow): String = (
+internal fun spokenRow(row: HandInRow, plan: GradingPlan): String = (
     listOfNotNull(
         row.name,
         stringResource(row.verdict.words),
@@ -61,8 +68,29 @@ internal fun spokenRow(row: HandInRow): String = (
         row.lines.takeIf { it > 0 }?.let { stringResource(Res.string.hand_ins_lines, it) },
         triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
         row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
-    ) + remarksOf(row)
+    ) + worldsOf(row, plan) + remarksOf(row) + listOfNotNull(commentOf(row))
 ).joinToString(". ") { it.removeSuffix(".") }
+
+/** In how many runs all goals were met in each world, if there are several. */
+@Composable
+private fun worldsOf(row: HandInRow, plan: GradingPlan): List<String> {
+    val graded = row.results?.takeIf { plan.worlds.size > 1 } ?: return emptyList()
+    val messages = ReportMessages.of(LocalLanguage.current)
+    return plan.worlds.map { world ->
+        val runs = graded.runsIn(world.name)
+        "${nameOf(world)}: ${messages.countOf(runs.count { it.grade.passed }, runs.size)}"
+    }
+}
+
+/** What the screen calls [world]. */
+@Composable
+internal fun nameOf(world: GradedWorld): String = world.name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+
+/** The comment in one line; null for none. */
+@Composable
+internal fun commentOf(row: HandInRow): String? = row.comment.trim().takeIf { it.isNotEmpty() }?.let {
+    stringResource(Res.string.hand_ins_commented, it.replace(LINE_ENDS, " "))
+}
 
 /** What the teacher should know: why it cannot run, what is strange about it, which others are like it. */
 @Composable
@@ -77,7 +105,11 @@ internal fun remarksOf(row: HandInRow): List<String> {
     val alike = row.alike.groupBy({ it.isEqual }, { it.name }).map { (isEqual, names) ->
         stringResource(if (isEqual) Res.string.hand_ins_equal else Res.string.hand_ins_alike, names.joinToString())
     }
-    return reasons + alike + (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
+    val namesake = listOfNotNull(
+        if (row.hasNamesake) stringResource(Res.string.hand_ins_namesake, submission.origin) else null,
+    )
+    return reasons + namesake + alike +
+        (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
 }
 
 internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usable)?.handIn?.tries
@@ -91,32 +123,56 @@ internal fun secondsText(seconds: Double): String {
 
 @Composable
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
-    is HandInsMessage.Brought -> if (message.others == 0) {
-        stringResource(Res.string.hand_ins_brought, message.count)
-    } else {
-        stringResource(Res.string.hand_ins_brought_known, message.count, message.others)
+    is HandInsMessage.Brought -> {
+        if (message.others == 0) {
+            stringResource(Res.string.hand_ins_brought, message.count)
+        } else {
+            stringResource(Res.string.hand_ins_brought_known, message.count, message.others)
+        }
     }
 
-    HandInsMessage.NothingFound -> stringResource(Res.string.hand_ins_nothing_found)
+    HandInsMessage.NothingFound -> {
+        stringResource(Res.string.hand_ins_nothing_found)
+    }
 
-    HandInsMessage.NoCodes -> stringResource(Res.string.hand_ins_no_codes)
+    is HandInsMessage.Removed -> {
+        stringResource(Res.string.hand_ins_removed, message.name)
+    }
 
-    HandInsMessage.CameraNotAllowed -> stringResource(Res.string.hand_ins_camera_not_allowed)
+    is HandInsMessage.NoCodes -> {
+        stringResource(if (message.isPhoto) Res.string.hand_ins_no_code_in_photo else Res.string.hand_ins_no_codes)
+    }
 
-    HandInsMessage.NoCamera -> stringResource(Res.string.hand_ins_no_camera)
+    HandInsMessage.CameraNotAllowed -> {
+        stringResource(Res.string.hand_ins_camera_not_allowed)
+    }
 
-    is HandInsMessage.TooMany -> stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
+    HandInsMessage.NoCamera -> {
+        stringResource(Res.string.hand_ins_no_camera)
+    }
 
-    is HandInsMessage.NotKept -> stringResource(Res.string.hand_ins_not_kept, message.reason)
+    is HandInsMessage.TooMany -> {
+        stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
+    }
 
-    is HandInsMessage.Unreadable -> message.sentence
+    is HandInsMessage.NotKept -> {
+        stringResource(Res.string.hand_ins_not_kept, message.reason)
+    }
 
-    is HandInsMessage.Saved -> stringResource(Res.string.documents_saved, message.name)
+    is HandInsMessage.Unreadable -> {
+        message.sentence
+    }
 
-    is HandInsMessage.NotSaved -> stringResource(
-        if (message.isFull) Res.string.documents_save_full else Res.string.documents_save_failed,
-        message.reason,
-    )
+    is HandInsMessage.Saved -> {
+        stringResource(Res.string.documents_saved, message.name)
+    }
+
+    is HandInsMessage.NotSaved -> {
+        stringResource(
+            if (message.isFull) Res.string.documents_save_full else Res.string.documents_save_failed,
+            message.reason,
+        )
+    }
 }
 
 /** The run that tells most: the first in which a goal was not met, or else the first. */
@@ -127,3 +183,4 @@ internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun = (
 ).let { HandInRun(it.world.name, it.grade.seed) }
 
 private const val TENTHS = 10
+private val LINE_ENDS = Regex("\\s*\n\\s*")

@@ -31,6 +31,7 @@ import robotran.ui.resources.hand_ins_local
 import robotran.ui.resources.hand_ins_no_checks
 import robotran.ui.resources.hand_ins_paste
 import robotran.ui.resources.hand_ins_remove
+import robotran.ui.resources.hand_ins_undo
 import robotran.ui.resources.hand_ins_world
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LineHeights
@@ -59,7 +60,6 @@ internal fun HandInsHead(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
             fontSize = TextSizes.SMALL,
             lineHeight = LineHeights.SMALL,
         )
-        state.told?.let { Told(it, onEvent) }
     }
 
 @OptIn(ExperimentalLayoutApi::class)
@@ -74,7 +74,7 @@ private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) = Flow
     SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
         onEvent(HandInsEvent.PastingRequested)
     })
-    state.scanner?.let { ScanButton(it, onEvent) }
+    for (kind in state.scanners) ScanButton(kind, onEvent)
     if (state.rows.isEmpty()) return@FlowRow
     SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
     SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
@@ -108,6 +108,7 @@ internal fun Told(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
     Row(
         Modifier
             .fillMaxWidth()
+            .padding(Space.SMALL)
             .background(if (message.isError) colours.errorPane else colours.goodPane, Shapes.MEDIUM)
             .padding(start = Space.MEDIUM),
         verticalAlignment = Alignment.CenterVertically,
@@ -121,6 +122,11 @@ internal fun Told(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
             fontSize = TextSizes.BODY,
             lineHeight = LineHeights.LABEL,
         )
+        if (message is HandInsMessage.Removed) {
+            QuietButton(stringResource(Res.string.hand_ins_undo), "hand-ins-undo", {
+                onEvent(HandInsEvent.RemovalUndone)
+            })
+        }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "hand-ins-told-close", {
             onEvent(HandInsEvent.MessageDismissed)
         })

@@ -1,7 +1,9 @@
 package robotran.ui.handins
 
 import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -22,17 +24,19 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
         stringResource(Res.string.hand_ins_of, row.name, state.title)
     }
     val close = { onEvent(if (row == null) HandInsEvent.Closed else HandInsEvent.HandInChosen(null)) }
+    val list = rememberLazyGridState()
     Page(title, "hand-ins", close, maxWidth = MAX_WIDTH) {
-        BoxWithConstraints {
+        state.told?.let { Told(it, onEvent) }
+        BoxWithConstraints(Modifier.weight(1f)) {
             val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)
             if (row == null) {
-                HandInsTable(state, form, onEvent)
+                HandInsTable(state, list, form, onEvent)
             } else {
                 HandInView(state, row, isWide = form != TableForm.CARDS, onEvent)
             }
         }
     }
-    HandInsDialogs(state.dialog, onEvent)
+    HandInsDialogs(state, onEvent)
 }
 
 private val MAX_WIDTH = 1400.dp

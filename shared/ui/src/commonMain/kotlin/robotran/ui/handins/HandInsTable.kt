@@ -8,11 +8,19 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.lazy.grid.GridCells
 import androidx.compose.foundation.lazy.grid.GridItemSpan
 import androidx.compose.foundation.lazy.grid.LazyGridScope
+import androidx.compose.foundation.lazy.grid.LazyGridState
 import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.itemsIndexed
-import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -26,10 +34,20 @@ import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInsState
 
-/** All hand-ins, below what can be done with them. */
+/**
+ * All hand-ins, below what can be done with them. When it appears again, it shows the one that was open last, which has
+ * the focus.
+ *
+ * @param list keeps its place meanwhile.
+ */
 @Composable
-internal fun HandInsTable(state: HandInsState, form: TableForm, onEvent: (HandInsEvent) -> Unit) {
-    val list = rememberLazyGridState()
+internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableForm, onEvent: (HandInsEvent) -> Unit) {
+    val focus = remember { FocusRequester() }
+    var wanted by remember { mutableStateOf(state.last) }
+    LaunchedEffect(Unit) {
+        val index = state.rows.indexOfFirst { it.id == state.last }
+        if (index >= 0) list.show(index + if (form == TableForm.TABLE) 3 else 2)
+    }
     LazyVerticalGrid(
         GridCells.Fixed(form.columns),
         Modifier.fillMaxSize().testTag("hand-in-list").scrolledByReaders(list) {
@@ -52,16 +70,36 @@ internal fun HandInsTable(state: HandInsState, form: TableForm, onEvent: (HandIn
             }
         } else {
             whole("summary") { HandInsSummary(state, onEvent) }
-            if (form == TableForm.TABLE) whole("columns") { ColumnTitles() }
+            if (form == TableForm.TABLE) whole("columns") { ColumnTitles(state.plan) }
         }
         itemsIndexed(state.rows, { _, row -> "row ${row.id}" }) { index, row ->
+            val isWanted = row.id == wanted
+            val modifier = if (isWanted) Modifier.focusRequester(focus) else Modifier
             if (form == TableForm.TABLE) {
-                HandInTableRow(row, index, state.plan, onEvent)
+                HandInTableRow(row, index, state.plan, onEvent, modifier)
             } else {
-                HandInCard(row, index, state.plan, onEvent)
+                HandInCard(row, index, state.plan, onEvent, modifier)
+            }
+            if (isWanted) {
+                LaunchedEffect(Unit) {
+                    focus.requestFocus()
+                    wanted = null
+                }
             }
         }
     }
+}
+
+/** Scrolls to the item [index] unless all of it is in sight. */
+private suspend fun LazyGridState.show(index: Int) {
+    // Until then nobody knows what is in sight.
+    withFrameNanos { }
+    val info = layoutInfo
+    val isInSight = info.visibleItemsInfo.any {
+        it.index == index && it.offset.y >= info.viewportStartOffset &&
+            it.offset.y + it.size.height <= info.viewportEndOffset
+    }
+    if (!isInSight) scrollToItem(index)
 }
 
 /** An item as wide as the page. */

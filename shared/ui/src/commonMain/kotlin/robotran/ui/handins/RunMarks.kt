@@ -2,6 +2,7 @@ package robotran.ui.handins
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
@@ -15,31 +16,48 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
 
 /**
- * A mark for each run, a row for each world and a column for each seed: a tick on a filled square where all goals were
- * met, a cross where they were not. The words beside it say the same, so it needs no accessibility text.
+ * A mark for each run, a row for each world with its name, and a column for each seed: a tick on a filled square where
+ * all goals were met, a cross where they were not. What the row of the table says is the same, so it needs no
+ * accessibility text.
  */
 @Composable
 internal fun RunMarks(graded: GradedHandIn.Graded, plan: GradingPlan, modifier: Modifier = Modifier) =
-    Column(modifier, Arrangement.spacedBy(Space.HAIR)) {
-        for (world in plan.worlds) {
-            graded.runsIn(world.name).chunked(MAX_COLUMNS).forEach { MarksRow(it) }
+    BoxWithConstraints(modifier) {
+        val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+        val cell = (if (plan.seeds.count() > FEW) SMALL_CELL else CELL) * scale
+        val columns = (maxWidth / cell).toInt().coerceIn(1, MAX_COLUMNS)
+        Column(verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
+            for (world in plan.worlds) {
+                WorldName(nameOf(world), plan.seeds)
+                graded.runsIn(world.name).chunked(columns).forEach { MarksRow(it, cell) }
+            }
         }
     }
 
+/** The world of a row, and the seeds of its columns. */
 @Composable
-private fun MarksRow(runs: List<GradedRun>) {
+private fun WorldName(name: String, seeds: IntRange) = ShortenedText(
+    if (seeds.first == seeds.last) name else "$name, ${seeds.first}–${seeds.last}",
+    TextStyle(LocalRobotranColours.current.quiet, TextSizes.SMALL, lineHeight = LineHeights.TIGHT),
+    maxLines = 1,
+)
+
+@Composable
+private fun MarksRow(runs: List<GradedRun>, cell: Dp) {
     val colours = LocalRobotranColours.current
-    val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
-    val cell = (if (runs.size > FEW) SMALL_CELL else CELL) * scale
     Canvas(Modifier.size(cell * runs.size, cell)) {
         runs.forEachIndexed { index, run ->
             translate(left = index * cell.toPx()) { drawMark(run.grade.passed, cell.toPx(), colours) }
@@ -48,7 +66,7 @@ private fun MarksRow(runs: List<GradedRun>) {
 }
 
 /** A mark in a square with sides of [cell] pixels, with a gap to the next one. */
-private fun DrawScope.drawMark(isMet: Boolean, cell: Float, colours: RobotranColours) {
+internal fun DrawScope.drawMark(isMet: Boolean, cell: Float, colours: RobotranColours) {
     val gap = cell * GAP
     val side = cell - gap
     val corner = Offset(gap / 2, gap / 2)

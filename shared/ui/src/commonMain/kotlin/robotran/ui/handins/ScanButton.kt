@@ -8,6 +8,7 @@ import robotran.ui.resources.hand_ins_scan
 import robotran.ui.resources.hand_ins_scan_counted
 import robotran.ui.resources.hand_ins_scan_done
 import robotran.ui.resources.hand_ins_scan_hint
+import robotran.ui.resources.hand_ins_scan_photo
 import robotran.ui.resources.hand_ins_scan_pictures
 import robotran.ui.resources.hand_ins_scan_starting
 import robotran.ui.resources.hand_ins_scan_useless
@@ -21,6 +22,7 @@ internal fun ScanButton(kind: QrScannerKind, onEvent: (HandInsEvent) -> Unit) {
     val label = stringResource(
         when (kind) {
             QrScannerKind.CAMERA -> Res.string.hand_ins_scan
+            QrScannerKind.PHOTO -> Res.string.hand_ins_scan_photo
             QrScannerKind.PICTURES -> Res.string.hand_ins_scan_pictures
         },
     )
@@ -32,5 +34,6 @@ internal fun ScanButton(kind: QrScannerKind, onEvent: (HandInsEvent) -> Unit) {
         useless = stringResource(Res.string.hand_ins_scan_useless),
         done = stringResource(Res.string.hand_ins_scan_done),
     )
-    SecondButton(label, "hand-ins-scan", { onEvent(HandInsEvent.ScanRequested(words)) })
+    val tag = if (kind == QrScannerKind.PICTURES) "hand-ins-scan-pictures" else "hand-ins-scan"
+    SecondButton(label, tag, { onEvent(HandInsEvent.ScanRequested(kind, words)) })
 }

@@ -16,6 +16,7 @@ import robotran.workshop.state.WorkshopState
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
     state.handIns?.let { handIns ->
+        if (handIns.isScanning) add(HandInsEvent.ScanEnded)
         if (handIns.openedRow != null) add(HandInsEvent.HandInChosen(null))
         add(HandInsEvent.Closed)
     }

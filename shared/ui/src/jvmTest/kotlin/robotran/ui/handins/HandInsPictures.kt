@@ -11,11 +11,13 @@ import robotran.workshop.handins.AnyClass
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.GradingProgress
 import robotran.workshop.state.HandInOrder
+import robotran.workshop.state.HandInsDialog
 import robotran.workshop.state.HandInsKind
 import robotran.workshop.state.HandInsMessage
 import robotran.workshop.state.HandInsState
 import robotran.workshop.state.OpenedHandIn
 import robotran.workshop.state.Settings
+import robotran.world.Paper
 import kotlin.test.Test
 
 /** Pictures of the page on which a teacher looks at hand-ins, for review. */
@@ -24,7 +26,7 @@ class HandInsPictures {
     fun `the table, and what is in it, on all screens and in all looks`() {
         for ((look, settings) in LOOKS) {
             val workshop = gradedClass(AnyClass.whole, settings)
-            val graded = checkNotNull(workshop.state.handIns)
+            val graded = commented(checkNotNull(workshop.state.handIns))
             workshop.close()
             val steps = mapOf(
                 "table" to graded,
@@ -40,6 +42,9 @@ class HandInsPictures {
                 ),
                 "one-partly" to opened(graded, "Dina"),
                 "one-alike" to opened(graded, "Ada Lovelace", ""),
+                "one-solved" to opened(graded, "Hugo"),
+                "removed" to graded.copy(told = HandInsMessage.Removed("Ada Lovelace")),
+                "compare" to opened(graded, "Ada Lovelace").copy(dialog = HandInsDialog.Comparing),
                 "one-mistakes" to opened(graded, "Vera"),
                 "empty" to
                     graded.copy(
@@ -57,6 +62,34 @@ class HandInsPictures {
         }
     }
 
+    @Test
+    fun `a wide sheet, and names that are long or the same`() {
+        val world = AnyClass.teachers.world.copy(paper = Paper(width = 260.0, height = 60.0))
+        for ((look, settings) in LOOKS) {
+            val twins = listOf("To the wide wall and back", "To the wide wall and back again").map {
+                AnyClass.file(AnyClass.handIn("Ida", AnyClass.turning), "$it - Ida")
+            }
+            val workshop = gradedClass(AnyClass.few + twins, settings, AnyClass.teachers.copy(world = world))
+            val state = checkNotNull(workshop.state.handIns)
+            workshop.close()
+            for (screen in Screen.entries) {
+                picture(state, screen, settings).keepAs("hand-ins/${screen.name.lowercase()}-$look-wide")
+            }
+        }
+    }
+
+    private fun commented(state: HandInsState) = state.copy(
+        rows = state.rows.mapIndexed { index, row ->
+            if (index % 3 ==
+                0
+            ) {
+                row.copy(comment = "Your robot is nearly there, ${row.name}. Look at the turn.")
+            } else {
+                row
+            }
+        },
+    )
+
     private fun opened(state: HandInsState, name: String, beside: String? = null): HandInsState {
         val id = state.rows.first { it.name == name }.id
         return state.copy(opened = OpenedHandIn(id, beside), told = null)
@@ -64,7 +97,9 @@ class HandInsPictures {
 
     private fun picture(state: HandInsState, screen: Screen, settings: Settings): Image = onEventThread {
         val scene = sceneOf(screen.width, screen.height) {
-            InLanguage(settings.language) { RobotranTheme(dark = false, settings) { HandInsPage(state) { } } }
+            InLanguage(settings.language) {
+                RobotranTheme(settings.theme == AppTheme.DARK, settings) { HandInsPage(state) { } }
+            }
         }
         try {
             scene.render()
@@ -80,10 +115,10 @@ class HandInsPictures {
     }
 
     private enum class Screen(val width: Int, val height: Int) {
-        PHONE(411, 891),
-        TABLET(1280, 800),
+        PHONE(360, 740),
+        TABLET(1024, 768),
         TABLET_UPRIGHT(800, 1280),
-        LAPTOP(1440, 900),
+        LAPTOP(1280, 800),
     }
 
     private companion object {

@@ -3,6 +3,7 @@ package robotran.workshop.event
 import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.state.HandInOrder
 import robotran.workshop.state.HandInRun
+import robotran.workshop.state.QrScannerKind
 
 /** An action of the teacher who looks at hand-ins. */
 sealed interface HandInsEvent : WorkshopEvent {
@@ -17,11 +18,14 @@ sealed interface HandInsEvent : WorkshopEvent {
 
     data object PastingRequested : HandInsEvent
 
-    /** Brings in the links in [text], one a line or one after the other. */
+    /** Brings in the links in [text], whatever stands between them. */
     data class LinksPasted(val text: String) : HandInsEvent
 
     /** Scans QR codes with hand-ins, see [robotran.workshop.platform.QrScanner]; [words] are for its view. */
-    data class ScanRequested(val words: QrScannerWords) : HandInsEvent
+    data class ScanRequested(val kind: QrScannerKind, val words: QrScannerWords) : HandInsEvent
+
+    /** Closes the scanner's view. */
+    data object ScanEnded : HandInsEvent
 
     data class OrderChosen(val order: HandInOrder) : HandInsEvent
 
@@ -36,6 +40,9 @@ sealed interface HandInsEvent : WorkshopEvent {
 
     /** Puts the hand-in [other], or the solution if it is empty, beside the open one; null takes it away. */
     data class ComparisonChosen(val other: String?) : HandInsEvent
+
+    /** Shows what can be put beside the open hand-in. */
+    data object ComparisonsRequested : HandInsEvent
 
     /** Changes the comment for the pupil of the hand-in [id]. */
     data class CommentChanged(val id: String, val comment: String) : HandInsEvent
@@ -53,6 +60,12 @@ sealed interface HandInsEvent : WorkshopEvent {
 
     /** Saves the feedback file for the hand-in [id]. */
     data class FeedbackFileRequested(val id: String) : HandInsEvent
+
+    /** Removes the hand-in [id] from the table and from all exports. */
+    data class HandInRemoved(val id: String) : HandInsEvent
+
+    /** Takes back the last [HandInRemoved], as long as the page tells of it. */
+    data object RemovalUndone : HandInsEvent
 
     /** Asks whether to remove all hand-ins and comments from this device. */
     data object RemovalRequested : HandInsEvent

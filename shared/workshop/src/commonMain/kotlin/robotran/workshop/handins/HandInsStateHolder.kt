@@ -5,7 +5,6 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
-import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
@@ -14,23 +13,16 @@ import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.collectSubmissions
 import robotran.assignments.comparing.compareSubmissions
-import robotran.assignments.grading.GradedHandIn
-import robotran.assignments.grading.GradingState
 import robotran.documents.StoreResult
-import robotran.projects.isLink
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Platform
-import robotran.workshop.platform.QrScanResult
-import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.AlikeHandIn
-import robotran.workshop.state.GradingProgress
-import robotran.workshop.state.HandInOrder
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInsDialog
 import robotran.workshop.state.HandInsMessage
@@ -48,7 +40,7 @@ class HandInsStateHolder internal constructor(
     private val scope: CoroutineScope,
     private val preferences: Preferences,
     private val current: CurrentProject,
-    private val physics: PhysicsEngine,
+    physics: PhysicsEngine,
     private val visits: HandInVisits,
     private val title: () -> String,
 ) {
@@ -61,8 +53,10 @@ class HandInsStateHolder internal constructor(
     private var open: OpenAssignment? = null
     private var reading: Job? = null
     private val bringing = Mutex()
-    private var grading: Job? = null
+    private val scanning = HandInScan(platform.qrScanner, scope, ::show, ::bringLinks)
+    private val grading = GradingRounds(platform, scope, physics, ::state, ::show)
     private val comments = CommentWriter(scope, ::tell)
+    private var removed: HandInRow? = null
     private val exports = HandInExports(platform, scope, ::tell)
 
     fun handle(event: HandInsEvent) {
@@ -71,25 +65,55 @@ class HandInsStateHolder internal constructor(
         val open = open ?: return
         when (event) {
             HandInsEvent.Requested -> Unit
+
             HandInsEvent.Closed -> close()
+
             HandInsEvent.FilesRequested -> scope.launch { bring(platform.files.open(KINDS)) }
+
             HandInsEvent.PastingRequested -> show { copy(dialog = HandInsDialog.PastingLinks) }
+
             is HandInsEvent.LinksPasted -> bringLinks(event.text)
-            is HandInsEvent.ScanRequested -> scope.launch { scan(event.words) }
+
+            is HandInsEvent.ScanRequested -> scanning.begin(event.kind, event.words)
+
+            HandInsEvent.ScanEnded -> scanning.end()
+
             is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted() }
+
             HandInsEvent.GradingCancelled -> stopGrading()
-            HandInsEvent.GradingResumed -> grade()
-            is HandInsEvent.HandInChosen -> show { copy(opened = event.id?.let { OpenedHandIn(it) }, told = null) }
-            is HandInsEvent.ComparisonChosen -> show { copy(opened = opened?.copy(beside = event.other)) }
+
+            HandInsEvent.GradingResumed -> grading.begin(open)
+
+            is HandInsEvent.HandInChosen -> choose(event.id)
+
+            HandInsEvent.ComparisonsRequested -> show { copy(dialog = HandInsDialog.Comparing) }
+
+            is HandInsEvent.ComparisonChosen -> show {
+                copy(opened = opened?.copy(beside = event.other), dialog = null)
+            }
+
             is HandInsEvent.CommentChanged -> comment(open, event.id, event.comment)
+
             is HandInsEvent.ReplayRequested -> replay(open, now, event)
+
             HandInsEvent.CsvRequested -> exports.saveCsv(open, now)
+
             HandInsEvent.PageRequested -> exports.savePage(open, now)
+
             HandInsEvent.FeedbackRequested -> exports.saveFeedback(open, now)
+
             is HandInsEvent.FeedbackFileRequested -> exports.saveFeedback(open, now, event.id)
+
+            is HandInsEvent.HandInRemoved -> removeOne(open, event.id)
+
+            HandInsEvent.RemovalUndone -> undoRemoval(open)
+
             HandInsEvent.RemovalRequested -> show { copy(dialog = HandInsDialog.Removing(rows.size)) }
+
             HandInsEvent.RemovalConfirmed -> remove(open)
+
             HandInsEvent.DialogClosed -> show { copy(dialog = null) }
+
             HandInsEvent.MessageDismissed -> show { copy(told = null) }
         }
     }
@@ -114,7 +138,8 @@ class HandInsStateHolder internal constructor(
     /** Closes the page and stops all work. */
     fun close() {
         reading?.cancel()
-        grading?.cancel()
+        grading.stop()
+        scanning.end()
         resting = state?.copy(progress = null, isReading = false, dialog = null, told = null) ?: resting
         state = null
         comments.flush()
@@ -131,10 +156,12 @@ class HandInsStateHolder internal constructor(
         val opened = OpenAssignment(title(), current.project, preferences.language, platform.store)
         open = opened
         resting = null
-        state = opened.firstState(platform.qrScanner?.kind).copy(isReading = true)
+        state = opened.firstState(scanning.kinds).copy(isReading = true)
         reading = scope.launch {
             val batches = opened.kept.read()
             for (batch in batches) opened.submissions.add(collect(opened, batch))
+            opened.submissions.removeAll(opened.kept.removed)
+            opened.lastLink = PastedLinks.last(batches.flatten())
             show { copy(isReading = false) }
             update(opened)
         }
@@ -142,32 +169,29 @@ class HandInsStateHolder internal constructor(
 
     private fun showAgain() {
         state = resting
+        val open = open
         when {
             // Reading was cut short.
-            state == null -> {
-                open = null
+            state == null || open == null -> {
+                this.open = null
                 request()
             }
 
             state?.isStopped == false -> {
-                grade()
+                grading.begin(open)
             }
         }
     }
 
-    private fun bringLinks(text: String) {
-        show { copy(dialog = null) }
-        scope.launch { bring(listOf(OpenedFile(LINKS_FILE, text.encodeToByteArray()))) }
-    }
+    private fun choose(id: String?) =
+        show { copy(opened = id?.let { OpenedHandIn(it) }, last = id ?: last, told = null) }
 
-    private suspend fun scan(words: QrScannerWords) {
-        val scanner = platform.qrScanner ?: return
-        val result = scanner.scan(words) { text ->
-            val isUseful = isLink(text)
-            if (isUseful) bringLinks(text)
-            isUseful
-        }
-        messageFor(result)?.let(::tell)
+    private fun bringLinks(text: String) {
+        val open = open ?: return
+        val files = PastedLinks.filesFor(text, first = open.lastLink + 1)
+        open.lastLink += files.size
+        show { copy(dialog = null, told = if (files.isEmpty()) HandInsMessage.NothingFound else told) }
+        scope.launch { bring(files) }
     }
 
     /** Everything that was brought together belongs together, such as the files of a program. */
@@ -188,6 +212,7 @@ class HandInsStateHolder internal constructor(
         val found = collect(open, files)
         if (found.isEmpty()) return HandInsMessage.NothingFound
         val known = open.submissions.add(found)
+        open.kept.writeRemoved(open.submissions.removed)
         val kept = if (known == found.size) StoreResult.Done else open.kept.add(files)
         return notKept(kept) ?: HandInsMessage.Brought(found.size - known, known)
     }
@@ -197,74 +222,82 @@ class HandInsStateHolder internal constructor(
 
     /** Shows what is there now, and grades what is not graded. */
     private suspend fun update(open: OpenAssignment) {
-        show { copy(rows = rowsFor(open.submissions.all, rows, open.kept.comments)).sorted() }
-        grade()
-        val all = open.submissions.all.toList()
-        val pairs = withContext(platform.background) { compareSubmissions(all.map { it.second }, open.project) }
+        val all = open.submissions.all.mapValues { PastedLinks.named(it.value, open.language) }
+        show { copy(rows = rowsFor(all, rows, open.kept.comments)).sorted() }
+        grading.begin(open)
+        compare(open)
+    }
+
+    private suspend fun compare(open: OpenAssignment) {
+        val all = state?.rows.orEmpty()
+        val pairs =
+            withContext(platform.background) { compareSubmissions(all.map { it.submission }, open.project) }
         val alike = mutableMapOf<String, MutableList<AlikeHandIn>>()
         for (pair in pairs.filter { it.isMarked }) {
             val (one, other) = all[pair.first] to all[pair.second]
-            alike.getOrPut(one.first) { mutableListOf() } += AlikeHandIn(other.first, other.second.name, pair.isEqual)
-            alike.getOrPut(other.first) { mutableListOf() } += AlikeHandIn(one.first, one.second.name, pair.isEqual)
+            alike.getOrPut(one.id) { mutableListOf() } += AlikeHandIn(other.id, other.name, pair.isEqual)
+            alike.getOrPut(other.id) { mutableListOf() } += AlikeHandIn(one.id, one.name, pair.isEqual)
         }
         show { copy(rows = rows.map { it.copy(alike = alike[it.id].orEmpty()) }) }
     }
 
-    private fun grade() {
-        grading?.cancel()
-        val open = open ?: return
-        val rows = state?.rows.orEmpty()
-        val waiting = rows.filter { it.graded == null && it.submission is Submission.Usable }
-        show { copy(isStopped = false) }
-        if (waiting.isEmpty()) return show { copy(progress = null) }
-        val done = rows.size - waiting.size
-        show { copy(progress = GradingProgress(done, rows.size, done.toFloat() / rows.size, null)) }
-        grading = scope.launch {
-            // A hand-in with a wrong program must not hold up what is drawn first.
-            delay(1)
-            val loop = GradingLoop(platform, open.project, open.plan, physics, open.language)
-            val onGraded = { id: String, result: GradedHandIn -> showResult(id, result) }
-            loop.grade(waiting.associate { it.id to it.submission }, onGraded) { grading, left ->
-                show { copy(progress = progressOf(rows.size, done, grading, left)) }
-            }
-            show { copy(progress = null).sorted() }
-        }
-    }
-
-    private fun progressOf(all: Int, before: Int, grading: GradingState, left: Long?): GradingProgress {
-        val share = if (grading.runsInTotal == 0) 1f else grading.runsDone.toFloat() / grading.runsInTotal
-        val part = (before + share * grading.rows.size) / all
-        val seconds = left?.let { ((it + MILLISECONDS / 2) / MILLISECONDS).toInt() }
-        return GradingProgress(before + grading.results.size, all, part, seconds)
-    }
-
-    private fun showResult(id: String, result: GradedHandIn) = show {
-        val graded = copy(rows = rows.map { if (it.id == id) it.copy(graded = result) else it })
-        val progress = graded.progress
-        // The rows keep their places until all are graded, so that none moves away from under a finger.
-        graded.copy(progress = progress?.copy(handIns = progress.handIns + 1))
-    }
-
     private fun stopGrading() {
-        grading?.cancel()
-        show { copy(progress = null, isStopped = true) }
+        grading.stop()
+        show { copy(isStopped = true) }
     }
 
     private fun comment(open: OpenAssignment, id: String, comment: String) {
         show { copy(rows = rows.map { if (it.id == id) it.copy(comment = comment) else it }) }
+        keepComments(open)
+    }
+
+    private fun keepComments(open: OpenAssignment) {
         val all = state?.rows.orEmpty().filter { it.comment.isNotEmpty() }.associate { it.id to it.comment }
         comments.write(open.kept, all)
     }
 
     private fun replay(open: OpenAssignment, now: HandInsState, event: HandInsEvent.ReplayRequested) {
         val row = now.rows.firstOrNull { it.id == event.id } ?: return
+        show { copy(last = row.id) }
         scope.launch { if (visits.visit(open, row, event.run)) close() }
     }
 
+    private fun removeOne(open: OpenAssignment, id: String) {
+        val row = state?.rows?.firstOrNull { it.id == id } ?: return
+        removed = row
+        open.submissions.remove(id)
+        show {
+            copy(
+                rows = rows.filter { it.id != id },
+                opened = opened?.takeIf { it.id != id },
+                told = HandInsMessage.Removed(row.name),
+            )
+        }
+        afterRemoval(open)
+    }
+
+    private fun undoRemoval(open: OpenAssignment) {
+        val row = removed?.takeIf { state?.told is HandInsMessage.Removed } ?: return
+        removed = null
+        open.submissions.remove(row.id, isRemoved = false)
+        show { copy(rows = rows + row, last = row.id, told = null).sorted() }
+        afterRemoval(open)
+    }
+
+    private fun afterRemoval(open: OpenAssignment) {
+        show { copy(rows = withNamesakes(rows)) }
+        keepComments(open)
+        if (state?.isStopped == false) grading.begin(open)
+        scope.launch {
+            notKept(open.kept.writeRemoved(open.submissions.removed))?.let(::tell)
+            compare(open)
+        }
+    }
+
     private fun remove(open: OpenAssignment) {
-        grading?.cancel()
+        grading.stop()
         comments.forget()
-        show { open.firstState(platform.qrScanner?.kind) }
+        show { open.firstState(scanning.kinds) }
         this.open = open.emptied()
         reading = scope.launch { open.kept.clear() }
     }
@@ -277,28 +310,8 @@ class HandInsStateHolder internal constructor(
 
     private companion object {
         val KINDS = listOf(FileKind.PROJECT, FileKind.ZIP, FileKind.ROBOLANG, FileKind.JAVA, FileKind.TEXT)
-        const val LINKS_FILE = "links.txt"
-        const val MILLISECONDS = 1_000L
         val TOO_MUCH = HandInsMessage.TooMany(KeptHandIns.MAXIMUM_FILES, KeptHandIns.MAXIMUM_MEGABYTES)
     }
-}
-
-/** In the chosen order. */
-private fun HandInsState.sorted(): HandInsState {
-    val byName = rows.sortedWith(compareBy<HandInRow> { it.name.lowercase() }.thenBy { it.id })
-    return copy(rows = if (order == HandInOrder.NAME) byName else byName.sortedWith(BY_NEED))
-}
-
-/** Who needs most help first, and among those with the same verdict who has met fewer goals. */
-private val BY_NEED = compareBy<HandInRow> { it.verdict }.thenBy { it.results?.met ?: 0 }
-
-/** Null if there is nothing more to say. */
-private fun messageFor(result: QrScanResult): HandInsMessage? = when (result) {
-    QrScanResult.Ended -> null
-    QrScanResult.NoCodes -> HandInsMessage.NoCodes
-    QrScanResult.NotAllowed -> HandInsMessage.CameraNotAllowed
-    QrScanResult.NoCamera -> HandInsMessage.NoCamera
-    is QrScanResult.Failed -> HandInsMessage.Unreadable(result.reason)
 }
 
 internal fun notKept(result: StoreResult): HandInsMessage? = when (result) {

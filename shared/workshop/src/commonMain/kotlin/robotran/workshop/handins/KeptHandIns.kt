@@ -1,5 +1,7 @@
 package robotran.workshop.handins
 
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
@@ -19,9 +21,13 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
 
     /** What [read] has found, or what was last written. */
     private var index = Index()
+    private val writing = Mutex()
 
     /** Comments by hand-in. */
     val comments: Map<String, String> get() = index.comments
+
+    /** What tells the hand-ins that the teacher has removed, see [MergedSubmissions.removed]. */
+    val removed: Set<String> get() = index.removed
 
     /** The number of files. */
     val size: Int get() = index.files.size
@@ -53,10 +59,13 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
             }
             entry
         }
-        return write(index.copy(files = index.files + entries))
+        return change { it.copy(files = it.files + entries) }
     }
 
-    suspend fun write(comments: Map<String, String>): StoreResult = write(index.copy(comments = comments))
+    suspend fun write(comments: Map<String, String>): StoreResult = change { it.copy(comments = comments) }
+
+    suspend fun writeRemoved(removed: Set<String>): StoreResult =
+        if (removed == index.removed) StoreResult.Done else change { it.copy(removed = removed) }
 
     /** Removes all files and comments. */
     suspend fun clear() {
@@ -66,10 +75,11 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
         old.files.map(::nameOf).distinct().forEach { store.remove(it) }
     }
 
-    private suspend fun write(next: Index): StoreResult {
+    private suspend fun change(transform: (Index) -> Index): StoreResult = writing.withLock {
+        val next = transform(index)
         val result = store.write(name, JSON.encodeToString(Index.serializer(), next))
         if (result == StoreResult.Done) index = next
-        return result
+        result
     }
 
     private fun nameOf(entry: Entry) = "$name.${entry.stamp}"
@@ -88,7 +98,11 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
     )
 
     @Serializable
-    private data class Index(val files: List<Entry> = emptyList(), val comments: Map<String, String> = emptyMap())
+    private data class Index(
+        val files: List<Entry> = emptyList(),
+        val comments: Map<String, String> = emptyMap(),
+        val removed: Set<String> = emptySet(),
+    )
 
     internal companion object {
         private const val PREFIX = "hand-ins-"

@@ -24,6 +24,9 @@ internal class OpenAssignment(
     val kept = KeptHandIns(store, project.assignment?.id ?: "world ${project.world.title}")
     val submissions = MergedSubmissions()
 
+    /** The number of the last link that was pasted or scanned. */
+    var lastLink = 0
+
     /** Whether [project] would give the same grades, in the same words. */
     fun isFor(project: Project, language: Language): Boolean =
         graded(this.project) == graded(project) && this.language == language
@@ -37,9 +40,9 @@ internal class OpenAssignment(
     /**
      * The page before anything is brought in.
      *
-     * @param scanner the platform's; null if it has none.
+     * @param scanners the platform's.
      */
-    fun firstState(scanner: QrScannerKind?): HandInsState {
+    fun firstState(scanners: List<QrScannerKind>): HandInsState {
         val assignment = project.assignment
         return HandInsState(
             title = project.world.title.ifEmpty { name },
@@ -49,7 +52,7 @@ internal class OpenAssignment(
                 else -> HandInsKind.WITH_CHECKS
             },
             plan = plan,
-            scanner = scanner,
+            scanners = scanners,
             solution = assignment?.solution.orEmpty(),
         )
     }

@@ -2,17 +2,19 @@ package robotran.workshop.platform
 
 import robotran.workshop.state.QrScannerKind
 
-/** Reads QR codes: with the camera, or in pictures that the user chooses. */
+/** Reads QR codes: with the camera, or in pictures. */
 interface QrScanner {
-    val kind: QrScannerKind
+    /** The ways that there are on this device, the best first. */
+    val kinds: List<QrScannerKind>
 
     /**
-     * Lets the user show QR codes until the user ends it.
+     * Lets the user show QR codes until the user ends it. Cancelling the coroutine closes its view.
      *
+     * @param kind one of [kinds].
      * @param words what its view says.
      * @param onFound is called with each text once, and returns whether it was of use.
      */
-    suspend fun scan(words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult
+    suspend fun scan(kind: QrScannerKind, words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult
 }
 
 /**

@@ -17,7 +17,9 @@ import robotran.projects.ProjectProgram
  * @property isStopped whether the teacher has stopped grading before all was graded.
  * @property opened null while the table is shown.
  * @property told what came of the last action; null for nothing to say.
- * @property scanner how QR codes can be read here; null if they cannot.
+ * @property last the ID of the hand-in that was open or replayed last; null for none. The table returns to its place.
+ * @property scanners how QR codes can be read here; empty if they cannot.
+ * @property isScanning whether the view of a scanner is open.
  * @property solution the assignment's programs to compare with; empty if it has none.
  */
 @Immutable
@@ -25,7 +27,8 @@ data class HandInsState(
     val title: String,
     val kind: HandInsKind,
     val plan: GradingPlan,
-    val scanner: QrScannerKind? = null,
+    val scanners: List<QrScannerKind> = emptyList(),
+    val isScanning: Boolean = false,
     val solution: List<ProjectProgram> = emptyList(),
     val rows: List<HandInRow> = emptyList(),
     val order: HandInOrder = HandInOrder.VERDICT,
@@ -33,9 +36,18 @@ data class HandInsState(
     val progress: GradingProgress? = null,
     val isStopped: Boolean = false,
     val opened: OpenedHandIn? = null,
+    val last: String? = null,
     val dialog: HandInsDialog? = null,
     val told: HandInsMessage? = null,
 ) {
+    /** The hand-ins that can stand beside the open one, those that are most like it first. */
+    val comparable: List<HandInRow>
+        get() {
+            val alike = openedRow?.alike.orEmpty().associate { it.id to it.isEqual }
+            return rows.filter { it.id != opened?.id && it.programs.isNotEmpty() }
+                .sortedWith(compareBy({ alike[it.id]?.not() ?: true }, { it.id !in alike }, { it.name.lowercase() }))
+        }
+
     /** The row of the open hand-in. */
     val openedRow: HandInRow? get() = opened?.let { open -> rows.firstOrNull { it.id == open.id } }
 
@@ -86,6 +98,7 @@ enum class HandInVerdict {
  * @property lines the number of lines with code in its programs.
  * @property alike other hand-ins with equal or nearly equal programs.
  * @property comment what the teacher writes to the pupil.
+ * @property hasNamesake whether another hand-in has the same name: of another pupil, or from another source.
  */
 @Immutable
 data class HandInRow(
@@ -95,6 +108,7 @@ data class HandInRow(
     val lines: Int = 0,
     val alike: List<AlikeHandIn> = emptyList(),
     val comment: String = "",
+    val hasNamesake: Boolean = false,
 ) {
     val name: String get() = submission.name
 
@@ -144,6 +158,9 @@ data class OpenedHandIn(val id: String, val beside: String? = null)
 sealed interface HandInsDialog {
     data object PastingLinks : HandInsDialog
 
+    /** Asks which hand-in to put beside the open one. */
+    data object Comparing : HandInsDialog
+
     /** Asks whether to remove all [count] hand-ins. */
     data class Removing(val count: Int) : HandInsDialog
 }
@@ -175,8 +192,11 @@ sealed interface HandInsMessage {
         override val isError: Boolean get() = true
     }
 
-    /** There was no QR code in the chosen pictures. */
-    data object NoCodes : HandInsMessage {
+    /** The hand-in called [name] was removed, which can be undone. */
+    data class Removed(val name: String) : HandInsMessage
+
+    /** There was no QR code in the chosen pictures, or in the one that was taken if [isPhoto]. */
+    data class NoCodes(val isPhoto: Boolean) : HandInsMessage {
         override val isError: Boolean get() = true
     }
 

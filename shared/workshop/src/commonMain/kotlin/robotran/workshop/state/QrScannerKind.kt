@@ -5,6 +5,9 @@ enum class QrScannerKind {
     /** Before the camera, which shows them live. */
     CAMERA,
 
-    /** In pictures that the user takes or chooses. */
+    /** In a picture that the user takes now, with the camera app of the device. */
+    PHOTO,
+
+    /** In pictures that the user chooses. */
     PICTURES,
 }

@@ -2,6 +2,8 @@ package robotran.workshop.handins
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.ExperimentalCoroutinesApi
+import kotlinx.coroutines.awaitCancellation
+import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.test.StandardTestDispatcher
 import kotlinx.coroutines.test.TestScope
@@ -10,8 +12,11 @@ import kotlinx.coroutines.test.runCurrent
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.SubmissionRemark
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradingPlan
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.projects.LinkCreation
 import robotran.projects.PENBOT_CALIBRATION
@@ -31,9 +36,11 @@ import robotran.workshop.documents.MemoryFilePicker
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.FixedClock
+import robotran.workshop.platform.GradingCrew
 import robotran.workshop.platform.GradingThreads
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.MemoryPlatform
@@ -55,6 +62,7 @@ import robotran.workshop.state.HandInsMessage
 import robotran.workshop.state.HandInsState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.QrScannerKind
+import robotran.workshop.state.Settings
 import robotran.world.World
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -71,6 +79,10 @@ class HandInsStateHolderTest {
     private val store = FillingStore()
     private var workers: GradingWorkers? = null
     private var scanner: QrScanner? = null
+
+    private companion object {
+        val NO_WORDS = QrScannerWords("", "", "", "", "", "")
+    }
 
     @Test
     fun `every hand-in has its verdict, and hostile ones cost only their row`() = looking { workshop ->
@@ -180,22 +192,26 @@ class HandInsStateHolderTest {
         var texts = emptyList<String>()
         val useful = mutableListOf<Boolean>()
         scanner = object : QrScanner {
-            override val kind = QrScannerKind.CAMERA
+            override val kinds = listOf(QrScannerKind.CAMERA)
 
-            override suspend fun scan(words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
+            override suspend fun scan(
+                kind: QrScannerKind,
+                words: QrScannerWords,
+                onFound: (String) -> Boolean,
+            ): QrScanResult {
                 useful += texts.map(onFound)
                 return results.removeFirst()
             }
         }
         looking { workshop ->
-            assertEquals(QrScannerKind.CAMERA, workshop.page.scanner)
+            assertEquals(listOf(QrScannerKind.CAMERA), workshop.page.scanners)
             texts =
                 listOf(
                     "hello",
                     link(AnyClass.handIn("Gabi", AnyClass.solved)),
                     link(AnyClass.handIn("Hans", AnyClass.short)),
                 )
-            val event = HandInsEvent.ScanRequested(QrScannerWords("", "", "", "", "", ""))
+            val event = HandInsEvent.ScanRequested(QrScannerKind.CAMERA, NO_WORDS)
             workshop.handle(event)
             advanceUntilIdle()
             assertEquals(listOf(false, true, true), useful)
@@ -392,6 +408,269 @@ class HandInsStateHolderTest {
     fun `time stands still behind the page`() = looking { workshop ->
         repeat(20) { workshop.frame(it * 16_000_000L) }
         assertEquals(0, workshop.state.run.time)
+    }
+
+    @Test
+    fun `ending the scan closes the view of the scanner`() {
+        var isOpen = false
+        scanner = object : QrScanner {
+            override val kinds = listOf(QrScannerKind.CAMERA)
+
+            override suspend fun scan(
+                kind: QrScannerKind,
+                words: QrScannerWords,
+                onFound: (String) -> Boolean,
+            ): QrScanResult = try {
+                isOpen = true
+                awaitCancellation()
+            } finally {
+                isOpen = false
+            }
+        }
+        looking { workshop ->
+            workshop.handle(HandInsEvent.ScanRequested(QrScannerKind.CAMERA, NO_WORDS))
+            advanceUntilIdle()
+            assertEquals(listOf(true, true), listOf(isOpen, workshop.page.isScanning))
+            workshop.handle(HandInsEvent.ScanEnded)
+            advanceUntilIdle()
+            assertEquals(listOf(false, false), listOf(isOpen, workshop.page.isScanning))
+            workshop.handle(HandInsEvent.ScanRequested(QrScannerKind.CAMERA, NO_WORDS))
+            advanceUntilIdle()
+            workshop.handle(HandInsEvent.Closed)
+            advanceUntilIdle()
+            assertFalse(isOpen)
+        }
+    }
+
+    @Test
+    fun `a photo without a code is told otherwise than pictures without one`() {
+        scanner = object : QrScanner {
+            override val kinds = listOf(QrScannerKind.PHOTO, QrScannerKind.PICTURES)
+
+            override suspend fun scan(
+                kind: QrScannerKind,
+                words: QrScannerWords,
+                onFound: (String) -> Boolean,
+            ): QrScanResult = QrScanResult.NoCodes
+        }
+        looking { workshop ->
+            for (kind in QrScannerKind.entries.drop(1)) {
+                workshop.handle(HandInsEvent.ScanRequested(kind, NO_WORDS))
+                advanceUntilIdle()
+                assertEquals(HandInsMessage.NoCodes(isPhoto = kind == QrScannerKind.PHOTO), workshop.page.told)
+            }
+        }
+    }
+
+    @Test
+    fun `a removed hand-in is gone for good, and the others stay graded`() {
+        looking { workshop ->
+            workshop.bring(AnyClass.few)
+            workshop.handle(HandInsEvent.CommentChanged("Cleo", "Luck."))
+            workshop.handle(HandInsEvent.CommentChanged("Ben", "Further."))
+            val graded = workshop.page.rows.associate { it.id to it.graded }
+            workshop.handle(HandInsEvent.HandInChosen("Cleo"))
+            workshop.handle(HandInsEvent.HandInRemoved("Cleo"))
+            assertNull(workshop.page.progress)
+            advanceUntilIdle()
+            assertNull(workshop.page.opened)
+            assertEquals(listOf("Ada", "Ben", "Dina", "Emil", "Fritz"), workshop.names)
+            assertEquals(HandInsMessage.Removed("Cleo"), workshop.page.told)
+            assertTrue(workshop.page.rows.all { it.graded === graded[it.id] })
+            val csv = workshop.save(HandInsEvent.CsvRequested, "/home/class.csv").decodeToString()
+            assertFalse("Cleo" in csv)
+            workshop.saveDocumentNow()
+        }
+        looking { workshop ->
+            assertEquals(listOf("Ada", "Ben", "Dina", "Emil", "Fritz"), workshop.names)
+            assertEquals("Further.", workshop.row("Ben").comment)
+            workshop.bring(AnyClass.few.take(3))
+            assertEquals(HandInsMessage.Brought(1, 2), workshop.page.told)
+            assertEquals("", workshop.row("Cleo").comment)
+        }
+        looking { workshop -> assertEquals(6, workshop.page.rows.size) }
+    }
+
+    @Test
+    fun `a removal can be undone`() {
+        looking { workshop ->
+            workshop.bring(AnyClass.few)
+            workshop.handle(HandInsEvent.CommentChanged("Cleo", "Luck."))
+            val before = workshop.page.rows
+            workshop.handle(HandInsEvent.HandInRemoved("Cleo"))
+            advanceUntilIdle()
+            workshop.handle(HandInsEvent.RemovalUndone)
+            assertNull(workshop.page.progress)
+            advanceUntilIdle()
+            assertEquals(before.map { it.id to it.comment }, workshop.page.rows.map { it.id to it.comment })
+            assertTrue(before.zip(workshop.page.rows).all { (one, other) -> one.graded === other.graded })
+            assertNull(workshop.page.told)
+            // There is nothing more to undo.
+            workshop.handle(HandInsEvent.RemovalUndone)
+            assertEquals(6, workshop.page.rows.size)
+            workshop.saveDocumentNow()
+        }
+        looking { workshop -> assertEquals("Luck.", workshop.row("Cleo").comment) }
+    }
+
+    @Test
+    fun `IDs stay with their hand-ins although one before them was removed`() {
+        looking { workshop ->
+            workshop.bring(listOf(AnyClass.file(AnyClass.handIn("Ida", AnyClass.solved), "one")))
+            workshop.bring(listOf(AnyClass.file(AnyClass.handIn("Ida", AnyClass.short), "two")))
+            workshop.handle(HandInsEvent.CommentChanged("Ida 2", "Further."))
+            workshop.handle(HandInsEvent.HandInRemoved("Ida"))
+            advanceUntilIdle()
+            assertFalse(workshop.page.rows.single().hasNamesake)
+            workshop.saveDocumentNow()
+        }
+        looking { workshop -> assertEquals("Further.", workshop.page.rows.single().comment) }
+    }
+
+    @Test
+    fun `two pupils of one name are two rows, and the same file twice is one`() = looking { workshop ->
+        val first = AnyClass.file(AnyClass.handIn("Ida", AnyClass.solved, tries = 2), "one")
+        val second = AnyClass.file(AnyClass.handIn("Ida", AnyClass.short, tries = 5), "two")
+        workshop.bring(listOf(first))
+        workshop.bring(listOf(second))
+        workshop.bring(listOf(OpenedFile("one again.robotran", first.bytes)))
+        assertEquals(HandInsMessage.Brought(0, 1), workshop.page.told)
+        val rows = workshop.page.rows.sortedBy { it.id }
+        assertEquals(listOf("Ida" to true, "Ida" to true), rows.map { it.name to it.hasNamesake })
+        assertEquals(listOf("one.robotran", "two.robotran"), rows.map { it.submission.origin })
+        // From the same source a later one takes the place of the first.
+        val later = AnyClass.file(AnyClass.handIn("Ida", AnyClass.lucky, tries = 3), "one")
+        workshop.bring(listOf(later))
+        workshop.bring(listOf(first))
+        val now = workshop.page.rows.first { it.id == "Ida" }.submission as Submission.Usable
+        assertEquals(listOf(2, 3), listOf(workshop.page.rows.size, now.handIn?.tries))
+        assertEquals(listOf(SubmissionRemark.OlderLeftOut(1)), now.remarks)
+    }
+
+    @Test
+    fun `what comes while others are graded does not disturb them`() {
+        val begun = mutableListOf<String>()
+        val next = Channel<Unit>(Channel.UNLIMITED)
+        workers = object : GradingWorkers {
+            override suspend fun start(assignment: Project, plan: GradingPlan, language: Language) =
+                object : GradingCrew {
+                    override val size = 1
+
+                    override suspend fun grade(
+                        submission: Submission.Usable,
+                        onProgress: (runs: Int) -> Unit,
+                    ): GradedHandIn {
+                        begun += submission.name
+                        next.receive()
+                        return GradedHandIn.HasMistakes(submission, emptyList())
+                    }
+
+                    override fun close() = Unit
+                }
+        }
+        looking { workshop ->
+            workshop.bring(AnyClass.few.take(2))
+            val first = begun.toList()
+            workshop.bring(listOf(AnyClass.file("Gabi", AnyClass.solved)))
+            workshop.handle(HandInsEvent.HandInRemoved("Gabi"))
+            workshop.handle(HandInsEvent.RemovalUndone)
+            advanceUntilIdle()
+            assertEquals(first, begun)
+            assertEquals(listOf(0, 3), workshop.page.progress?.run { listOf(handIns, of) })
+            repeat(3) { next.trySend(Unit) }
+            advanceUntilIdle()
+            assertEquals(listOf("Ada", "Ben", "Gabi"), begun)
+            assertTrue(workshop.page.rows.none { it.graded == null })
+            assertNull(workshop.page.progress)
+        }
+    }
+
+    @Test
+    fun `a hand-in that is replaced while it is graded has the grade of the new one`() {
+        val next = Channel<Unit>(Channel.UNLIMITED)
+        workers = object : GradingWorkers {
+            override suspend fun start(assignment: Project, plan: GradingPlan, language: Language) =
+                object : GradingCrew {
+                    override val size = 1
+
+                    override suspend fun grade(
+                        submission: Submission.Usable,
+                        onProgress: (runs: Int) -> Unit,
+                    ): GradedHandIn {
+                        next.receive()
+                        return GradedHandIn.HasMistakes(submission, listOf("${submission.handIn?.tries}"))
+                    }
+
+                    override fun close() = Unit
+                }
+        }
+        looking { workshop ->
+            workshop.bring(listOf(AnyClass.file("Ada", AnyClass.short, tries = 1)))
+            workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved, tries = 4)))
+            repeat(2) { next.trySend(Unit) }
+            advanceUntilIdle()
+            val graded = workshop.page.rows.single().graded as GradedHandIn.HasMistakes
+            assertEquals(listOf("4"), graded.reasons)
+        }
+    }
+
+    @Test
+    fun `links have numbers and say so in the chosen language`() {
+        val links = mutableListOf<String>()
+        looking { workshop ->
+            listOf("Gabi", "Hans", "Ina").mapTo(links) { link(AnyClass.handIn(it, AnyClass.solved)) }
+            workshop.handle(HandInsEvent.LinksPasted("${links[0]} and ${links[1]}"))
+            advanceUntilIdle()
+            workshop.handle(HandInsEvent.LinksPasted("nothing at all"))
+            advanceUntilIdle()
+            assertEquals(HandInsMessage.NothingFound, workshop.page.told)
+        }
+        looking { workshop ->
+            workshop.handle(SettingsEvent.SettingsChanged(Settings(language = Language.GERMAN)))
+            workshop.handle(HandInsEvent.Closed)
+            workshop.handle(HandInsEvent.Requested)
+            advanceUntilIdle()
+            workshop.handle(HandInsEvent.LinksPasted(links[2]))
+            advanceUntilIdle()
+            assertEquals(
+                listOf("Eingefügter Link 1", "Eingefügter Link 2", "Eingefügter Link 3"),
+                workshop.page.rows.map { it.submission.origin }.sorted(),
+            )
+            assertTrue(workshop.page.rows.none { it.graded == null })
+        }
+    }
+
+    @Test
+    fun `any two hand-ins can be compared, the most similar first`() = looking { workshop ->
+        val own = AnyClass.robolang("pen down\nrepeat 4 times\n  forward 5\n  turn left 90\nend\nforward 20\nbeep\n")
+        workshop.bring(
+            listOf(
+                AnyClass.file("Ada", AnyClass.short),
+                AnyClass.file("Ben", own),
+                AnyClass.file("Cleo", AnyClass.java("class Circle { }")),
+                AnyClass.file("Zoe", own),
+                AnyClass.text("Fritz.robotran", "{ \"format\": \"robotran-project\""),
+            ),
+        )
+        workshop.handle(HandInsEvent.HandInChosen("Ben"))
+        assertEquals(listOf("Zoe", "Ada", "Cleo"), workshop.page.comparable.map { it.name })
+        workshop.handle(HandInsEvent.ComparisonsRequested)
+        assertEquals(HandInsDialog.Comparing, workshop.page.dialog)
+        workshop.handle(HandInsEvent.ComparisonChosen("Ada"))
+        assertEquals(null to "Ada", workshop.page.dialog to workshop.page.opened?.beside)
+    }
+
+    @Test
+    fun `the page knows which hand-in was open last, also after a replay`() = looking { workshop ->
+        workshop.bring(AnyClass.few)
+        workshop.handle(HandInsEvent.HandInChosen("Cleo"))
+        workshop.handle(HandInsEvent.HandInChosen(null))
+        assertEquals("Cleo", workshop.page.last)
+        workshop.handle(HandInsEvent.ReplayRequested("Ben", null))
+        advanceUntilIdle()
+        workshop.handle(HandInsEvent.Requested)
+        advanceUntilIdle()
+        assertEquals("Ben", workshop.page.last)
     }
 
     private lateinit var arrivals: OpenRequests
