@@ -124,15 +124,16 @@ internal fun secondsText(seconds: Double): String {
 @Composable
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
     is HandInsMessage.Brought -> {
-        if (message.others == 0) {
+        val brought = if (message.others == 0) {
             stringResource(Res.string.hand_ins_brought, message.count)
         } else {
             stringResource(Res.string.hand_ins_brought_known, message.count, message.others)
         }
+        (listOf(brought) + message.notes).joinToString(" ")
     }
 
-    HandInsMessage.NothingFound -> {
-        stringResource(Res.string.hand_ins_nothing_found)
+    is HandInsMessage.NothingFound -> {
+        message.notes.joinToString(" ").ifEmpty { stringResource(Res.string.hand_ins_nothing_found) }
     }
 
     is HandInsMessage.Removed -> {

@@ -50,7 +50,7 @@ class HandInsPictures {
                     graded.copy(
                         rows = emptyList(),
                         kind = HandInsKind.WITHOUT_CHECKS,
-                        told = HandInsMessage.NothingFound,
+                        told = HandInsMessage.NothingFound(),
                     ),
             )
             for (screen in Screen.entries) {

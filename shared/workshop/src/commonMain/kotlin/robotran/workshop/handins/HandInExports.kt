@@ -68,5 +68,6 @@ private fun reportOf(open: OpenAssignment, state: HandInsState): ClassReport {
         results,
         compareSubmissions(results.map { it.submission }, open.project),
         comments,
+        open.notes.toList(),
     )
 }

@@ -10,8 +10,8 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import robotran.assignments.collecting.CollectedFile
-import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.collecting.CollectedHandIns
+import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.comparing.compareSubmissions
 import robotran.documents.StoreResult
 import robotran.simulation.physics.PhysicsEngine
@@ -159,7 +159,7 @@ class HandInsStateHolder internal constructor(
         state = opened.firstState(scanning.kinds).copy(isReading = true)
         reading = scope.launch {
             val batches = opened.kept.read()
-            for (batch in batches) opened.submissions.add(collect(opened, batch))
+            for (batch in batches) opened.take(collect(opened, batch))
             opened.submissions.removeAll(opened.kept.removed)
             opened.lastLink = PastedLinks.last(batches.flatten())
             show { copy(isReading = false) }
@@ -190,7 +190,7 @@ class HandInsStateHolder internal constructor(
         val open = open ?: return
         val files = PastedLinks.filesFor(text, first = open.lastLink + 1)
         open.lastLink += files.size
-        show { copy(dialog = null, told = if (files.isEmpty()) HandInsMessage.NothingFound else told) }
+        show { copy(dialog = null, told = if (files.isEmpty()) HandInsMessage.NothingFound() else told) }
         scope.launch { bring(files) }
     }
 
@@ -209,16 +209,17 @@ class HandInsStateHolder internal constructor(
     }
 
     private suspend fun take(open: OpenAssignment, files: List<CollectedFile>): HandInsMessage {
-        val found = collect(open, files)
-        if (found.isEmpty()) return HandInsMessage.NothingFound
-        val known = open.submissions.add(found)
+        val collected = collect(open, files)
+        val found = collected.submissions
+        if (found.isEmpty()) return HandInsMessage.NothingFound(collected.notes)
+        val known = open.take(collected)
         open.kept.writeRemoved(open.submissions.removed)
         val kept = if (known == found.size) StoreResult.Done else open.kept.add(files)
-        return notKept(kept) ?: HandInsMessage.Brought(found.size - known, known)
+        return notKept(kept) ?: HandInsMessage.Brought(found.size - known, known, collected.notes)
     }
 
-    private suspend fun collect(open: OpenAssignment, files: List<CollectedFile>): List<Submission> =
-        withContext(platform.background) { collectSubmissions(files, open.project, open.language) }
+    private suspend fun collect(open: OpenAssignment, files: List<CollectedFile>): CollectedHandIns =
+        withContext(platform.background) { collectHandIns(files, open.project, open.language) }
 
     /** Shows what is there now, and grades what is not graded. */
     private suspend fun update(open: OpenAssignment) {

@@ -1,5 +1,6 @@
 package robotran.workshop.handins
 
+import robotran.assignments.collecting.CollectedHandIns
 import robotran.assignments.grading.GradingPlan
 import robotran.language.Language
 import robotran.projects.Project
@@ -24,8 +25,17 @@ internal class OpenAssignment(
     val kept = KeptHandIns(store, project.assignment?.id ?: "world ${project.world.title}")
     val submissions = MergedSubmissions()
 
+    /** On files that are no hand-ins, in sentences. */
+    val notes = linkedSetOf<String>()
+
     /** The number of the last link that was pasted or scanned. */
     var lastLink = 0
+
+    /** Adds what was found in one batch of files. Returns the number of hand-ins that were there already. */
+    fun take(collected: CollectedHandIns): Int {
+        notes += collected.notes
+        return submissions.add(collected.submissions)
+    }
 
     /** Whether [project] would give the same grades, in the same words. */
     fun isFor(project: Project, language: Language): Boolean =

@@ -169,11 +169,11 @@ sealed interface HandInsDialog {
 sealed interface HandInsMessage {
     val isError: Boolean get() = false
 
-    /** [count] hand-ins are new, the [others] were there already. */
-    data class Brought(val count: Int, val others: Int) : HandInsMessage
+    /** [count] hand-ins are new, the [others] were there already; [notes] are sentences on files that are no hand-ins. */
+    data class Brought(val count: Int, val others: Int, val notes: List<String> = emptyList()) : HandInsMessage
 
-    /** There was no hand-in in what was brought. */
-    data object NothingFound : HandInsMessage {
+    /** There was no hand-in in what was brought; [notes] are sentences on what it is. */
+    data class NothingFound(val notes: List<String> = emptyList()) : HandInsMessage {
         override val isError: Boolean get() = true
     }
 

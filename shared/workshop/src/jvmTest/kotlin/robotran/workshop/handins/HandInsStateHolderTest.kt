@@ -615,6 +615,17 @@ class HandInsStateHolderTest {
     }
 
     @Test
+    fun `what is no hand-in is named, and gets no row`() = looking { workshop ->
+        val teachers = AnyClass.file(AnyClass.teachers, "The assignment")
+        workshop.bring(listOf(teachers))
+        val note = "The assignment.robotran is the assignment itself, not a hand-in."
+        assertEquals(HandInsMessage.NothingFound(listOf(note)), workshop.page.told)
+        workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved), teachers))
+        assertEquals(HandInsMessage.Brought(1, 0, listOf(note)), workshop.page.told)
+        assertEquals(listOf("Ada"), workshop.page.rows.map { it.name })
+    }
+
+    @Test
     fun `links have numbers and say so in the chosen language`() {
         val links = mutableListOf<String>()
         looking { workshop ->
@@ -623,7 +634,7 @@ class HandInsStateHolderTest {
             advanceUntilIdle()
             workshop.handle(HandInsEvent.LinksPasted("nothing at all"))
             advanceUntilIdle()
-            assertEquals(HandInsMessage.NothingFound, workshop.page.told)
+            assertEquals(HandInsMessage.NothingFound(), workshop.page.told)
         }
         looking { workshop ->
             workshop.handle(SettingsEvent.SettingsChanged(Settings(language = Language.GERMAN)))
