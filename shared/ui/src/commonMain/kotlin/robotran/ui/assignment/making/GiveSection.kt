@@ -43,11 +43,13 @@ import robotran.ui.resources.make_try_failed
 import robotran.ui.resources.make_try_mistakes
 import robotran.ui.resources.make_try_passed
 import robotran.ui.resources.make_try_solution
+import robotran.ui.resources.make_try_start
 import robotran.ui.resources.make_trying
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.MakingState
 import robotran.workshop.state.MissingPart
+import robotran.workshop.state.PupilLink
 import robotran.workshop.state.SolutionCheck
 
 /** What is missing, and whether the solution meets the goals with all seeds and variations. Nothing is forbidden. */
@@ -62,20 +64,30 @@ internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) 
         }
         for (part in state.missing) Explanation("⚠ ${stringResource(part.sentence)}", Modifier.testTag("make-missing"))
         val check = state.check
-        if (check is SolutionCheck.Running) {
-            Explanation(stringResource(Res.string.make_trying, check.done, check.all), Modifier.testTag("make-trying"))
-            ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
-            SecondButton(stringResource(Res.string.hand_in_cancel), "make-check-stop", {
-                onEvent(AssignmentEvent.CheckRequested(on = false))
-            })
-        } else if (state.assignment.solution.isNotEmpty()) {
-            SecondButton(stringResource(Res.string.make_try_solution), "make-check", {
-                onEvent(AssignmentEvent.CheckRequested(on = true))
-            })
-        }
-        CheckResult(check)
+        // While it runs, only its beginning is news.
+        ComesIntoView(check?.newsKey) { CheckOfSolution(state, onEvent) }
     }
 }
+
+@Composable
+private fun CheckOfSolution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    val check = state.check
+    if (check is SolutionCheck.Running) {
+        Explanation(stringResource(Res.string.make_trying, check.done, check.all), Modifier.testTag("make-trying"))
+        ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
+        SecondButton(stringResource(Res.string.hand_in_cancel), "make-check-stop", {
+            onEvent(AssignmentEvent.CheckRequested(on = false))
+        })
+    } else if (state.assignment.solution.isNotEmpty()) {
+        SecondButton(stringResource(Res.string.make_try_solution), "make-check", {
+            onEvent(AssignmentEvent.CheckRequested(on = true))
+        })
+    }
+    CheckResult(check)
+}
+
+/** Differs between results, but not while the check runs. */
+private val SolutionCheck.newsKey: Any get() = if (this is SolutionCheck.Running) "running" else this
 
 @Composable
 private fun CheckResult(check: SolutionCheck?) {
@@ -87,6 +99,7 @@ private fun CheckResult(check: SolutionCheck?) {
 
         is SolutionCheck.Passed -> {
             Explanation(stringResource(Res.string.make_try_passed, check.runs), news)
+            StartPassed(check.startPassed, check.runs)
         }
 
         is SolutionCheck.Failed -> {
@@ -96,6 +109,7 @@ private fun CheckResult(check: SolutionCheck?) {
                 news,
                 bad = true,
             )
+            StartPassed(check.startPassed, check.runs)
         }
 
         is SolutionCheck.HasMistakes -> {
@@ -103,6 +117,16 @@ private fun CheckResult(check: SolutionCheck?) {
             for (reason in check.reasons.take(MAX_REASONS)) Explanation(reason)
         }
     }
+}
+
+/** The program to begin with should leave something to do. */
+@Composable
+private fun StartPassed(passed: Int, runs: Int) {
+    if (passed == 0) return
+    Explanation(
+        "⚠ ${stringResource(Res.string.make_try_start, passed, runs)}",
+        Modifier.testTag("make-checked-start").semantics { liveRegion = LiveRegionMode.Polite },
+    )
 }
 
 /** Files, link and code. */
@@ -121,22 +145,31 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                 onEvent(AssignmentEvent.PupilLinkRequested)
             })
         }
-        if (!state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-saved")
-        state.link?.let { link ->
-            if (link.link != null) {
-                Chips {
-                    val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-                    SecondButton(stringResource(copy), "make-link-copy", { onEvent(AssignmentEvent.PupilLinkCopied) })
-                    if (state.hasShareSheet) {
-                        SecondButton(stringResource(Res.string.hand_in_share), "make-link-share", {
-                            onEvent(AssignmentEvent.PupilLinkShared)
-                        })
-                    }
-                }
+        val saved = (state.savedAs ?: state.saveError)?.takeUnless { state.isAboutPackage }
+        ComesIntoView(saved) { if (saved != null) SaveResult(state.savedAs, state.saveError, "make-saved") }
+        ComesIntoView(state.link?.run { link ?: problem }) { state.link?.let { PupilLinkView(it, state, onEvent) } }
+    }
+}
+
+@Composable
+private fun PupilLinkView(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    if (link.link != null) {
+        Chips {
+            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
+            SecondButton(
+                stringResource(copy),
+                "make-link-copy",
+                { onEvent(AssignmentEvent.PupilLinkCopied) },
+                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
+            )
+            if (state.hasShareSheet) {
+                SecondButton(stringResource(Res.string.hand_in_share), "make-link-share", {
+                    onEvent(AssignmentEvent.PupilLinkShared)
+                })
             }
-            LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help)
         }
     }
+    LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help, isForClass = true)
 }
 
 /** Packages, and the code for a frame. */
@@ -155,14 +188,21 @@ internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Uni
             val copy = if (state.embedCodeCopied) Res.string.hand_in_copied else Res.string.make_embed_copy
             SecondButton(stringResource(copy), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
         }
-        if (state.isPacking) {
-            Explanation(
-                stringResource(Res.string.make_packing),
-                Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
-            )
-        }
-        if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
+        val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
+        ComesIntoView(if (state.isPacking) "packing" else packed ?: state.embedProblem) { PlatformResult(state) }
     }
+}
+
+@Composable
+private fun PlatformResult(state: MakingState) {
+    if (state.isPacking) {
+        Explanation(
+            stringResource(Res.string.make_packing),
+            Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
+        )
+    }
+    if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
+    state.embedProblem?.let { LinkOrProblem(null, it, "make-embed-problem") }
 }
 
 /** The standards are called alike in all languages. */

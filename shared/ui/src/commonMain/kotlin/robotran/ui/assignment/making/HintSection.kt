@@ -51,43 +51,36 @@ import robotran.world.WorldLimits
 /** The hints, in the order in which they are tried. */
 @Composable
 internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
-    // A hint without words cannot be kept, so a new one begins with its first letter.
-    var isAdding by remember { mutableStateOf(false) }
+    // A hint without words cannot be kept, so a new one becomes one with its first letter.
+    var draft by remember { mutableStateOf<AssignmentHint?>(null) }
     val hints = assignment.hints
     Section(stringResource(Res.string.make_hints), "make-hint-section") {
         Quiet(stringResource(Res.string.make_hints_help), "make-hints-help")
-        for (index in 0..<hints.size + if (isAdding) 1 else 0) {
+        for (index in 0..<hints.size + if (draft == null) 0 else 1) {
             key(index) {
                 HintEditor(
-                    hints.getOrNull(index) ?: AssignmentHint(""),
+                    hints.getOrNull(index) ?: draft ?: AssignmentHint(""),
                     index,
                     { changed ->
-                        val isNew = index == hints.size
-                        if (isNew) isAdding = false
-                        val all = if (isNew) {
-                            hints + changed
+                        if (index < hints.size) {
+                            val all = hints.mapIndexed { at, old -> if (at == index) changed else old }
+                            change(assignment.copy(hints = all))
+                        } else if (changed.text.isBlank()) {
+                            draft = changed
                         } else {
-                            hints.mapIndexed { at, old ->
-                                if (at ==
-                                    index
-                                ) {
-                                    changed
-                                } else {
-                                    old
-                                }
-                            }
+                            draft = null
+                            change(assignment.copy(hints = hints + changed))
                         }
-                        change(assignment.copy(hints = all))
                     },
                     {
-                        if (index == hints.size) isAdding = false
+                        if (index == hints.size) draft = null
                         change(assignment.copy(hints = hints.filterIndexed { at, _ -> at != index }))
                     },
                 )
             }
         }
-        if (!isAdding && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
-            SecondButton(stringResource(Res.string.make_hint_add), "make-hint-add", { isAdding = true })
+        if (draft == null && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
+            SecondButton(stringResource(Res.string.make_hint_add), "make-hint-add", { draft = AssignmentHint("") })
         }
     }
 }
@@ -115,8 +108,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
             words = it
             if (it.isNotBlank()) onChange(hint.copy(text = it))
         }
-        // Without words there is nothing to which a condition could belong.
-        if (hint.text.isNotEmpty()) ConditionAndTries(hint, index, onChange)
+        ConditionAndTries(hint, index, onChange)
         QuietButton(stringResource(Res.string.make_hint_remove), "make-hint-remove-$index", onRemove)
     }
 }

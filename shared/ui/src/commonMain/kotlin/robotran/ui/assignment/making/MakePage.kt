@@ -1,11 +1,12 @@
 package robotran.ui.assignment.making
 
+import androidx.compose.foundation.ScrollState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
@@ -15,6 +16,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Assignment
@@ -34,13 +36,13 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.MakingState
 
-/** The page with which an author makes an assignment of the open project. */
+/** The page with which an author makes an assignment of the open project; it opens at [place]. */
 @Composable
-internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
     val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
     Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }) {
         Column(
-            Modifier.testTag("make-form").verticalScroll(rememberScrollState()).padding(24.dp),
+            Modifier.testTag("make-form").verticalScroll(place.of(state.assignment.id)).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
             Column {
@@ -60,6 +62,19 @@ internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
             PlatformSection(state, onEvent)
             QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
         }
+    }
+}
+
+/** How far the page is scrolled, also while the author is in the world editor or tries something out. */
+internal class MakingPlace {
+    private var assignment: String? = null
+    private var scroll = ScrollState(0)
+
+    /** That of the assignment with [id]; another one begins at the top. */
+    fun of(id: String): ScrollState {
+        if (id != assignment) scroll = ScrollState(0)
+        assignment = id
+        return scroll
     }
 }
 
@@ -99,12 +114,14 @@ internal fun Field(
     limit: Int,
     lines: Int = 1,
     modifier: Modifier = Modifier,
+    keyboard: KeyboardType = KeyboardType.Unspecified,
     onChange: (String) -> Unit,
 ) = OutlinedTextField(
     value,
     { onChange(it.take(limit)) },
     modifier.fillMaxWidth().testTag(tag),
     label = { Text(label) },
+    keyboardOptions = KeyboardOptions(keyboardType = keyboard),
     singleLine = lines == 1,
     minLines = lines,
     maxLines = if (lines == 1) 1 else MAX_LINES,
