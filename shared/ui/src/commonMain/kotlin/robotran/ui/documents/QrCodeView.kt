@@ -80,7 +80,7 @@ internal fun LinkAsQrCode(
 
 /** [code] as large as the screen has room for, on white also at night, as projectors and cameras need it. */
 @Composable
-private fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
+internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
     AppDialog(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
         val name = stringResource(Res.string.documents_qr_code)
         val close = @Composable {
