@@ -51,8 +51,8 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
                 .testTag("edit-of-assignment-words")
                 .semantics { liveRegion = LiveRegionMode.Polite },
             color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.SMALL,
         )
         SecondButton(stringResource(Res.string.worldedit_to_assignment), "edit-to-assignment", {
             onEvent(WorldEditEvent.EditorClosed)

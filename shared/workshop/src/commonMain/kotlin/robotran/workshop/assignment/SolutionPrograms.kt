@@ -10,15 +10,20 @@ import robotran.workshop.programs.asProject
 import robotran.workshop.run.EndedTry
 import robotran.workshop.state.SolutionProgram
 
-/** The open programs, and those of the solution that are no longer open. */
+/**
+ * The open programs, and those of the solution that are not open. A program with the name of one of the solution that is
+ * as pupils begin with it takes the place of that in the editor only.
+ */
 internal fun solutionPrograms(open: List<ProjectProgram>, assignment: Assignment): List<SolutionProgram> {
     val ofOpen = open.map { program ->
         val taken = assignment.solution.firstOrNull { it.name == program.name }
+        val isSame = taken != null && textsOf(taken) == textsOf(program)
+        val isOther = taken != null && !isSame && isGiven(program, assignment)
         SolutionProgram(
             program.name,
             taken != null,
-            isChanged = taken != null && textsOf(taken) != textsOf(program),
-            isOpen = true,
+            isChanged = taken != null && !isSame && !isOther,
+            isOpen = !isOther,
         )
     }
     val names = open.map { it.name }
@@ -31,8 +36,13 @@ internal fun solutionNow(project: Project, open: List<ProjectProgram>, assignmen
     if (assignment.solution.isEmpty()) {
         proposedSolution(project, open, assignment.start)
     } else {
-        assignment.solution.map { taken -> open.firstOrNull { it.name == taken.name } ?: taken }
+        assignment.solution.map { taken ->
+            open.firstOrNull { it.name == taken.name && !isGiven(it, assignment) } ?: taken
+        }
     }
+
+private fun isGiven(program: ProjectProgram, assignment: Assignment): Boolean =
+    assignment.start.any { textsOf(it) == textsOf(program) }
 
 /**
  * The program of [open] that is most likely the solution: that which Run starts, or else the first one. Neither what

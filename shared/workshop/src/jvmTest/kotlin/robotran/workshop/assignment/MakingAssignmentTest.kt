@@ -124,6 +124,16 @@ class MakingAssignmentTest {
     }
 
     @Test
+    fun `what pupils begin with never takes the place of a solution with its name`() {
+        val workshop = making(AnyAssignment.teachers)
+        val row = SolutionProgram("circle.robo", isTaken = true, isChanged = false, isOpen = false)
+        assertEquals(listOf(row), workshop.making.solution)
+        assertTrue(!workshop.making.canTakeSolution)
+        workshop.handle(AssignmentEvent.SolutionTaken)
+        assertEquals(AnyAssignment.SOLUTION, workshop.solutionText)
+    }
+
+    @Test
     fun `the program that has just met all goals is the solution of a new assignment`() {
         val workshop = machine.window(AnyAssignment.request(AnyAssignment.teachers.copy(assignment = null)))
         workshop.write(AnyAssignment.SOLUTION)

@@ -16,6 +16,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -118,8 +119,12 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
     val all = listOf(null) + HintsOfAssignment.conditions + HintsOfAssignment.wordConditions
     val choices = all.map { it to conditionText(it) }
     val kind = hint.condition?.substringBefore(":")
+    val title = stringResource(Res.string.make_hint_when)
+    // Beside a long condition in large text, the title would have the width of a letter.
+    val isAbove = LocalDensity.current.fontScale > LARGE
+    if (isAbove) Quiet(title, "make-hint-when-title-$index")
     MenuRow(
-        stringResource(Res.string.make_hint_when),
+        if (isAbove) "" else title,
         choices,
         choices.firstOrNull { it.first == kind }?.second ?: hint.condition.orEmpty(),
         "make-hint-when-$index",
@@ -144,7 +149,7 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
         })
         Text(
             after,
-            Modifier.testTag("make-hint-after-$index"),
+            Modifier.weight(1f, fill = false).testTag("make-hint-after-$index"),
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
         )

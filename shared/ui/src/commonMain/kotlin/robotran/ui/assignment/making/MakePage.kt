@@ -12,7 +12,9 @@ import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
@@ -20,6 +22,7 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Assignment
+import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
 import robotran.ui.learning.QuietButton
 import robotran.ui.parts.Page
@@ -105,7 +108,11 @@ internal fun Subtitle(title: String) = Text(
     fontWeight = FontWeight.Medium,
 )
 
-/** @param lines the number of lines to show at least; one for a field of one line. */
+/**
+ * A field with its [label], in large text above it, since a label of several lines would cover the field before.
+ *
+ * @param lines the number of lines to show at least; one for a field of one line.
+ */
 @Composable
 internal fun Field(
     value: String,
@@ -116,17 +123,24 @@ internal fun Field(
     modifier: Modifier = Modifier,
     keyboard: KeyboardType = KeyboardType.Unspecified,
     onChange: (String) -> Unit,
-) = OutlinedTextField(
-    value,
-    { onChange(it.take(limit)) },
-    modifier.fillMaxWidth().testTag(tag),
-    label = { Text(label) },
-    keyboardOptions = KeyboardOptions(keyboardType = keyboard),
-    singleLine = lines == 1,
-    minLines = lines,
-    maxLines = if (lines == 1) 1 else MAX_LINES,
-    colors = fieldColours(),
-)
+) {
+    val isAbove = LocalDensity.current.fontScale > LARGE
+    if (isAbove) Quiet(label, "$tag-label")
+    OutlinedTextField(
+        value,
+        { onChange(it.take(limit)) },
+        modifier.fillMaxWidth().testTag(tag).semantics { if (isAbove) contentDescription = label },
+        label = if (isAbove) null else ({ Text(label) }),
+        keyboardOptions = KeyboardOptions(keyboardType = keyboard),
+        singleLine = lines == 1,
+        minLines = lines,
+        maxLines = if (lines == 1) 1 else MAX_LINES,
+        colors = fieldColours(),
+    )
+}
+
+/** From this font scale on, words get a line of their own. */
+internal const val LARGE = 1.3f
 
 /** The rest scrolls. */
 private const val MAX_LINES = 12

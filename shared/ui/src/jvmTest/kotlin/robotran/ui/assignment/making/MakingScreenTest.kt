@@ -96,7 +96,7 @@ class MakingScreenTest {
                 val before = placeOf("make-variation-open-0")
                 touch("make-variation-open-0")
                 onNodeWithTag("edit-of-assignment-words")
-                    .assertTextContains("variation “Small” of the assignment “Into the circle”", substring = true)
+                    .assertTextContains("Variation “Small” of the assignment “Into the circle”", substring = true)
                 assertTrue(!has("edit-try"))
                 touch("edit-to-assignment")
                 assertEquals(before, placeOf("make-variation-open-0"))
