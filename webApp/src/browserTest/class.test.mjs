@@ -96,8 +96,9 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await disappears(page, 'assignment-make');
     await type(page, finger, 'program', 'forward 39\n');
     await openMenu(page, finger, 'work-make-assignment');
-    await finger.press('make-solution-take');
-    await finger.press('make-seeds-more');
+    // What was written beside the program to begin with is the solution.
+    await says(page, 'make-solution', /ticked programs are the solution/);
+    await finger.press('make-seeds-5');
     await finger.press('make-check');
     await appears(page, 'make-checked');
     await finger.press('make-pupil-link');
@@ -106,6 +107,11 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await finger.press('make-link-copy');
     await says(page, 'make-link-copy', /copied/);
     link = await page.evaluate(() => navigator.clipboard.readText());
+    await finger.press('qr-show-large');
+    await appears(page, 'qr-large-view');
+    await photograph(page, 'class-code');
+    await page.keyboard.press('Escape');
+    await disappears(page, 'qr-large-view');
     teacherFile = await downloaded(page, folder, () => finger.press('make-teacher-file'));
     assert.deepEqual(troubles, []);
   });

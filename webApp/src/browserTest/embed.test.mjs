@@ -5,7 +5,7 @@ import { deflateRawSync } from 'node:zlib';
 import { appInFrame, message, pageAround } from './frame.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import { test } from './tried-again.mjs';
-import { press, words, writeProgram } from './words.mjs';
+import { appears, press, says, words, writeProgram } from './words.mjs';
 
 const world = {
   format: 'robotran-world',
@@ -30,11 +30,11 @@ const link = `#p=a${deflateRawSync(JSON.stringify(assignment)).toString('base64u
  * Shows the assignment in a frame of a page at another origin, while `use` runs. `origins` are those that the site
  * allows; `work` is what that page brings back.
  */
-const inFrame = ({ origins, work = '', isSame = false }, use) =>
+const inFrame = ({ origins, work = '', isSame = false, shown = link }, use) =>
   onPage(TABLET, async ({ page: first, site, troubles }) => {
     const other = isSame ? site.address : site.address.replace('127.0.0.1', 'localhost');
     site.pages['embedding.json'] = JSON.stringify({ origins: origins(new URL(other).origin) });
-    site.pages['around.html'] = pageAround(`${site.address}?embed=assignment${link}`, work);
+    site.pages['around.html'] = pageAround(`${site.address}?embed=assignment${shown}`, work);
     const page = await first.context().newPage();
     await page.setViewportSize(TABLET);
     page.on('pageerror', (error) => troubles.push(String(error)));
@@ -69,6 +69,28 @@ test('the page around learns how the pupil gets on, and brings the work back', a
     await app.waitForFunction(
       () => /forward 39/.test(document.querySelector('#robotran-words [data-tag="program"]')?.value),
     );
+  });
+});
+
+test('a course in a frame shows how far it is, and leads on to the next assignment', () => {
+  const second = {
+    ...assignment,
+    assignment: { id: 'mark-2', text: ['Use `forward`.'] },
+    world: { ...world, title: 'To the mark again' },
+  };
+  const course = { format: 'robotran-course', version: 1, title: 'Marks', assignments: [assignment, second] };
+  const shown = `#c=a${deflateRawSync(JSON.stringify(course)).toString('base64url')}`;
+  return inFrame({ origins: (origin) => [origin], shown }, async ({ page, app }) => {
+    await says(app, 'course-done', /0 of 2/);
+    await press(app, 'course-go-on');
+    assert.deepEqual((await message(page, 'ready')).assignment, { id: 'mark-1', title: 'To the mark' });
+    await says(app, 'course-place', /Marks: assignment 1 of 2/);
+    await page.screenshot({ path: path.join(process.env.PICTURES, 'course-in-frame.png') });
+    await press(app, 'course-line-next');
+    await message(page, 'ready', ({ assignment: { id } }) => id === 'mark-2');
+    await says(app, 'course-place', /assignment 2 of 2/);
+    await press(app, 'course-line-back');
+    await appears(app, 'course-done');
   });
 });
 

@@ -112,7 +112,7 @@ class Workshop(
         ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder(this)
     private val editedWorld = VariationTarget(this, this, this)
-    private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this)
+    private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this, editedWorld::origin)
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
@@ -419,18 +419,18 @@ class Workshop(
         val isVariation = editedWorld.variation != null
         worldEdit.handle(if (isVariation && event == WorldEditEvent.TriedOut) WorldEditEvent.EditorClosed else event)
         if (!wasOpen || worldEdit.state != null) return
-        editedWorld.variation = null
-        assignment.worldEditorClosed()
+        editedWorld.leave()
+        assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
     }
 
     private fun openWorldEditor(variation: Int?) {
-        editedWorld.variation = variation
+        editedWorld.comeFromAssignment(variation)
         handleWorldEdit(WorldEditEvent.EditorOpened)
     }
 
     private fun leaveWorldEditor() {
         worldEdit.leave()
-        editedWorld.variation = null
+        editedWorld.leave()
     }
 
     /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */

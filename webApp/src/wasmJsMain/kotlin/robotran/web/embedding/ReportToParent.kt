@@ -17,13 +17,13 @@ import robotran.projects.openHandInLink
 import robotran.workshop.Workshop
 
 /**
- * Tells the page around this one how the pupil gets on with the assignment, and gives it the pupil's work, since this
- * page saves nothing; takes work that it has given before. Never returns if the page around may know.
+ * Tells the page around this one how the pupil gets on with the assignment, or with each one of a course, and gives it
+ * the pupil's work, since this page saves nothing; takes work that it has given before. Never returns if the page around may know.
  */
 internal suspend fun reportToParent(workshop: Workshop) {
     val parent = ParentPage.find() ?: return
     while (workshop.project.assignment == null) delay(LOOK)
-    val assignment = workshop.project
+    var assignment = workshop.project
     val brought = mutableListOf<String>()
     parent.onMessage { message -> workIn(message)?.let(brought::add) }
     parent.post(text("ready", assignment) {})
@@ -33,6 +33,11 @@ internal suspend fun reportToParent(workshop: Workshop) {
         brought.removeLastOrNull()?.let { link -> resume(workshop, assignment, link) }
         brought.clear()
         val now = workshop.project
+        if (!isThe(assignment, now) && workshop.state.course.open != null) {
+            // The next one of the course.
+            assignment = now
+            parent.post(text("ready", now) {})
+        }
         if (now != seen && isThe(assignment, now)) {
             seen = now
             val told = text("result", now) { result(now) }

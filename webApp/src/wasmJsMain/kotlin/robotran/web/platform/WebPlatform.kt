@@ -104,7 +104,7 @@ private fun isPointerCoarse(): Boolean = js("matchMedia('(pointer: coarse)').mat
 private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
-        if (!stays && /^#[wph]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
+        if (!stays && /^#[wphc]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
         return fragment;
     })()""",
 )

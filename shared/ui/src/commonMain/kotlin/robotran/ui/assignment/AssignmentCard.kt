@@ -36,11 +36,13 @@ import robotran.ui.resources.assignment_goals
 import robotran.ui.resources.assignment_hand_in
 import robotran.ui.resources.assignment_hand_in_again
 import robotran.ui.resources.assignment_handed_in
+import robotran.ui.resources.hand_ins_menu
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 
@@ -78,6 +80,9 @@ internal fun AssignmentButtons(
             if (state.isAuthor) {
                 PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
                     onEvent(AssignmentEvent.MakingRequested)
+                })
+                SecondButton(stringResource(Res.string.hand_ins_menu), "assignment-hand-ins", {
+                    onEvent(HandInsEvent.Requested)
                 })
             }
             if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)

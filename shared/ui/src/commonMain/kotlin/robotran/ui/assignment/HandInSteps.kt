@@ -196,20 +196,22 @@ internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
     }
 }
 
-/** [link] as a QR code, with [qrHelp], or why there is no link. */
+/** [link] as a QR code, with [qrHelp], or why there is no link; [isForClass] see [LinkAsQrCode]. */
 @Composable
 internal fun LinkOrProblem(
     link: String?,
     problem: LinkProblem?,
     tag: String,
     qrHelp: StringResource = Res.string.documents_qr_help,
+    isForClass: Boolean = false,
 ) {
+    val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
-        if (link != null) LinkAsQrCode(link, stringResource(qrHelp))
+        if (link != null) LinkAsQrCode(link, stringResource(qrHelp), isForClass)
         when (problem) {
             null -> Unit
-            LinkProblem.NoSite -> Explanation(stringResource(Res.string.hand_in_no_link))
-            is LinkProblem.TooLong -> Explanation(problem.message)
+            LinkProblem.NoSite -> Explanation(stringResource(Res.string.hand_in_no_link), news)
+            is LinkProblem.TooLong -> Explanation(problem.message, news)
         }
     }
 }

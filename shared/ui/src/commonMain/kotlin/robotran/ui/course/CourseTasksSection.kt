@@ -20,6 +20,7 @@ import robotran.assignments.course.assignmentId
 import robotran.projects.Project
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.making.Chips
+import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
 import robotran.ui.learning.QuietButton
@@ -67,7 +68,7 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
             // The focus goes with a row that moves.
             key(task.assignmentId) { TaskRow(task, index, tasks.size, onEvent) }
         }
-        page.problem?.let { CourseProblemText(it) }
+        ComesIntoView(page.problem) { page.problem?.let { CourseProblemText(it) } }
         Chips {
             SecondButton(stringResource(Res.string.course_add_files), "course-add-files", {
                 onEvent(CourseEvent.FilesRequested)

@@ -18,6 +18,7 @@ import robotran.ui.assignment.LinkOrProblem
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.assignment.making.Chips
+import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Field
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
@@ -50,6 +51,7 @@ import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CoursePage
 import robotran.workshop.state.CourseProblem
+import robotran.workshop.state.PupilLink
 import robotran.world.WorldLimits
 
 /** The page on which a teacher makes a course. */
@@ -101,22 +103,25 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
                 onEvent(CourseEvent.LinkRequested)
             })
         }
-        SaveResult(page.savedAs, null, "course-saved")
-        page.link?.let { link ->
-            if (link.link != null) {
-                Chips {
-                    val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-                    SecondButton(stringResource(copy), "course-link-copy", { onEvent(CourseEvent.LinkCopied) })
-                    if (page.hasShareSheet) {
-                        SecondButton(stringResource(Res.string.hand_in_share), "course-link-share", {
-                            onEvent(CourseEvent.LinkShared)
-                        })
-                    }
-                }
+        ComesIntoView(page.savedAs) { SaveResult(page.savedAs, null, "course-saved") }
+        ComesIntoView(page.link?.run { link ?: problem }) { page.link?.let { CourseLink(it, page, onEvent) } }
+    }
+}
+
+@Composable
+private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
+    if (link.link != null) {
+        Chips {
+            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
+            SecondButton(stringResource(copy), "course-link-copy", { onEvent(CourseEvent.LinkCopied) })
+            if (page.hasShareSheet) {
+                SecondButton(stringResource(Res.string.hand_in_share), "course-link-share", {
+                    onEvent(CourseEvent.LinkShared)
+                })
             }
-            LinkOrProblem(link.link, link.problem, "course-qr", Res.string.course_qr_help)
         }
     }
+    LinkOrProblem(link.link, link.problem, "course-qr", Res.string.course_qr_help, isForClass = true)
 }
 
 /** Why the last action did nothing. */

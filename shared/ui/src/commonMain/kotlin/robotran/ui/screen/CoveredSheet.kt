@@ -103,6 +103,7 @@ private fun BoxWithConstraintsScope.Messages(
                 onEvent,
                 Modifier.heightIn(max = room),
                 canHandIn = withNotice,
+                course = state.course.open.takeIf { withNotice },
             )
         }
         if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))

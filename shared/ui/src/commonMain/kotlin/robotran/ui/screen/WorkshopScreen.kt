@@ -19,6 +19,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.HandInSheet
 import robotran.ui.assignment.NotAllowedStrip
 import robotran.ui.assignment.making.MakePage
+import robotran.ui.assignment.making.MakingPlace
 import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
@@ -66,6 +67,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             WindowForm.ACROSS
         }
         var foot by remember { mutableStateOf(0) }
+        val makingPlace = remember { MakingPlace() }
         val runBar = @Composable {
             RunBar(state.run, state.status, state.caretLine, onEvent, Modifier.onSizeChanged { foot = it.height }) {
                 SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
@@ -88,7 +90,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         val footHeight = with(LocalDensity.current) { foot.toDp() }.takeIf { layout != ScreenLayout.NARROW } ?: 0.dp
         LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
         state.course.page?.let { CoursePages(it, onEvent) }
-        state.making?.let { MakePage(it, onEvent) }
+        state.making?.let { MakePage(it, makingPlace, onEvent) }
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }

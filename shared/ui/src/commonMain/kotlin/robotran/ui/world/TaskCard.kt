@@ -33,6 +33,7 @@ import robotran.ui.assignment.AssignmentButtons
 import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.HandInLine
+import robotran.ui.course.CourseLine
 import robotran.ui.learning.HintCards
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -47,6 +48,7 @@ import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.OpenCourseTask
 import robotran.world.World
 
 /**
@@ -54,6 +56,7 @@ import robotran.world.World
  * with its task, and in an assignment all about that.
  *
  * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @param course where the assignment is in its course; null if it is in none.
  */
 @Composable
 internal fun TaskCard(
@@ -64,6 +67,7 @@ internal fun TaskCard(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     canHandIn: Boolean = true,
+    course: OpenCourseTask? = null,
 ) {
     val colours = LocalRobotranColours.current
     Row(
@@ -109,6 +113,7 @@ internal fun TaskCard(
                 )
                 assignment?.let { AssignmentCard(it, goals) }
                 if (assignment != null && canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+                course?.let { CourseLine(it, onEvent) }
                 learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
             }
             if (assignment != null && canHandIn && areButtonsFixed) {

@@ -9,9 +9,14 @@ import robotran.projects.AssignmentPicture
 import robotran.projects.Feedback
 import robotran.projects.FeedbackResult
 import robotran.projects.Project
+import robotran.qrcode.QrCode
+import robotran.ui.documents.LargeQrCode
 import robotran.ui.pictures.sheetPng
 import robotran.ui.screen.keepAs
+import robotran.ui.screen.onEventThread
 import robotran.ui.screen.photograph
+import robotran.ui.screen.sceneOf
+import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.documents.Machine
@@ -41,8 +46,34 @@ class AssignmentPictures {
     }
 
     @Test
+    fun `the code for a class and the banner of the world editor`() {
+        val code = checkNotNull(QrCode.of("https://school.example/" + "a".repeat(400)))
+        for ((width, height) in listOf(360 to 740, 1024 to 768, 768 to 1024, 1280 to 800)) {
+            for ((look, settings) in LOOKS) {
+                picture(AnyAssignment.teachers, width, height, settings) {
+                    handle(AssignmentEvent.MakingRequested)
+                    handle(AssignmentEvent.VariationOpened(0))
+                }.keepAs("assignment/variation-$width-$look")
+                picture(AnyAssignment.teachers, width, height, settings) {
+                    handle(WorkshopEvent.TaskShown(true))
+                }.keepAs("assignment/teacher-$width-$look")
+            }
+            val large = onEventThread {
+                val scene = sceneOf(width, height) { RobotranTheme { LargeQrCode(code) {} } }
+                try {
+                    scene.render()
+                    scene.render(nanoTime = 1_000_000_000)
+                } finally {
+                    scene.close()
+                }
+            }
+            large.keepAs("assignment/qr-large-$width")
+        }
+    }
+
+    @Test
     fun `what authors see, the whole page at once`() {
-        for ((name, width) in listOf("phone" to 411, "tablet" to 1280)) {
+        for ((name, width) in listOf("phone" to 360, "tablet" to 1024)) {
             for ((look, settings) in LOOKS) {
                 val height = if (look == "200") 9_000 else 4_800
                 for ((step, prepare) in AUTHOR) {
@@ -66,7 +97,7 @@ class AssignmentPictures {
     private fun picture(project: Project, width: Int, height: Int, settings: Settings, prepare: Workshop.() -> Unit) =
         Machine().apply { files.location = "/home/ada.robotran" }.window(AnyAssignment.request(project)).run {
             try {
-                handle(SettingsEvent.SettingsChanged(settings))
+                handle(SettingsEvent.SettingsChanged(settings.copy(site = "https://school.example/")))
                 handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                 prepare()
                 photograph(this, width, height)
@@ -136,6 +167,7 @@ class AssignmentPictures {
                 handle(AssignmentEvent.MakingRequested)
                 handle(AssignmentEvent.CheckRequested(on = true))
                 handle(AssignmentEvent.PupilFileSaved)
+                handle(AssignmentEvent.PupilLinkRequested)
             },
             "make-empty" to {
                 handle(AssignmentEvent.MakingRequested)

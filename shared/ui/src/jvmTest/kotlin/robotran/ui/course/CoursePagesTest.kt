@@ -1,5 +1,6 @@
 package robotran.ui.course
 
+import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
@@ -10,9 +11,14 @@ import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performScrollToKey
 import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.requestFocus
 import robotran.assignments.course.pupilCopy
+import robotran.ui.program.blocks.scrollAndTouch
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
@@ -23,6 +29,7 @@ import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CoursePage
 import robotran.workshop.state.LearningPage
 import kotlin.test.Test
@@ -132,6 +139,59 @@ class CoursePagesTest {
         onNodeWithTag("course-saved").assertTextContains("a.course.json", substring = true)
         touch("course-link")
         onNodeWithTag("course-qr").assertExists()
+    }
+
+    @Test
+    fun `a teacher moves, renames and removes with keys alone`() = onCourse(1280, 1400) { workshop ->
+        workshop.handle(CourseEvent.MakingRequested(null))
+        machine.files.chosen =
+            AnyCourse.teachers.assignments.mapIndexed { index, it -> AnyAssignment.file(it, "$index.robotran") }
+        pass(300)
+        press("course-add-files")
+        val making = { assertIs<CoursePage.Making>(workshop.state.course.page).course }
+        press("course-down-0")
+        press("course-down-1")
+        press("course-up-1")
+        val order = { making().assignments.map { it.assignment?.id?.substringAfter('-') } }
+        assertEquals(listOf<String?>("3", "2", "1"), order())
+        press("course-take-out-1")
+        assertEquals(listOf<String?>("3", "1"), order())
+        press("course-undo")
+        assertEquals(3, order().size)
+        onNodeWithTag("course-title").performTextInput("Circles")
+        onNodeWithTag("course-title").performTextReplacement("Rings")
+        pass(300)
+        assertEquals("Rings", making().title)
+        onNodeWithTag("course-title").performKeyInput { pressKey(Key.Escape) }
+        pass(600)
+        assertEquals("Rings", assertIs<CoursePage.OneCourse>(workshop.state.course.page).title)
+    }
+
+    private fun ComposeUiTest.press(tag: String) {
+        onNodeWithTag(tag).requestFocus()
+        pass(100)
+        onNodeWithTag(tag).performKeyInput { pressKey(Key.Enter) }
+        pass(600)
+    }
+
+    @Test
+    fun `the card of the task says where the pupil is in the course and leads on and back`() {
+        for ((width, height) in listOf(411 to 891, 1280 to 800)) {
+            onCourse(width, height) { workshop ->
+                touch("course-go-on")
+                workshop.handle(WorkshopEvent.TaskShown(true))
+                pass(300)
+                onNodeWithTag("course-place").assertTextContains("Circles: assignment 1 of 3")
+                scrollAndTouch("course-line-next")
+                pass(600)
+                assertEquals("circle-2", workshop.state.assignment?.assignment?.id)
+                workshop.handle(WorkshopEvent.TaskShown(true))
+                pass(300)
+                scrollAndTouch("course-line-back")
+                pass(600)
+                assertIs<CoursePage.OneCourse>(workshop.state.course.page)
+            }
+        }
     }
 
     @Test

@@ -17,6 +17,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asPupil
+import robotran.workshop.run.EndedTry
 import robotran.workshop.service.AssignmentEditor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
@@ -37,6 +38,7 @@ internal class AssignmentAuthor(
     private val tabs: ProgramTabs,
     private val runs: AssignmentRuns,
     preferences: Preferences,
+    private val lastTry: () -> EndedTry?,
     private val openWorldEditor: (variation: Int?) -> Unit,
 ) {
     /** Null while the page is closed. */
@@ -64,7 +66,8 @@ internal class AssignmentAuthor(
             AssignmentEvent.Removed -> remove()
             AssignmentEvent.PictureRequested -> scope.launch { addPicture() }
             is AssignmentEvent.StartSwitched -> switchStart(now.assignment, event.index, event.on)
-            AssignmentEvent.SolutionTaken -> change(now.assignment.copy(solution = plainPrograms()))
+            AssignmentEvent.SolutionTaken -> change(now.assignment.copy(solution = solutionNow(now.assignment)))
+            is AssignmentEvent.SolutionSwitched -> switchSolution(now, event.index, event.on)
             AssignmentEvent.SolutionShown -> showSolution(now.assignment)
             AssignmentEvent.WorldRequested -> leaveFor(variation = null)
             is AssignmentEvent.VariationAdded -> addVariation(now.assignment, event.name)
@@ -81,11 +84,11 @@ internal class AssignmentAuthor(
         }
     }
 
-    /** Called when the world editor was closed. */
-    fun worldEditorClosed() {
+    /** Called when the world editor was closed; [leadsBack] is false if its world is tried out now. */
+    fun worldEditorClosed(leadsBack: Boolean) {
         if (!isAway) return
         isAway = false
-        state = stateNow()
+        if (leadsBack) state = stateNow()
     }
 
     /** Called after another project was opened. */
@@ -100,12 +103,19 @@ internal class AssignmentAuthor(
     private fun open() {
         if (state != null) return
         val before = current.project.assignment
-        val made = before?.copy(
-            start = before.start.ifEmpty { plainPrograms() },
-            checks = before.checks ?: AssignmentChecks(FIRST_SEEDS),
-        ) ?: newAssignment(current.project, platform.clock.now)
+        val made = before?.let(::completed)
+            ?: newAssignment(current.project, platform.clock.now, solvingProgram(current.project, lastTry()))
         if (made != before) assignments.changeAssignment(made)
         state = stateNow()
+    }
+
+    /** [before] with what the author has written meanwhile, beside what pupils begin with, as the solution. */
+    private fun completed(before: Assignment): Assignment {
+        val start = before.start.ifEmpty { plainPrograms() }
+        val made = before.copy(start = start, checks = before.checks ?: AssignmentChecks(FIRST_SEEDS))
+        if (made.solution.isNotEmpty()) return made
+        val given = start.map(::textsOf)
+        return made.copy(solution = solutionNow(made).filter { textsOf(it) !in given })
     }
 
     private fun close() {
@@ -129,6 +139,8 @@ internal class AssignmentAuthor(
             before?.title?.takeIf { it.isBlank() } ?: project.world.title,
             project.world.task,
             startPrograms(project.firstPrograms, assignment),
+            solutionPrograms(project.firstPrograms, assignment),
+            solutionNow(assignment) != assignment.solution,
             project.world.goals.size,
             history.canUndo,
             missingParts(project, assignment),
@@ -195,6 +207,23 @@ internal class AssignmentAuthor(
         change(assignment.copy(start = if (on) others + program else others))
     }
 
+    private fun solutionNow(assignment: Assignment) = solutionNow(current.project, plainPrograms(), assignment)
+
+    private fun switchSolution(now: MakingState, index: Int, on: Boolean) {
+        val name = now.solution.getOrNull(index)?.name ?: return
+        val open = plainPrograms()
+        val others = now.assignment.solution.filter { it.name != name }
+        val all = others + listOfNotNull(open.firstOrNull { it.name == name }.takeIf { on })
+        // Grading starts the first one, so they stay in the order of the editor.
+        change(
+            now.assignment.copy(
+                solution = all.sortedBy { program ->
+                    open.indexOfFirst { it.name == program.name }
+                },
+            ),
+        )
+    }
+
     private fun showSolution(assignment: Assignment) {
         assignment.solution.forEach { tabs.addProgram(it.asPupil(), replacing = true) }
         close()
@@ -249,22 +278,24 @@ internal class AssignmentAuthor(
         is CheckedSolution.HasMistakes -> SolutionCheck.HasMistakes(checked.reasons)
 
         is CheckedSolution.Checked -> if (checked.failed == 0) {
-            SolutionCheck.Passed(checked.runs)
+            SolutionCheck.Passed(checked.runs, checked.startPassed)
         } else {
-            SolutionCheck.Failed(checked.failed, checked.runs, checked.world.orEmpty(), checked.seed ?: 0)
+            val world = checked.world.orEmpty()
+            SolutionCheck.Failed(checked.failed, checked.runs, world, checked.seed ?: 0, checked.startPassed)
         }
     }
 
     private fun share(what: suspend (MakingState) -> MakingState) {
         scope.launch {
             val now = state ?: return@launch
-            val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false))
+            val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false, embedProblem = null))
             // The author may have gone on meanwhile.
             state = state?.copy(
                 link = then.link,
                 savedAs = then.savedAs,
                 saveError = then.saveError,
                 embedCodeCopied = then.embedCodeCopied,
+                embedProblem = then.embedProblem,
                 isPacking = false,
                 isAboutPackage = now.isPacking,
             )
@@ -275,9 +306,5 @@ internal class AssignmentAuthor(
         if (page.isPacking) return
         state = page.copy(isPacking = true)
         share { sharing.savePackage(it, version) }
-    }
-
-    private companion object {
-        val FIRST_SEEDS = 1..5
     }
 }

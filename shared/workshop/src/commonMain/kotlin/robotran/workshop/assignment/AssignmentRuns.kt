@@ -5,6 +5,7 @@ import kotlinx.coroutines.yield
 import robotran.assignments.collecting.Submission
 import robotran.assignments.doing.HandedInWork
 import robotran.assignments.doing.firstPrograms
+import robotran.assignments.doing.pupilCopy
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.HandInGrader
 import robotran.assignments.grading.Preparation
@@ -67,7 +68,10 @@ internal class AssignmentRuns(
         )
     }
 
-    /** Runs [solution] in all worlds and with all seeds of the assignment in [project]. */
+    /**
+     * Runs [solution] in all worlds and with all seeds of the assignment in [project], and then what pupils begin with,
+     * as long as it is a program at all.
+     */
     suspend fun check(
         project: Project,
         solution: List<ProjectProgram>,
@@ -79,20 +83,35 @@ internal class AssignmentRuns(
             is Preparation.Ready -> made
         }
         val runs = ready.runs()
+        val starts = startRuns(project, solution)
+        val all = runs.size + starts.size
         val failed = mutableListOf<PreparedRun>()
         runs.forEachIndexed { done, run ->
-            onRun(done, runs.size)
+            onRun(done, all)
             when (val result = finish(run) {}) {
                 is RunResult.Failed -> return CheckedSolution.HasMistakes(listOf(result.reason))
                 is RunResult.Finished -> if (!result.grade.passed) failed += run
             }
+        }
+        var startPassed = 0
+        starts.forEachIndexed { done, run ->
+            onRun(runs.size + done, all)
+            if ((finish(run) {} as? RunResult.Finished)?.grade?.passed == true) startPassed++
         }
         return CheckedSolution.Checked(
             runs.size,
             failed.size,
             failed.firstOrNull()?.world?.name,
             failed.firstOrNull()?.seed,
+            startPassed,
         )
+    }
+
+    private suspend fun startRuns(project: Project, solution: List<ProjectProgram>): List<PreparedRun> {
+        val start = pupilCopy(project).firstPrograms
+        val first = start.firstOrNull()?.takeUnless { isBlank(it) || textsOf(it) == textsOf(solution.first()) }
+        if (first == null) return emptyList()
+        return (prepare(project, start, firstProgram = 0) as? Preparation.Ready)?.runs().orEmpty()
     }
 
     private suspend fun prepare(project: Project, programs: List<ProjectProgram>, firstProgram: Int): Preparation {
@@ -133,8 +152,12 @@ internal sealed interface RunOfWork {
 
 /** How running the solution with all seeds and variations went. */
 internal sealed interface CheckedSolution {
-    /** @property world the name of the first variation with a failed run, and its [seed]; null if none failed. */
-    data class Checked(val runs: Int, val failed: Int, val world: String?, val seed: Int?) : CheckedSolution
+    /**
+     * @property world the name of the first variation with a failed run, and its [seed]; null if none failed.
+     * @property startPassed the number of runs in which the program to begin with meets all goals, too.
+     */
+    data class Checked(val runs: Int, val failed: Int, val world: String?, val seed: Int?, val startPassed: Int) :
+        CheckedSolution
 
     data class HasMistakes(val reasons: List<String>) : CheckedSolution
 }

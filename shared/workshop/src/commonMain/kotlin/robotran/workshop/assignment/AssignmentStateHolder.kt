@@ -50,7 +50,18 @@ class AssignmentStateHolder(
     private val runs = AssignmentRuns(platform, physics, preferences)
     private val maker = HandInMaker(platform, scope, preferences, current, runs, memory, ::refresh)
     private val author =
-        AssignmentAuthor(platform, scope, current, editor, assignments, tabs, runs, preferences, openWorldEditor)
+        AssignmentAuthor(
+            platform,
+            scope,
+            current,
+            editor,
+            assignments,
+            tabs,
+            runs,
+            preferences,
+            { lastTry },
+            openWorldEditor,
+        )
     private var hints: List<Hint> = emptyList()
     private var lastTry: EndedTry? = null
     private var checked: Checked? = null
@@ -96,9 +107,9 @@ class AssignmentStateHolder(
         if (state != null) refresh()
     }
 
-    /** Called when the world editor was closed. */
-    fun worldEditorClosed() {
-        author.worldEditorClosed()
+    /** Called when the world editor was closed; [leadsBack] is false if its world is tried out now. */
+    fun worldEditorClosed(leadsBack: Boolean) {
+        author.worldEditorClosed(leadsBack)
         refresh()
     }
 

@@ -18,13 +18,19 @@ import robotran.workshop.state.StartProgram
 import robotran.world.WorldLimits
 import kotlin.io.encoding.Base64
 
-/** A new assignment about [project]: pupils begin with its programs. [now] is in milliseconds since 1970. */
-internal fun newAssignment(project: Project, now: Long): Assignment {
+/**
+ * A new assignment about [project]: pupils begin with its programs.
+ *
+ * @param now in milliseconds since 1970.
+ * @param solution the program that has met all goals; null if none has.
+ */
+internal fun newAssignment(project: Project, now: Long, solution: ProjectProgram? = null): Assignment {
     val stamp = FileStamp.of(writeProject(project)).text.take(STAMP_DIGITS)
     return Assignment(
         id = "${now.coerceAtLeast(0).toString(radix = 36)}-$stamp",
-        start = project.firstPrograms.map { it.copy(view = null) },
+        start = proposedStart(project.firstPrograms.map { it.copy(view = null) }),
         checks = AssignmentChecks(FIRST_SEEDS),
+        solution = listOfNotNull(solution),
     )
 }
 
@@ -94,8 +100,8 @@ internal sealed interface PictureResult {
     data class Refused(val error: PictureError) : PictureResult
 }
 
-private fun textsOf(program: ProjectProgram): List<String> = program.files.map { it.text.trim() }
-
 private const val STAMP_DIGITS = 8
 private const val MAX_PICTURE_NAME = 40
-private val FIRST_SEEDS = 1..5
+
+/** With so many, a program that works by luck is found out. */
+internal val FIRST_SEEDS = 1..20

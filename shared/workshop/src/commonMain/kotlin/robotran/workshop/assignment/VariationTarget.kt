@@ -4,6 +4,7 @@ import robotran.projects.Project
 import robotran.workshop.service.AssignmentEditor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.ProjectEditor
+import robotran.workshop.state.EditOrigin
 import robotran.world.World
 
 /** The project as the world editor sees it: while the author edits a variation, with that in place of the world. */
@@ -15,6 +16,24 @@ internal class VariationTarget(
     ProjectEditor by editor {
     /** The index of the variation that is edited; null for the world itself. */
     var variation: Int? = null
+        private set
+
+    /** What the editor tells about where it leads back to; null if that is the workshop. */
+    var origin: EditOrigin? = null
+        private set
+
+    /** The editor is going to be opened from the page of the assignment, for the world or [variation]. */
+    fun comeFromAssignment(variation: Int?) {
+        val own = current.project
+        this.variation = variation
+        origin = EditOrigin(own.world.title, variation?.let { own.assignment?.checks?.variations?.getOrNull(it)?.name })
+    }
+
+    /** The editor is closed. */
+    fun leave() {
+        variation = null
+        origin = null
+    }
 
     override val project: Project
         get() {

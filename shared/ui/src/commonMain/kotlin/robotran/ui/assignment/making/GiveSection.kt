@@ -6,32 +6,21 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.packaging.ScormVersion
 import robotran.ui.assignment.LinkOrProblem
-import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.documents.Explanation
 import robotran.ui.learning.PrimaryButton
 import robotran.ui.learning.SecondButton
 import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_feedback_world
-import robotran.ui.resources.hand_in_cancel
 import robotran.ui.resources.hand_in_copied
 import robotran.ui.resources.hand_in_copy
 import robotran.ui.resources.hand_in_share
-import robotran.ui.resources.make_check
-import robotran.ui.resources.make_check_all
 import robotran.ui.resources.make_embed_copy
 import robotran.ui.resources.make_give
 import robotran.ui.resources.make_give_help
-import robotran.ui.resources.make_missing_allowed
-import robotran.ui.resources.make_missing_goals
-import robotran.ui.resources.make_missing_solution
-import robotran.ui.resources.make_missing_start
-import robotran.ui.resources.make_missing_task
 import robotran.ui.resources.make_packing
 import robotran.ui.resources.make_platform
 import robotran.ui.resources.make_platform_help
@@ -39,71 +28,10 @@ import robotran.ui.resources.make_pupil_file
 import robotran.ui.resources.make_pupil_link
 import robotran.ui.resources.make_qr_help
 import robotran.ui.resources.make_teacher_file
-import robotran.ui.resources.make_try_failed
-import robotran.ui.resources.make_try_mistakes
-import robotran.ui.resources.make_try_passed
-import robotran.ui.resources.make_try_solution
-import robotran.ui.resources.make_trying
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.MakingState
-import robotran.workshop.state.MissingPart
-import robotran.workshop.state.SolutionCheck
-
-/** What is missing, and whether the solution meets the goals with all seeds and variations. Nothing is forbidden. */
-@Composable
-internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_check), "make-check-section") {
-        if (state.missing.isEmpty()) {
-            Explanation(
-                stringResource(Res.string.make_check_all),
-                Modifier.testTag("make-complete"),
-            )
-        }
-        for (part in state.missing) Explanation("⚠ ${stringResource(part.sentence)}", Modifier.testTag("make-missing"))
-        val check = state.check
-        if (check is SolutionCheck.Running) {
-            Explanation(stringResource(Res.string.make_trying, check.done, check.all), Modifier.testTag("make-trying"))
-            ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
-            SecondButton(stringResource(Res.string.hand_in_cancel), "make-check-stop", {
-                onEvent(AssignmentEvent.CheckRequested(on = false))
-            })
-        } else if (state.assignment.solution.isNotEmpty()) {
-            SecondButton(stringResource(Res.string.make_try_solution), "make-check", {
-                onEvent(AssignmentEvent.CheckRequested(on = true))
-            })
-        }
-        CheckResult(check)
-    }
-}
-
-@Composable
-private fun CheckResult(check: SolutionCheck?) {
-    val news = Modifier.testTag("make-checked").semantics { liveRegion = LiveRegionMode.Polite }
-    when (check) {
-        null, is SolutionCheck.Running -> {
-            Unit
-        }
-
-        is SolutionCheck.Passed -> {
-            Explanation(stringResource(Res.string.make_try_passed, check.runs), news)
-        }
-
-        is SolutionCheck.Failed -> {
-            val world = check.world.ifEmpty { stringResource(Res.string.assignment_feedback_world) }
-            Explanation(
-                stringResource(Res.string.make_try_failed, check.failed, check.runs, world, check.seed),
-                news,
-                bad = true,
-            )
-        }
-
-        is SolutionCheck.HasMistakes -> {
-            Explanation(stringResource(Res.string.make_try_mistakes), news, bad = true)
-            for (reason in check.reasons.take(MAX_REASONS)) Explanation(reason)
-        }
-    }
-}
+import robotran.workshop.state.PupilLink
 
 /** Files, link and code. */
 @Composable
@@ -121,22 +49,31 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                 onEvent(AssignmentEvent.PupilLinkRequested)
             })
         }
-        if (!state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-saved")
-        state.link?.let { link ->
-            if (link.link != null) {
-                Chips {
-                    val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-                    SecondButton(stringResource(copy), "make-link-copy", { onEvent(AssignmentEvent.PupilLinkCopied) })
-                    if (state.hasShareSheet) {
-                        SecondButton(stringResource(Res.string.hand_in_share), "make-link-share", {
-                            onEvent(AssignmentEvent.PupilLinkShared)
-                        })
-                    }
-                }
+        val saved = (state.savedAs ?: state.saveError)?.takeUnless { state.isAboutPackage }
+        ComesIntoView(saved) { if (saved != null) SaveResult(state.savedAs, state.saveError, "make-saved") }
+        ComesIntoView(state.link?.run { link ?: problem }) { state.link?.let { PupilLinkView(it, state, onEvent) } }
+    }
+}
+
+@Composable
+private fun PupilLinkView(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    if (link.link != null) {
+        Chips {
+            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
+            SecondButton(
+                stringResource(copy),
+                "make-link-copy",
+                { onEvent(AssignmentEvent.PupilLinkCopied) },
+                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
+            )
+            if (state.hasShareSheet) {
+                SecondButton(stringResource(Res.string.hand_in_share), "make-link-share", {
+                    onEvent(AssignmentEvent.PupilLinkShared)
+                })
             }
-            LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help)
         }
     }
+    LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help, isForClass = true)
 }
 
 /** Packages, and the code for a frame. */
@@ -155,26 +92,22 @@ internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Uni
             val copy = if (state.embedCodeCopied) Res.string.hand_in_copied else Res.string.make_embed_copy
             SecondButton(stringResource(copy), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
         }
-        if (state.isPacking) {
-            Explanation(
-                stringResource(Res.string.make_packing),
-                Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
-            )
-        }
-        if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
+        val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
+        ComesIntoView(if (state.isPacking) "packing" else packed ?: state.embedProblem) { PlatformResult(state) }
     }
+}
+
+@Composable
+private fun PlatformResult(state: MakingState) {
+    if (state.isPacking) {
+        Explanation(
+            stringResource(Res.string.make_packing),
+            Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
+        )
+    }
+    if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
+    state.embedProblem?.let { LinkOrProblem(null, it, "make-embed-problem") }
 }
 
 /** The standards are called alike in all languages. */
 private val SCORM = listOf(ScormVersion.SCORM_2004 to "SCORM 2004", ScormVersion.SCORM_1_2 to "SCORM 1.2")
-
-private val MissingPart.sentence: StringResource
-    get() = when (this) {
-        MissingPart.TASK -> Res.string.make_missing_task
-        MissingPart.GOALS -> Res.string.make_missing_goals
-        MissingPart.SOLUTION -> Res.string.make_missing_solution
-        MissingPart.START_IS_SOLUTION -> Res.string.make_missing_start
-        MissingPart.SOLUTION_NOT_ALLOWED -> Res.string.make_missing_allowed
-    }
-
-private const val MAX_REASONS = 5

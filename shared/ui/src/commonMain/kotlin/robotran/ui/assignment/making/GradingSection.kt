@@ -3,10 +3,9 @@ package robotran.ui.assignment.making
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -14,9 +13,12 @@ import androidx.compose.runtime.key
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Assignment
@@ -24,24 +26,23 @@ import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.ui.assignment.Quiet
+import robotran.ui.documents.Explanation
 import robotran.ui.learning.QuietButton
 import robotran.ui.learning.SecondButton
-import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
-import robotran.ui.resources.make_fewer
 import robotran.ui.resources.make_grading
 import robotran.ui.resources.make_grading_help
-import robotran.ui.resources.make_more
 import robotran.ui.resources.make_seeds
+import robotran.ui.resources.make_seeds_limits
 import robotran.ui.resources.make_variation_add
 import robotran.ui.resources.make_variation_name
 import robotran.ui.resources.make_variation_new
 import robotran.ui.resources.make_variation_open
 import robotran.ui.resources.make_variation_remove
 import robotran.ui.resources.make_variations
+import robotran.ui.runbar.Chip
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.world.WorldLimits
@@ -78,23 +79,40 @@ internal fun GradingSection(assignment: Assignment, change: (Assignment) -> Unit
     }
 }
 
+/** How many seeds there are: typed, or chosen. */
 @Composable
 private fun Seeds(checks: AssignmentChecks, keep: (AssignmentChecks) -> Unit) {
     val count = checks.seeds.count()
     val first = checks.seeds.first
-    val take = { wanted: Int ->
-        val seeds = wanted.coerceIn(1, AssignmentLimits.MAXIMUM_SEEDS)
-        keep(checks.copy(seeds = first..<first + seeds))
+    var typed by remember { mutableStateOf("$count") }
+    // Undo and the choices bring another number here.
+    LaunchedEffect(count) { if (typed.toIntOrNull() != count) typed = "$count" }
+    val take = { wanted: Int -> keep(checks.copy(seeds = first..<first + wanted)) }
+    Field(
+        typed,
+        stringResource(Res.string.make_seeds),
+        "make-seeds",
+        SEED_DIGITS,
+        modifier = Modifier.widthIn(max = SEEDS_WIDTH),
+        keyboard = KeyboardType.Number,
+    ) { text ->
+        typed = text.filter { it in '0'..'9' }
+        typed.toIntOrNull()?.takeIf { it in SEEDS }?.let(take)
     }
-    Row(verticalAlignment = Alignment.CenterVertically) {
-        IconTouch(MakeIcons.LESS, stringResource(Res.string.make_fewer), "make-seeds-less", { take(count - 1) })
-        Text(
-            stringResource(Res.string.make_seeds, count),
-            Modifier.testTag("make-seeds"),
-            color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
+    if (typed.toIntOrNull()?.takeIf { it in SEEDS } == null) {
+        Explanation(
+            stringResource(Res.string.make_seeds_limits, SEEDS.first, SEEDS.last),
+            Modifier.testTag("make-seeds-wrong").semantics { liveRegion = LiveRegionMode.Polite },
+            bad = true,
         )
-        IconTouch(MakeIcons.MORE, stringResource(Res.string.make_more), "make-seeds-more", { take(count + 1) })
+    }
+    Chips {
+        for (choice in SEED_CHOICES) {
+            Chip("$choice", choice == count, "make-seeds-$choice") {
+                typed = "$choice"
+                take(choice)
+            }
+        }
     }
 }
 
@@ -133,3 +151,8 @@ private fun VariationRow(
         }
     }
 }
+
+private val SEEDS = 1..AssignmentLimits.MAXIMUM_SEEDS
+private val SEED_CHOICES = listOf(1, 5, 10, 20, 50).filter { it in SEEDS }
+private const val SEED_DIGITS = 3
+private val SEEDS_WIDTH = 240.dp

@@ -16,6 +16,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -51,43 +52,36 @@ import robotran.world.WorldLimits
 /** The hints, in the order in which they are tried. */
 @Composable
 internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
-    // A hint without words cannot be kept, so a new one begins with its first letter.
-    var isAdding by remember { mutableStateOf(false) }
+    // A hint without words cannot be kept, so a new one becomes one with its first letter.
+    var draft by remember { mutableStateOf<AssignmentHint?>(null) }
     val hints = assignment.hints
     Section(stringResource(Res.string.make_hints), "make-hint-section") {
         Quiet(stringResource(Res.string.make_hints_help), "make-hints-help")
-        for (index in 0..<hints.size + if (isAdding) 1 else 0) {
+        for (index in 0..<hints.size + if (draft == null) 0 else 1) {
             key(index) {
                 HintEditor(
-                    hints.getOrNull(index) ?: AssignmentHint(""),
+                    hints.getOrNull(index) ?: draft ?: AssignmentHint(""),
                     index,
                     { changed ->
-                        val isNew = index == hints.size
-                        if (isNew) isAdding = false
-                        val all = if (isNew) {
-                            hints + changed
+                        if (index < hints.size) {
+                            val all = hints.mapIndexed { at, old -> if (at == index) changed else old }
+                            change(assignment.copy(hints = all))
+                        } else if (changed.text.isBlank()) {
+                            draft = changed
                         } else {
-                            hints.mapIndexed { at, old ->
-                                if (at ==
-                                    index
-                                ) {
-                                    changed
-                                } else {
-                                    old
-                                }
-                            }
+                            draft = null
+                            change(assignment.copy(hints = hints + changed))
                         }
-                        change(assignment.copy(hints = all))
                     },
                     {
-                        if (index == hints.size) isAdding = false
+                        if (index == hints.size) draft = null
                         change(assignment.copy(hints = hints.filterIndexed { at, _ -> at != index }))
                     },
                 )
             }
         }
-        if (!isAdding && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
-            SecondButton(stringResource(Res.string.make_hint_add), "make-hint-add", { isAdding = true })
+        if (draft == null && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
+            SecondButton(stringResource(Res.string.make_hint_add), "make-hint-add", { draft = AssignmentHint("") })
         }
     }
 }
@@ -115,8 +109,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
             words = it
             if (it.isNotBlank()) onChange(hint.copy(text = it))
         }
-        // Without words there is nothing to which a condition could belong.
-        if (hint.text.isNotEmpty()) ConditionAndTries(hint, index, onChange)
+        ConditionAndTries(hint, index, onChange)
         QuietButton(stringResource(Res.string.make_hint_remove), "make-hint-remove-$index", onRemove)
     }
 }
@@ -126,8 +119,12 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
     val all = listOf(null) + HintsOfAssignment.conditions + HintsOfAssignment.wordConditions
     val choices = all.map { it to conditionText(it) }
     val kind = hint.condition?.substringBefore(":")
+    val title = stringResource(Res.string.make_hint_when)
+    // Beside a long condition in large text, the title would have the width of a letter.
+    val isAbove = LocalDensity.current.fontScale > LARGE
+    if (isAbove) Quiet(title, "make-hint-when-title-$index")
     MenuRow(
-        stringResource(Res.string.make_hint_when),
+        if (isAbove) "" else title,
         choices,
         choices.firstOrNull { it.first == kind }?.second ?: hint.condition.orEmpty(),
         "make-hint-when-$index",
@@ -152,7 +149,7 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
         })
         Text(
             after,
-            Modifier.testTag("make-hint-after-$index"),
+            Modifier.weight(1f, fill = false).testTag("make-hint-after-$index"),
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
         )

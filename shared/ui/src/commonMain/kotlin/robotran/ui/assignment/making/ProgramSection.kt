@@ -28,11 +28,6 @@ import robotran.ui.resources.make_goals_edit
 import robotran.ui.resources.make_languages
 import robotran.ui.resources.make_may_change
 import robotran.ui.resources.make_programs
-import robotran.ui.resources.make_solution
-import robotran.ui.resources.make_solution_is
-import robotran.ui.resources.make_solution_none
-import robotran.ui.resources.make_solution_show
-import robotran.ui.resources.make_solution_take
 import robotran.ui.resources.make_start
 import robotran.ui.resources.make_start_changed
 import robotran.ui.resources.make_start_retake
@@ -64,7 +59,7 @@ internal fun GoalSection(state: MakingState, change: (Assignment) -> Unit, onEve
 internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     Section(stringResource(Res.string.make_programs), "make-program-section") {
         Start(state, onEvent)
-        Solution(state.assignment, onEvent)
+        Solution(state, onEvent)
         Languages(state.assignment, change)
         Words(state.assignment, change)
     }
@@ -89,27 +84,6 @@ private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                     onEvent(AssignmentEvent.StartSwitched(index, on = true))
                 })
             }
-        }
-    }
-}
-
-@Composable
-private fun Solution(assignment: Assignment, onEvent: (WorkshopEvent) -> Unit) {
-    Subtitle(stringResource(Res.string.make_solution))
-    val words = if (assignment.solution.isEmpty()) {
-        stringResource(Res.string.make_solution_none)
-    } else {
-        stringResource(Res.string.make_solution_is, assignment.solution.joinToString { it.name })
-    }
-    Explanation(words, Modifier.testTag("make-solution"))
-    Chips {
-        SecondButton(stringResource(Res.string.make_solution_take), "make-solution-take", {
-            onEvent(AssignmentEvent.SolutionTaken)
-        })
-        if (assignment.solution.isNotEmpty()) {
-            SecondButton(stringResource(Res.string.make_solution_show), "make-solution-show", {
-                onEvent(AssignmentEvent.SolutionShown)
-            })
         }
     }
 }
