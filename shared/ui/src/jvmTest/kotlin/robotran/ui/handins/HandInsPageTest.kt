@@ -173,8 +173,8 @@ class HandInsPageTest {
     fun `a run that succeeded is replayed by one touch, and says which it is`() = onClass { workshop ->
         workshop.handle(HandInsEvent.HandInChosen("Ada"))
         settle()
-        assertEquals("As given, random number 3: all goals met. Replay", spokenBy("hand-in-run--3"))
-        assertContains(spokenBy("hand-in-run-A worn robot-10"), "A worn robot, random number 10: all goals met")
+        assertEquals("As given, seed 3: all goals met. Replay", spokenBy("hand-in-run--3"))
+        assertContains(spokenBy("hand-in-run-A worn robot-10"), "A worn robot, seed 10: all goals met")
         checkTargets("hand-in-run--1", "hand-in-run--2")
         tap("hand-in-run--3")
         workshop.awaiting { handIns == null && notice != null }
