@@ -26,6 +26,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.KeyboardCapitalization
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
@@ -57,6 +58,7 @@ import robotran.ui.resources.hand_in_ready_plain
 import robotran.ui.resources.hand_in_running
 import robotran.ui.resources.hand_in_saved
 import robotran.ui.resources.hand_in_share
+import robotran.ui.resources.hand_in_unchanged
 import robotran.ui.resources.hand_in_what
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -87,7 +89,12 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     )
     val best = step.best
     when {
-        best == null -> Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
+        best == null -> {
+            Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
+            if (step.isUnchanged) {
+                Explanation(stringResource(Res.string.hand_in_unchanged), Modifier.testTag("hand-in-unchanged"))
+            }
+        }
 
         !step.canChoose -> Explanation(
             stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
@@ -157,7 +164,12 @@ internal fun MistakesView(step: HandInStep.HasMistakes) {
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun ReadyView(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+internal fun ReadyView(
+    step: HandInStep.Ready,
+    hasShareSheet: Boolean,
+    maxHeight: Dp,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     val result = step.result
     val words = if (result == null) {
         stringResource(Res.string.hand_in_ready_plain, step.name)
@@ -182,7 +194,7 @@ internal fun ReadyView(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: 
         }
     }
     SaveResult(step.savedAs, step.saveError, "hand-in-saved")
-    LinkOrProblem(step.link, step.linkProblem, "hand-in-qr", Res.string.hand_in_qr_help)
+    LinkOrProblem(step.link, step.linkProblem, "hand-in-qr", Res.string.hand_in_qr_help, maxHeight)
     Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
 }
 
@@ -196,16 +208,21 @@ internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
     }
 }
 
-/** [link] as a QR code, with [qrHelp], or why there is no link. */
+/**
+ * [link] as a QR code, with [qrHelp], or why there is no link.
+ *
+ * @param maxHeight how high the code may be, so that it can be seen whole.
+ */
 @Composable
 internal fun LinkOrProblem(
     link: String?,
     problem: LinkProblem?,
     tag: String,
     qrHelp: StringResource = Res.string.documents_qr_help,
+    maxHeight: Dp = Dp.Infinity,
 ) {
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
-        if (link != null) LinkAsQrCode(link, stringResource(qrHelp))
+        if (link != null) LinkAsQrCode(link, stringResource(qrHelp), maxHeight)
         when (problem) {
             null -> Unit
             LinkProblem.NoSite -> Explanation(stringResource(Res.string.hand_in_no_link))

@@ -17,7 +17,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import kotlin.math.floor
 import org.jetbrains.compose.resources.stringResource
 import robotran.qrcode.QrCode
 import robotran.ui.resources.Res
@@ -25,25 +27,28 @@ import robotran.ui.resources.documents_qr_code
 import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.documents_qr_long
 import robotran.ui.theme.RobotranColours
-import kotlin.math.floor
 
 /** [link] as a QR code for another device, or the reason why there is none. [help] says what to do with it. */
 @Composable
-internal fun LinkAsQrCode(link: String, help: String = stringResource(Res.string.documents_qr_help)) {
+internal fun LinkAsQrCode(
+    link: String,
+    help: String = stringResource(Res.string.documents_qr_help),
+    maxHeight: Dp = Dp.Infinity,
+) {
     val code = remember(link) { QrCode.of(link) }
     if (code == null) {
         Explanation(stringResource(Res.string.documents_qr_long), Modifier.testTag("qr-too-long"))
         return
     }
     Explanation(help)
-    Box(Modifier.fillMaxWidth(), Alignment.Center) { QrCodeView(code) }
+    Box(Modifier.fillMaxWidth(), Alignment.Center) { QrCodeView(code, minOf(maxHeight, MAX_SIDE)) }
 }
 
 @Composable
-private fun QrCodeView(code: QrCode) {
+private fun QrCodeView(code: QrCode, maxSide: Dp) {
     val words = stringResource(Res.string.documents_qr_code)
     Canvas(
-        Modifier.widthIn(max = MAX_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
+        Modifier.widthIn(max = maxSide).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
             role = Role.Image
             contentDescription = words
         },

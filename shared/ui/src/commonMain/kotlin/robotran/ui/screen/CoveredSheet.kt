@@ -82,6 +82,8 @@ private fun BoxWithConstraintsScope.Messages(
 ) {
     val max = maxHeight / 2
     val tall = maxHeight * TALL
+    val isFolded = isTaskFolded(state)
+    val tellsTries = !cardTellsTries(state, withNotice)
     Column(
         Modifier.align(
             Alignment.TopEnd,
@@ -91,7 +93,15 @@ private fun BoxWithConstraintsScope.Messages(
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
-        if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max), withNotice)
+        if (!isOutcomeAbove(state)) {
+            OutcomeCard(
+                state,
+                onEvent,
+                Modifier.heightIn(max = max),
+                withNotice,
+                tellsTries = tellsTries,
+            )
+        }
         if (state.taskShown && state.hasTask) {
             // An assignment says more. It covers more only before the first run.
             val room = if (state.assignment != null && state.untouched) tall else max
@@ -103,6 +113,7 @@ private fun BoxWithConstraintsScope.Messages(
                 onEvent,
                 Modifier.heightIn(max = room),
                 canHandIn = withNotice,
+                isFolded = isFolded,
             )
         }
         if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
@@ -127,8 +138,20 @@ private fun BoxWithConstraintsScope.LowerOutcome(
             .widthIn(max = MAX_WIDTH)
             .heightIn(max = maxHeight / 2),
         canHandIn,
+        tellsTries = !cardTellsTries(state, canHandIn),
     )
 }
+
+/** On a phone, the card of an assignment is folded from the first run on, unless the pupil has chosen. */
+private fun BoxWithConstraintsScope.isTaskFolded(state: WorkshopState): Boolean {
+    val assignment = state.assignment?.takeIf { it.isOpenForTries } ?: return false
+    val isSmall = maxWidth < SMALL || maxHeight < LOW
+    return assignment.isTaskFolded ?: (isSmall && (assignment.tries.tries > 0 || !state.untouched))
+}
+
+/** Whether the card of the task tells the tries, so that no other has to. */
+private fun BoxWithConstraintsScope.cardTellsTries(state: WorkshopState, canHandIn: Boolean): Boolean =
+    canHandIn && state.taskShown && state.hasTask && !isTaskFolded(state)
 
 /** Whether what the outcome is about, a place or the robot, is in the upper half of the paper. */
 private fun isOutcomeAbove(state: WorkshopState): Boolean {
@@ -167,6 +190,10 @@ private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifie
 /** The height of a row of the sheet's buttons. */
 private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp
+
+/** A sheet on a phone is narrower than that, or lower. */
+private val SMALL = 480.dp
+private val LOW = 280.dp
 
 /** The part of the paper that the card of an assignment may cover. */
 private const val TALL = 0.7f

@@ -5,6 +5,7 @@ import androidx.compose.foundation.border
 import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -32,18 +33,24 @@ import robotran.simulation.state.GoalProgress
 import robotran.ui.assignment.AssignmentButtons
 import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
+import robotran.ui.assignment.Goals
 import robotran.ui.assignment.HandInLine
+import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
+import robotran.ui.learning.UNFOLD_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
+import robotran.ui.resources.task_fold
 import robotran.ui.resources.task_hide
+import robotran.ui.resources.task_unfold
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
@@ -54,6 +61,7 @@ import robotran.world.World
  * with its task, and in an assignment all about that.
  *
  * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @param isFolded whether only the title and the goals are shown.
  */
 @Composable
 internal fun TaskCard(
@@ -64,6 +72,7 @@ internal fun TaskCard(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     canHandIn: Boolean = true,
+    isFolded: Boolean = false,
 ) {
     val colours = LocalRobotranColours.current
     Row(
@@ -77,49 +86,97 @@ internal fun TaskCard(
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
-        val scroll = rememberScrollState()
-        // With large text they would leave no room.
-        val areButtonsFixed = LocalDensity.current.fontScale <= LARGE
         Column(Modifier.weight(1f)) {
-            Column(
-                Modifier
-                    .weight(1f, fill = false)
-                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
-                    .verticalScroll(scroll)
-                    .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
-                Arrangement.spacedBy(4.dp),
-            ) {
-                Text(
-                    world.title,
-                    Modifier.testTag("task-title").semantics { heading() },
-                    color = colours.onPane,
-                    fontSize = TextSizes.LEAD,
-                    lineHeight = LineHeights.BODY,
-                    fontWeight = FontWeight.SemiBold,
-                )
-                assignment?.let { HintCards(it.hints, learning.isInBlocks) }
-                assignment?.handIn?.let { HandInLine(it) }
-                assignment?.feedback?.let { FeedbackCard(it) }
-                Text(
-                    world.task.trim(),
-                    Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
-                    color = colours.onPane,
-                    fontSize = TextSizes.BODY,
-                    lineHeight = LineHeights.BODY,
-                )
-                assignment?.let { AssignmentCard(it, goals) }
-                if (assignment != null && canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
-                learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+            if (isFolded) {
+                FoldedTask(world, learning, assignment, goals)
+            } else {
+                WholeTask(world, learning, assignment, goals, onEvent, canHandIn)
             }
-            if (assignment != null && canHandIn && areButtonsFixed) {
-                AssignmentButtons(assignment, onEvent, Modifier.padding(start = 22.dp, bottom = 12.dp))
-            }
+        }
+        if (assignment != null) {
+            IconTouch(
+                if (isFolded) UNFOLD_ICON else FOLD_ICON,
+                stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
+                "task-fold",
+                { onEvent(AssignmentEvent.TaskFolded(!isFolded)) },
+            )
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
             onEvent(WorkshopEvent.TaskShown(false))
         })
     }
 }
+
+/** The title, a hint that has just come, and the goals, so that the world can be seen. */
+@Composable
+private fun ColumnScope.FoldedTask(
+    world: World,
+    learning: LearningState,
+    assignment: AssignmentState?,
+    goals: List<GoalProgress>,
+) = Scrolling {
+    Title(world)
+    assignment?.let { HintCards(it.hints, learning.isInBlocks) }
+    Goals(goals)
+}
+
+@Composable
+private fun ColumnScope.WholeTask(
+    world: World,
+    learning: LearningState,
+    assignment: AssignmentState?,
+    goals: List<GoalProgress>,
+    onEvent: (WorkshopEvent) -> Unit,
+    canHandIn: Boolean,
+) {
+    val colours = LocalRobotranColours.current
+    // With large text they would leave no room.
+    val areButtonsFixed = LocalDensity.current.fontScale <= LARGE
+    Scrolling {
+        Title(world)
+        assignment?.let { HintCards(it.hints, learning.isInBlocks) }
+        assignment?.handIn?.let { HandInLine(it) }
+        assignment?.feedback?.let { FeedbackCard(it) }
+        Text(
+            world.task.trim(),
+            Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+            color = colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
+        assignment?.let { AssignmentCard(it, goals, onEvent) }
+        if (assignment != null && canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+    }
+    if (assignment != null && canHandIn && areButtonsFixed) {
+        AssignmentButtons(assignment, onEvent, Modifier.padding(start = 22.dp, bottom = 12.dp))
+    }
+}
+
+@Composable
+private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
+    val scroll = rememberScrollState()
+    val colours = LocalRobotranColours.current
+    Column(
+        Modifier
+            .weight(1f, fill = false)
+            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .verticalScroll(scroll)
+            .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+        Arrangement.spacedBy(4.dp),
+        content = content,
+    )
+}
+
+@Composable
+private fun Title(world: World) = Text(
+    world.title,
+    Modifier.testTag("task-title").semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.LEAD,
+    lineHeight = LineHeights.BODY,
+    fontWeight = FontWeight.SemiBold,
+)
 
 /** Up to this font scale there is room for fixed buttons. */
 private const val LARGE = 1.3f

@@ -3,10 +3,18 @@ package robotran.ui.assignment
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.hasAnyAncestor
+import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 import robotran.assignments.doing.pupilCopy
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
@@ -14,6 +22,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.ui.program.blocks.scrollAndTouch
+import robotran.ui.program.blocks.scrollTo
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
@@ -24,14 +33,11 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 
 @OptIn(ExperimentalTestApi::class)
 class AssignmentScreenTest {
@@ -132,6 +138,98 @@ class AssignmentScreenTest {
     }
 
     @Test
+    fun `all that is not allowed is told below the program on every screen, and leads to its line`() {
+        val limited = AnyAssignment.assignment.copy(words = listOf("forward"))
+        for (size in SIZES + LOW_SIZES) {
+            for (view in listOf(ProgramView.TEXT, ProgramView.BLOCKS)) {
+                machine = newMachine()
+                on(size, pupilCopy(AnyAssignment.teachers.copy(assignment = limited))) { workshop ->
+                    workshop.handle(ProgramEvent.ProgramEdited("forward 5\nturn left\nbeep\n"))
+                    workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                    workshop.handle(BlockEvent.ViewChosen(view))
+                    pass(SETTLED)
+                    val inStrip = hasTestTag("assignment-not-allowed") and hasAnyAncestor(hasTestTag("program-not-allowed"))
+                    assertEquals(2, onAllNodes(inStrip).fetchSemanticsNodes().size, "$size $view")
+                    onAllNodes(inStrip)[0].performClick()
+                    pass(SETTLED)
+                    val draft = workshop.state.programs.draft
+                    assertTrue(draft.lines.lineOf(draft.selection.caret) > 0, "$size $view")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `on a phone the task is folded from the first run on, and the pupil's choice is remembered`() = on(PHONE) {
+        assertTrue(has("assignment-text"))
+        it.attempt("forward 5\n")
+        it.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        it.handle(WorkshopEvent.TaskShown(true))
+        pass(SETTLED)
+        assertTrue(!has("assignment-text"))
+        assertEquals(2, onAllNodesWithTag("assignment-goal").fetchSemanticsNodes().size)
+        touch("task-fold")
+        assertTrue(has("assignment-text"))
+        it.handle(WorkshopEvent.TaskShown(false))
+        it.handle(WorkshopEvent.TaskShown(true))
+        pass(SETTLED)
+        assertTrue(has("assignment-text"))
+        touch("task-fold")
+        assertTrue(!has("assignment-text"))
+    }
+
+    @Test
+    fun `only one card tells the tries`() {
+        for (size in SIZES) {
+            machine = newMachine()
+            on(size) { workshop ->
+                workshop.attempt("beep\n")
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                pass(SETTLED)
+                touch("missing-hint")
+                assertTrue(has("hint"), "$size")
+                val told = listOf("outcome-tries", "assignment-tries").count { has(it) }
+                assertEquals(1, told, "$size")
+            }
+        }
+    }
+
+    @Test
+    fun `who has tried nothing is told so when handing in`() = on(TABLET) { workshop ->
+        touch("assignment-hand-in")
+        onNodeWithTag("hand-in-what").assertTextContains("You have not tried anything yet.", substring = true)
+        assertTrue(has("hand-in-unchanged"))
+        workshop.handle(AssignmentEvent.HandInClosed)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 5\n"))
+        workshop.handle(AssignmentEvent.HandInRequested)
+        pass(SETTLED)
+        assertTrue(!has("hand-in-unchanged"))
+    }
+
+    @Test
+    fun `the code of a hand-in can be seen whole on phones, also with large text`() {
+        for (size in LOW_SIZES) {
+            for (scale in listOf(1f, 2f)) {
+                machine = newMachine()
+                on(size) { workshop ->
+                    workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, textScale = scale)))
+                    workshop.attempt(AnyAssignment.SOLUTION)
+                    workshop.handle(AssignmentEvent.HandInRequested)
+                    workshop.handle(AssignmentEvent.NameEntered("Ada"))
+                    workshop.handle(AssignmentEvent.HandInMade())
+                    pass(SETTLED)
+                    scrollTo("qr-code")
+                    val node = onNodeWithTag("qr-code").fetchSemanticsNode()
+                    val shown = node.boundsInRoot
+                    assertEquals(node.size.width, node.size.height, "$size at $scale")
+                    assertEquals(node.size.height.toFloat(), shown.height, 1f, "$size at $scale")
+                    assertTrue(shown.height > 180, "$size at $scale: ${shown.height}")
+                }
+            }
+        }
+    }
+
+    @Test
     fun `the menu of the project opens the page, which makes hints`() = on(TABLET, AnyAssignment.teachers) { workshop ->
         touch("work-menu")
         touch("work-make-assignment")
@@ -166,6 +264,7 @@ class AssignmentScreenTest {
         const val SETTLED = 300L
         val PHONE = 411 to 891
         val TABLET = 1280 to 800
+        val LOW_SIZES = listOf(360 to 740, 640 to 360)
         val SIZES = listOf(PHONE, 800 to 1280, TABLET, 1440 to 900)
     }
 }

@@ -85,6 +85,7 @@ internal class HandInMaker(
             canChoose = best != null && differs,
             isEditor = best == null,
             state.notAllowed,
+            isUnchanged = !state.canBeginAgain,
         )
     }
 
