@@ -62,12 +62,17 @@ internal fun AssignmentCard(
         }
         if (state.isOpenForTries) {
             NotAllowedLines(state.notAllowed) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
-            state.handedInAs?.let {
-                Line(stringResource(Res.string.assignment_handed_in, it), "assignment-handed-in", isNews = true)
-            }
+            HandedInLine(state)
         }
         if (state.isAuthor) Line(stringResource(Res.string.assignment_author), "assignment-author")
     }
+}
+
+/** Whether the pupil has handed in. */
+@Composable
+internal fun HandedInLine(state: AssignmentState) {
+    val name = state.handedInAs?.takeIf { state.isOpenForTries } ?: return
+    Line(stringResource(Res.string.assignment_handed_in, name), "assignment-handed-in", isNews = true)
 }
 
 /** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */

@@ -35,6 +35,7 @@ import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.Goals
 import robotran.ui.assignment.HandInLine
+import robotran.ui.assignment.HandedInLine
 import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
 import robotran.ui.learning.UNFOLD_ICON
@@ -118,6 +119,7 @@ private fun ColumnScope.FoldedTask(
     Title(world)
     assignment?.let { HintCards(it.hints, learning.isInBlocks) }
     Goals(goals)
+    assignment?.let { HandedInLine(it) }
 }
 
 @Composable

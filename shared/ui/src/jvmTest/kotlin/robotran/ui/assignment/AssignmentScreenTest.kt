@@ -37,6 +37,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 
 @OptIn(ExperimentalTestApi::class)
@@ -176,6 +177,19 @@ class AssignmentScreenTest {
         assertTrue(has("assignment-text"))
         touch("task-fold")
         assertTrue(!has("assignment-text"))
+    }
+
+    @Test
+    fun `the tab of the shown program stays whole when the pane becomes narrower`() = on(1024 to 768) { workshop ->
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("corridor.robo", "forward 5\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("solution.robo", "forward 5\n")))
+        pass(SETTLED)
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
+        pass(SETTLED)
+        val tab = onNodeWithTag("close-program").fetchSemanticsNode()
+        assertEquals(tab.size.width.toFloat(), tab.boundsInRoot.width, 1f)
+        assertTrue(tab.boundsInRoot.right <= onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot.left + 1)
     }
 
     @Test
