@@ -156,7 +156,7 @@ private val WIDTH = 600.dp
 
 /** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
 private const val MAX_WIDENING = 1.4f
-private val HEIGHT = 600.dp
+private val HEIGHT = 720.dp
 
 /** Below this height, title and buttons would leave too little room for a code. */
 private val LOW = 400.dp

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -48,13 +47,13 @@ internal fun NotAllowedLines(all: List<NotAllowed>, onShow: ((NotAllowed) -> Uni
                 .focusRing()
                 .clickable(role = Role.Button) { onShow(found) }
                 .heightIn(min = Dimensions.TARGET)
+                .padding(vertical = 10.dp)
         }
         Row(
             Modifier.testTag("assignment-not-allowed").then(touch).semantics(mergeDescendants = true) {
                 liveRegion = LiveRegionMode.Polite
             },
             Arrangement.spacedBy(8.dp),
-            Alignment.CenterVertically,
         ) {
             MarkedText("⚠", colour = LocalRobotranColours.current.error)
             MarkedText(notAllowedText(found))

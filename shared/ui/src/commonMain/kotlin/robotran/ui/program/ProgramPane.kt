@@ -103,8 +103,10 @@ internal fun ProgramPane(
                     }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
                 }
             }
-            // An open sheet has the room of all else.
-            if (height == PaneHeight.HIGH || !programs.isEditingBlocks) {
+            // An open sheet has the room of all else. On a phone in landscape there is no room beside mistakes.
+            val hasRoom = !programs.isEditingBlocks &&
+                (height != PaneHeight.VERY_LOW || programs.diagnostics.isEmpty())
+            if (height == PaneHeight.HIGH || hasRoom) {
                 LocalProgramWarning.current?.invoke(programs.program.name, height.ofWarning)
             }
         }

@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
@@ -36,6 +37,8 @@ import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.Goals
 import robotran.ui.assignment.HandInLine
 import robotran.ui.assignment.HandedInLine
+import robotran.ui.assignment.Line
+import robotran.ui.assignment.triesText
 import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
 import robotran.ui.learning.UNFOLD_ICON
@@ -63,6 +66,7 @@ import robotran.world.World
  *
  * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  * @param isFolded whether only the title and the goals are shown.
+ * @param areButtonsFixed whether there is room for buttons that do not scroll.
  */
 @Composable
 internal fun TaskCard(
@@ -74,9 +78,10 @@ internal fun TaskCard(
     modifier: Modifier = Modifier,
     canHandIn: Boolean = true,
     isFolded: Boolean = false,
+    areButtonsFixed: Boolean = true,
 ) {
     val colours = LocalRobotranColours.current
-    Row(
+    Column(
         modifier
             .testTag("task-card")
             .clip(RoundedCornerShape(CORNER))
@@ -85,78 +90,97 @@ internal fun TaskCard(
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
-        verticalAlignment = Alignment.Top,
     ) {
-        Column(Modifier.weight(1f)) {
+        if (assignment == null) {
+            Row(Modifier.weight(1f, fill = false), verticalAlignment = Alignment.Top) {
+                Column(Modifier.weight(1f)) { TaskOfWorld(world, learning, onEvent) }
+                HideTask(onEvent)
+            }
+        } else {
+            Row(verticalAlignment = Alignment.Top) {
+                Title(world, Modifier.weight(1f).padding(start = START, top = 12.dp))
+                IconTouch(
+                    if (isFolded) UNFOLD_ICON else FOLD_ICON,
+                    stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
+                    "task-fold",
+                    { onEvent(AssignmentEvent.TaskFolded(!isFolded)) },
+                )
+                HideTask(onEvent)
+            }
             if (isFolded) {
-                FoldedTask(world, learning, assignment, goals)
+                FoldedAssignment(learning, assignment, goals, canHandIn)
             } else {
-                WholeTask(world, learning, assignment, goals, onEvent, canHandIn)
+                WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed)
             }
         }
-        if (assignment != null) {
-            IconTouch(
-                if (isFolded) UNFOLD_ICON else FOLD_ICON,
-                stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
-                "task-fold",
-                { onEvent(AssignmentEvent.TaskFolded(!isFolded)) },
-            )
-        }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
-            onEvent(WorkshopEvent.TaskShown(false))
-        })
     }
 }
 
-/** The title, a hint that has just come, and the goals, so that the world can be seen. */
 @Composable
-private fun ColumnScope.FoldedTask(
-    world: World,
+private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
+    IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
+        onEvent(WorkshopEvent.TaskShown(false))
+    })
+
+@Composable
+private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
+    Scrolling(top = 12.dp) {
+        Title(world)
+        TaskText(world)
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+    }
+
+/** A hint that has just come, the goals and the tries, so that the world can be seen. */
+@Composable
+private fun ColumnScope.FoldedAssignment(
     learning: LearningState,
-    assignment: AssignmentState?,
+    assignment: AssignmentState,
     goals: List<GoalProgress>,
+    tellsTries: Boolean,
 ) = Scrolling {
-    Title(world)
-    assignment?.let { HintCards(it.hints, learning.isInBlocks) }
+    HintCards(assignment.hints, learning.isInBlocks)
     Goals(goals)
-    assignment?.let { HandedInLine(it) }
+    if (tellsTries) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
+    HandedInLine(assignment)
 }
 
 @Composable
-private fun ColumnScope.WholeTask(
+private fun ColumnScope.WholeAssignment(
     world: World,
     learning: LearningState,
-    assignment: AssignmentState?,
+    assignment: AssignmentState,
     goals: List<GoalProgress>,
     onEvent: (WorkshopEvent) -> Unit,
     canHandIn: Boolean,
+    hasRoom: Boolean,
 ) {
-    val colours = LocalRobotranColours.current
     // With large text they would leave no room.
-    val areButtonsFixed = LocalDensity.current.fontScale <= LARGE
+    val areButtonsFixed = hasRoom && LocalDensity.current.fontScale <= LARGE
     Scrolling {
-        Title(world)
-        assignment?.let { HintCards(it.hints, learning.isInBlocks) }
-        assignment?.handIn?.let { HandInLine(it) }
-        assignment?.feedback?.let { FeedbackCard(it) }
-        Text(
-            world.task.trim(),
-            Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
-            color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
-        )
-        assignment?.let { AssignmentCard(it, goals, onEvent) }
-        if (assignment != null && canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+        HintCards(assignment.hints, learning.isInBlocks)
+        assignment.handIn?.let { HandInLine(it) }
+        assignment.feedback?.let { FeedbackCard(it) }
+        TaskText(world)
+        AssignmentCard(assignment, goals, onEvent)
+        if (canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
         learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
     }
-    if (assignment != null && canHandIn && areButtonsFixed) {
-        AssignmentButtons(assignment, onEvent, Modifier.padding(start = 22.dp, bottom = 12.dp))
+    if (canHandIn && areButtonsFixed) {
+        AssignmentButtons(assignment, onEvent, Modifier.padding(start = START, bottom = 12.dp))
     }
 }
 
 @Composable
-private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
+private fun TaskText(world: World) = Text(
+    world.task.trim(),
+    Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+    lineHeight = LineHeights.BODY,
+)
+
+@Composable
+private fun ColumnScope.Scrolling(top: Dp = 0.dp, content: @Composable ColumnScope.() -> Unit) {
     val scroll = rememberScrollState()
     val colours = LocalRobotranColours.current
     Column(
@@ -164,16 +188,16 @@ private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
             .weight(1f, fill = false)
             .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
             .verticalScroll(scroll)
-            .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+            .padding(start = START, top = top, bottom = 12.dp, end = if (top == 0.dp) 12.dp else 0.dp),
         Arrangement.spacedBy(4.dp),
         content = content,
     )
 }
 
 @Composable
-private fun Title(world: World) = Text(
+private fun Title(world: World, modifier: Modifier = Modifier) = Text(
     world.title,
-    Modifier.testTag("task-title").semantics { heading() },
+    modifier.testTag("task-title").semantics { heading() },
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.LEAD,
     lineHeight = LineHeights.BODY,
@@ -183,4 +207,5 @@ private fun Title(world: World) = Text(
 /** Up to this font scale there is room for fixed buttons. */
 private const val LARGE = 1.3f
 private val BAR = 6.dp
+private val START = 22.dp
 private val CORNER = Corners.MEDIUM

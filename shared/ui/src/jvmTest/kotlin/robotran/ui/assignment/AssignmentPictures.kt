@@ -115,7 +115,7 @@ class AssignmentPictures {
             "not-allowed" to {
                 val strict = checkNotNull(project.assignment).copy(words = listOf("forward"))
                 openProject(project.copy(assignment = strict))
-                handle(ProgramEvent.ProgramEdited("forward 5\nturn left\nbeep\nrepeat 3 times\n  beep\nend\n"))
+                handle(ProgramEvent.ProgramEdited("forward 5\nturn left 90\nbeep\nrepeat 3 times\n  beep\nend\n"))
                 handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
             },
             "begun-again" to {

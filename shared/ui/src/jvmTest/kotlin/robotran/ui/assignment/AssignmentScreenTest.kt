@@ -145,11 +145,12 @@ class AssignmentScreenTest {
             for (view in listOf(ProgramView.TEXT, ProgramView.BLOCKS)) {
                 machine = newMachine()
                 on(size, pupilCopy(AnyAssignment.teachers.copy(assignment = limited))) { workshop ->
-                    workshop.handle(ProgramEvent.ProgramEdited("forward 5\nturn left\nbeep\n"))
+                    workshop.handle(ProgramEvent.ProgramEdited("forward 5\nturn left 90\nbeep\n"))
                     workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                     workshop.handle(BlockEvent.ViewChosen(view))
                     pass(SETTLED)
-                    val inStrip = hasTestTag("assignment-not-allowed") and hasAnyAncestor(hasTestTag("program-not-allowed"))
+                    val strip = hasTestTag("program-not-allowed")
+                    val inStrip = hasTestTag("assignment-not-allowed") and hasAnyAncestor(strip)
                     assertEquals(2, onAllNodes(inStrip).fetchSemanticsNodes().size, "$size $view")
                     onAllNodes(inStrip)[0].performClick()
                     pass(SETTLED)
@@ -238,6 +239,11 @@ class AssignmentScreenTest {
                     assertEquals(node.size.width, node.size.height, "$size at $scale")
                     assertEquals(node.size.height.toFloat(), shown.height, 1f, "$size at $scale")
                     assertTrue(shown.height > 180, "$size at $scale: ${shown.height}")
+                    touch("qr-code")
+                    val large = onNodeWithTag("qr-code-large").fetchSemanticsNode()
+                    assertTrue(large.size.height >= minOf(size.first, size.second) - 1, "$size at $scale")
+                    touch("qr-large-close")
+                    assertTrue(!has("qr-code-large"))
                 }
             }
         }
