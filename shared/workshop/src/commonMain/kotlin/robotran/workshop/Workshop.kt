@@ -7,12 +7,12 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
-import robotran.robolang.diagnostic.SourceRange
 import robotran.projects.Assignment
 import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.robolang.diagnostic.SourceRange
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport

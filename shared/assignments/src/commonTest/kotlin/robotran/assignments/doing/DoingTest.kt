@@ -34,8 +34,12 @@ class DoingTest {
     private fun project(assignment: Assignment, vararg programs: ProjectProgram) =
         Project(world, listOf(ProjectRobot(world.robots.first().name, programs.toList())), assignment = assignment)
 
-    private fun best(goalsMet: Int, milliseconds: Long) =
-        BestTry(listOf(program("wait $milliseconds")), 0, emptyList(), TryResult(goalsMet, maxOf(2, goalsMet), milliseconds, ""))
+    private fun best(goalsMet: Int, milliseconds: Long) = BestTry(
+        listOf(program("wait $milliseconds")),
+        0,
+        emptyList(),
+        TryResult(goalsMet, maxOf(2, goalsMet), milliseconds, ""),
+    )
 
     @Test
     fun `the best try has most goals, then least time`() {

@@ -46,11 +46,7 @@ import robotran.workshop.state.AssignmentState
 
 /** What the card of the task says about an assignment: its text, its goals, and what is not allowed. */
 @Composable
-internal fun AssignmentCard(
-    state: AssignmentState,
-    goals: List<GoalProgress>,
-    onEvent: (WorkshopEvent) -> Unit,
-) {
+internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
         AssignmentText(state.assignment)
         if (state.assignment.due.isNotBlank()) {

@@ -58,7 +58,9 @@ internal fun ReadyView(
                 Explanation(stringResource(help))
                 Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
             }
-            Box(Modifier.weight(1f).testTag("hand-in-qr")) { LinkAsQrCode(step.link.orEmpty(), "", maxSide = maxHeight) }
+            Box(Modifier.weight(1f).testTag("hand-in-qr")) {
+                LinkAsQrCode(step.link.orEmpty(), "", maxSide = maxHeight)
+            }
         }
     } else {
         Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {

@@ -83,7 +83,7 @@ private fun HandInCard(
             if (maxHeight < LOW) {
                 Column(scrolling, Arrangement.spacedBy(12.dp)) {
                     Title(title)
-                    Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight, onEvent)
+                    Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight - TITLE, onEvent)
                     Buttons(step, onEvent)
                 }
             } else {
@@ -160,6 +160,9 @@ private val HEIGHT = 720.dp
 
 /** Below this height, title and buttons would leave too little room for a code. */
 private val LOW = 400.dp
+
+/** The height of the title at default font size. */
+private val TITLE = 44.dp
 
 /** From this font scale on, the edges are narrower. */
 private const val LARGE = 1.3f

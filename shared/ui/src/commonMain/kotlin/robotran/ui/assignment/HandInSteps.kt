@@ -76,21 +76,25 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
             }
         }
 
-        !step.canChoose -> Explanation(
-            stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
-            Modifier.testTag("hand-in-what"),
-        )
+        !step.canChoose -> {
+            Explanation(
+                stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
+                Modifier.testTag("hand-in-what"),
+            )
+        }
 
-        else -> Column(Modifier.selectableGroup()) {
-            Explanation(stringResource(Res.string.hand_in_what), Modifier.testTag("hand-in-what"))
-            val time = secondsText(best.milliseconds)
-            Choice(
-                stringResource(Res.string.hand_in_best, best.goalsMet, best.goals, time),
-                !step.isEditor,
-                "hand-in-best",
-            ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
-            Choice(stringResource(Res.string.hand_in_editor), step.isEditor, "hand-in-editor") {
-                onEvent(AssignmentEvent.WorkChosen(isEditor = true))
+        else -> {
+            Column(Modifier.selectableGroup()) {
+                Explanation(stringResource(Res.string.hand_in_what), Modifier.testTag("hand-in-what"))
+                val time = secondsText(best.milliseconds)
+                Choice(
+                    stringResource(Res.string.hand_in_best, best.goalsMet, best.goals, time),
+                    !step.isEditor,
+                    "hand-in-best",
+                ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
+                Choice(stringResource(Res.string.hand_in_editor), step.isEditor, "hand-in-editor") {
+                    onEvent(AssignmentEvent.WorkChosen(isEditor = true))
+                }
             }
         }
     }

@@ -74,12 +74,7 @@ private fun notAllowedText(found: NotAllowed): String = when (found) {
 
 /** All that is not allowed in [program], below its text, at most [maxHeight] high; the rest scrolls. */
 @Composable
-internal fun NotAllowedStrip(
-    all: List<NotAllowed>,
-    program: String,
-    maxHeight: Dp,
-    onShow: (NotAllowed) -> Unit,
-) {
+internal fun NotAllowedStrip(all: List<NotAllowed>, program: String, maxHeight: Dp, onShow: (NotAllowed) -> Unit) {
     val own = all.filter { it.program == program }.ifEmpty { return }
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()

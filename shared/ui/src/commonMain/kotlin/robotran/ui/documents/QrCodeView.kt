@@ -35,7 +35,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
-import kotlin.math.floor
 import org.jetbrains.compose.resources.stringResource
 import robotran.qrcode.QrCode
 import robotran.ui.learning.PrimaryButton
@@ -50,6 +49,7 @@ import robotran.ui.resources.make_qr_long
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
+import kotlin.math.floor
 
 /**
  * [link] as a QR code for another device, or the reason why there is none.

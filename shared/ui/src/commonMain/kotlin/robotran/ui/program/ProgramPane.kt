@@ -107,7 +107,10 @@ internal fun ProgramPane(
             val hasRoom = !programs.isEditingBlocks &&
                 (height != PaneHeight.VERY_LOW || programs.diagnostics.isEmpty())
             if (height == PaneHeight.HIGH || hasRoom) {
-                LocalProgramWarning.current?.invoke(programs.program.name, height.ofWarning)
+                LocalProgramWarning.current?.invoke(
+                    programs.program.name,
+                    height.ofWarning * LocalDensity.current.fontScale.coerceIn(1f, 1.5f),
+                )
             }
         }
     }

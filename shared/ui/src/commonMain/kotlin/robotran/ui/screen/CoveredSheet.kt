@@ -105,8 +105,9 @@ private fun BoxWithConstraintsScope.Messages(
             )
         }
         if (state.taskShown && state.hasTask) {
-            // An assignment says more. It covers more only before the first run.
-            val room = if (state.assignment != null && state.untouched) tall else max
+            // An assignment says more. It covers more only before the first run, or with a hint.
+            val saysMore = state.assignment?.let { state.untouched || it.hints.isNotEmpty() } ?: false
+            val room = if (saysMore) tall else max
             TaskCard(
                 state.world,
                 state.learning,

@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -98,7 +99,9 @@ internal fun TaskCard(
             }
         } else {
             Row(verticalAlignment = Alignment.Top) {
-                Title(world, Modifier.weight(1f).padding(start = START, top = 12.dp))
+                // It does not scroll, and must leave room for the rest.
+                val lines = if (areButtonsFixed && LocalDensity.current.fontScale <= LARGE) 2 else 1
+                Title(world, Modifier.weight(1f).padding(start = START, top = 12.dp), lines)
                 IconTouch(
                     if (isFolded) UNFOLD_ICON else FOLD_ICON,
                     stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
@@ -195,13 +198,15 @@ private fun ColumnScope.Scrolling(top: Dp = 0.dp, content: @Composable ColumnSco
 }
 
 @Composable
-private fun Title(world: World, modifier: Modifier = Modifier) = Text(
+private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
     world.title,
     modifier.testTag("task-title").semantics { heading() },
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.LEAD,
     lineHeight = LineHeights.BODY,
     fontWeight = FontWeight.SemiBold,
+    overflow = TextOverflow.Ellipsis,
+    maxLines = maxLines,
 )
 
 /** Up to this font scale there is room for fixed buttons. */

@@ -9,12 +9,6 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import robotran.assignments.doing.pupilCopy
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
@@ -39,6 +33,12 @@ import robotran.workshop.state.HandInStep
 import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class AssignmentScreenTest {

@@ -1,12 +1,5 @@
 package robotran.workshop.assignment
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import robotran.assignments.doing.NotAllowed
 import robotran.assignments.doing.isIntact
@@ -27,6 +20,13 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.LinkProblem
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 class HandInTest {
     private val machine = Machine().apply { files.location = "/home/hand-in.robotran" }
