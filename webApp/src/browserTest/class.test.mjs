@@ -1,11 +1,13 @@
-// A class without a server, by touch: a teacher sets a task, a pupil does it and hands in, the teacher grades and answers.
+// A class without a server, by touch: a teacher sets a task, pupils do it in blocks and in Java and hand in, the teacher grades
+// and answers.
 import assert from 'node:assert/strict';
 import { mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { deflateRawSync } from 'node:zlib';
-import { fingerOn } from './blocks.mjs';
-import { photograph } from './page.mjs';
+import { builderWith, fingerOn } from './blocks.mjs';
+import { isKept, savedProjects } from './kept.mjs';
+import { isReady, photograph, reload } from './page.mjs';
 import { onPage, PHONE } from './set-up.mjs';
 import { test } from './tried-again.mjs';
 import { appears, disappears, isSaid, says, words } from './words.mjs';
@@ -13,6 +15,22 @@ import { appears, disappears, isSaid, says, words } from './words.mjs';
 const FINGERS = { hasTouch: true, acceptDownloads: true, permissions: ['clipboard-read', 'clipboard-write'] };
 const TEACHER = { width: 1180, height: 820, ...FINGERS };
 const PUPIL = { ...PHONE, ...FINGERS, locale: 'de-DE' };
+
+const SECOND = { width: 1024, height: 768, ...FINGERS };
+
+/** Drives ahead for `milliseconds`, and a little before and after. */
+const javaFor = (milliseconds) => `import josx.platform.rcx.*;
+
+public class Drive {
+    public static void main(String[] args) throws Exception {
+        Motor.A.forward();
+        Motor.C.forward();
+        Thread.sleep(${milliseconds});
+        Motor.A.stop();
+        Motor.C.stop();
+    }
+}
+`;
 
 const world = {
   format: 'robotran-world',
@@ -128,8 +146,13 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await appears(page, 'outcome-tries');
     await photograph(page, 'class-failed');
     await finger.press('tab-program');
-    await showText(page, finger);
-    await type(page, finger, 'program', 'forward 38\n');
+    await finger.press('view-switch');
+    await finger.press('view-blocks');
+    await appears(page, 'block-0');
+    const builder = builderWith(page, finger);
+    await builder.add(['drive', 'move']);
+    await builder.setNumber(/20 cm/, /^20 cm/, 38);
+    await photograph(page, 'class-blocks');
     await finger.press('run');
     await appears(page, 'solved-hand-in');
     await photograph(page, 'class-solved');
@@ -148,6 +171,48 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
   assert.deepEqual([handedIn.handIn.tries, handedIn.handIn.result.goalsMet], [2, 1]);
   assert.equal(handedIn.assignment.solution, undefined);
 
+  let second = '';
+  await onPage({ ...SECOND, address: new URL(link).hash }, async ({ page, troubles }) => {
+    const finger = fingerOn(page);
+    await isSaid(page, /40 cm ahead/);
+    await finger.press('add-program');
+    await finger.press('new-java');
+    await appears(page, 'program-1');
+    await type(page, finger, 'program', javaFor(500));
+    await finger.press('run');
+    await says(page, 'outcome-tries', /1 try/);
+    await isKept(page, 'sleep(500)');
+    await type(page, finger, 'program', javaFor(4500));
+    await isKept(page, 'sleep(4500)');
+    // Neither reloading nor the link loses anything.
+    await reload(page);
+    await says(page, 'assignment-tries', /1 try/);
+    await appears(page, 'program-1');
+    await page.goto('about:blank');
+    await page.goto(link);
+    await isReady(page);
+    await says(page, 'notice-text', /worked on this assignment before/);
+    await photograph(page, 'class-again');
+    await finger.press('notice-action');
+    await says(page, 'assignment-tries', /1 try/);
+    assert.equal((await savedProjects(page)).filter((text) => text.includes('sleep(4500)')).length, 1);
+    await finger.press('program-1');
+    await finger.press('run');
+    await appears(page, 'solved-hand-in');
+    await photograph(page, 'class-java');
+    await finger.press('solved-hand-in');
+    await type(page, finger, 'hand-in-name', 'Dora');
+    await finger.press('hand-in-go-on');
+    await appears(page, 'hand-in-ready');
+    second = await downloaded(page, folder, () => finger.press('hand-in-file'));
+    await finger.press('hand-in-close');
+    await reload(page);
+    await says(page, 'assignment-tries', /2 tries/);
+    await says(page, 'assignment-handed-in', /Dora/);
+    assert.deepEqual(troubles, []);
+  });
+  assert.match(await readFile(second, 'utf8'), /"language": "java"/);
+
   const lazy = path.join(folder, 'Ben.robo');
   await writeFile(lazy, 'repeat forever\nend\n');
   const broken = path.join(folder, 'Caro.zip');
@@ -159,13 +224,13 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await appears(page, 'assignment-edit');
     await openMenu(page, finger, 'work-hand-ins');
     await appears(page, 'hand-ins-empty');
-    await chosen(page, [handIn, lazy, broken], () => finger.press('hand-ins-choose'));
-    await isSaid(page, /1 Solved/);
+    await chosen(page, [handIn, second, lazy, broken], () => finger.press('hand-ins-choose'));
+    await isSaid(page, /2 Solved/);
     await isSaid(page, /1 Not solved/);
     await isSaid(page, /1 Cannot be used/);
     await photograph(page, 'class-table');
     const csv = await readFile(await downloaded(page, folder, () => finger.press('hand-ins-csv')), 'utf8');
-    assert.equal(csv.trim().split('\n').length, 4, csv);
+    assert.equal(csv.trim().split('\n').length, 5, csv);
     const html = await readFile(await downloaded(page, folder, () => finger.press('hand-ins-html')), 'utf8');
     assert.match(html, /Änne/);
     assert.doesNotMatch(html, /<script/);

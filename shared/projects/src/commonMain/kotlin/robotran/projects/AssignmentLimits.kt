@@ -24,4 +24,5 @@ object AssignmentLimits {
     const val MAXIMUM_VARIATIONS = 10
 
     internal val TRIES = 1..MAXIMUM_TRIES
+    internal val PERCENT = 0..100
 }

@@ -69,6 +69,7 @@ internal fun triesIn(place: JsonCursor, world: World) = AssignmentTries(
             firstProgramIn(best, programs.size),
             best.optional("inputs")?.let { InputReader(world).read(it) }.orEmpty(),
             resultIn(best.member("result")),
+            best.optional("percent")?.wholeNumber(AssignmentLimits.PERCENT),
         )
     },
 )

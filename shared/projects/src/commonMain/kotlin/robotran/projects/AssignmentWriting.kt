@@ -60,6 +60,7 @@ internal fun elementOf(tries: AssignmentTries, world: World): JsonObject = jsonO
                 number("firstProgram", best.firstProgram + 1, default = 1)
                 list("inputs", possibleInputs(best.inputs, world)) { elementOf(it, world) }
                 put("result", elementOf(best.result))
+                best.percent?.let { number("percent", it) }
             }
         },
     )

@@ -17,12 +17,14 @@ data class AssignmentTries(val tries: Int = 0, val best: BestTry? = null)
  * @property programs of the first robot, with which it ran.
  * @property firstProgram index of the program that Run started.
  * @property inputs of the session, in order.
+ * @property percent how much of all goals was reached at the end, 0..100; null if that is not known.
  */
 data class BestTry(
     val programs: List<ProjectProgram>,
     val firstProgram: Int,
     val inputs: List<RecordedInput>,
     val result: TryResult,
+    val percent: Int? = null,
 )
 
 /**

@@ -51,7 +51,7 @@ class AssignmentFileTest {
     @Test
     fun `tries, a hand-in and feedback come back as they were`() {
         val programs = FULL_PROJECT.robots.first().programs
-        val best = BestTry(programs, 1, FULL_PROJECT.inputs, TryResult(1, 2, 12_345, "0123456789abcdef"))
+        val best = BestTry(programs, 1, FULL_PROJECT.inputs, TryResult(1, 2, 12_345, "0123456789abcdef"), 55)
         val project = FULL_PROJECT.copy(
             assignment = Assignment("id", start = programs, solution = programs),
             tries = AssignmentTries(7, best),

@@ -38,7 +38,7 @@ private val RESULT = TryResult(1, 1, 2500, "0123456789abcdef")
 
 /** A hand-in with feedback, and with the pupil's tries. */
 internal val EVERY_HAND_IN = EVERY_ASSIGNMENT.copy(
-    tries = AssignmentTries(3, BestTry(program("forward 1"), 0, FULL_PROJECT.inputs.take(1), RESULT)),
+    tries = AssignmentTries(3, BestTry(program("forward 1"), 0, FULL_PROJECT.inputs.take(1), RESULT, percent = 40)),
     handIn = HandIn("Ann", 3, RESULT, "0123456789abcdef"),
     feedback = Feedback("Well done.", listOf(FeedbackResult("", 20, 20), FeedbackResult("other", 3, 20))),
 )

@@ -12,6 +12,7 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.robolang.diagnostic.SourceRange
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -114,7 +115,7 @@ class Workshop(
     private val editedWorld = VariationTarget(this, this, this)
     private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this, editedWorld::origin)
     private val assignment =
-        AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, ::openWorldEditor)
+        AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
         DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }) {
             handIns.takes(it)
@@ -368,6 +369,19 @@ class Workshop(
         handle(ProgramEvent.ClosedMessageDismissed)
     }
 
+    override fun replacePrograms(programs: List<PupilProgram>) {
+        this.programs.replacePrograms(programs)
+        run.programsChanged()
+        learning.programsChanged()
+        assignment.programsChanged()
+    }
+
+    override fun showLine(index: Int, line: Int) {
+        handle(ProgramEvent.RobotChosen(project.world.robots.first().name))
+        handle(ProgramEvent.ProgramChosen(index))
+        showMistake(ProgramDiagnostic("", SourceRange(line, 1, 0), ""))
+    }
+
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
@@ -456,7 +470,8 @@ class Workshop(
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
-        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
+        // What they offer would overwrite what was written since.
+        if (isWritten && (notice == Notice.FirstProgramRuns || notice == Notice.BegunAgain)) notice = null
         if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
         if (isWritten) assignment.programsChanged()
@@ -495,6 +510,10 @@ class Workshop(
 
             NoticeAction.BackToHandIns -> {
                 handIns.goBack()
+            }
+
+            NoticeAction.BeginningUndone -> {
+                assignment.handle(AssignmentEvent.BeginningUndone)
             }
 
             NoticeAction.UnplugSensors -> {

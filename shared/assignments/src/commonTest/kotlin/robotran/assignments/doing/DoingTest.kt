@@ -13,6 +13,8 @@ import robotran.projects.ProjectRobot
 import robotran.projects.TryResult
 import robotran.projects.readProject
 import robotran.projects.writeProject
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 import robotran.world.file.BuiltInWorlds
 import kotlin.io.encoding.Base64
 import kotlin.test.Test
@@ -32,8 +34,12 @@ class DoingTest {
     private fun project(assignment: Assignment, vararg programs: ProjectProgram) =
         Project(world, listOf(ProjectRobot(world.robots.first().name, programs.toList())), assignment = assignment)
 
-    private fun best(goalsMet: Int, milliseconds: Long) =
-        BestTry(listOf(program("wait $milliseconds")), 0, emptyList(), TryResult(goalsMet, 3, milliseconds, ""))
+    private fun best(goalsMet: Int, milliseconds: Long) = BestTry(
+        listOf(program("wait $milliseconds")),
+        0,
+        emptyList(),
+        TryResult(goalsMet, maxOf(2, goalsMet), milliseconds, ""),
+    )
 
     @Test
     fun `the best try has most goals, then least time`() {
@@ -42,6 +48,39 @@ class DoingTest {
         assertEquals(5, tries.tries)
         assertEquals(best(2, 800), tries.best)
         assertEquals(5, tries.with(best(3, 999), isNew = false).tries)
+    }
+
+    @Test
+    fun `of tries with as many goals, a changed one is better than the start, then the nearest, then the latest`() {
+        val start = listOf(program("// Begin.\n"))
+
+        fun ended(text: String, percent: Int?, goalsMet: Int = 0, milliseconds: Long = 900) =
+            BestTry(listOf(program(text)), 0, emptyList(), TryResult(goalsMet, 1, milliseconds, ""), percent)
+
+        fun bestOf(vararg tries: BestTry) =
+            tries.fold(AssignmentTries()) { all, ended -> all.with(ended, isNew = true, start) }.best
+
+        val untouched = ended("// Begin.\n", 90, milliseconds = 1)
+        val near = ended("near", 80)
+        val far = ended("far", 20)
+        assertEquals(near, bestOf(untouched, near, far))
+        assertEquals(near, bestOf(far, near, untouched))
+        assertEquals(ended("late", 20), bestOf(far, ended("late", 20)))
+        assertEquals(far, bestOf(ended("old", null), far))
+        assertEquals(ended("no goals", null), bestOf(ended("first", null), ended("no goals", null)))
+        val quick = ended("quick", 100, goalsMet = 1, milliseconds = 500)
+        assertEquals(quick, bestOf(near, quick, ended("slow", 100, goalsMet = 1), far))
+    }
+
+    @Test
+    fun `how near goals are is the mean of all`() {
+        val goals = listOf(
+            GoalProgress("", GoalStatus.MET, 1.0),
+            GoalProgress("", GoalStatus.FAILED, 0.5),
+            GoalProgress("", GoalStatus.FAILED, 0.0),
+        )
+        assertEquals(50, percentOf(goals))
+        assertNull(percentOf(emptyList()))
     }
 
     @Test

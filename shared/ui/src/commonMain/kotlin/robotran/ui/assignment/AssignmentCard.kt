@@ -48,21 +48,29 @@ import robotran.workshop.state.AssignmentState
 
 /** What the card of the task says about an assignment: its text, its goals, and what is not allowed. */
 @Composable
-internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>) {
+internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
         AssignmentText(state.assignment)
         if (state.assignment.due.isNotBlank()) {
             Line(stringResource(Res.string.assignment_due, state.assignment.due), "assignment-due", isStrong = true)
         }
-        if (goals.isNotEmpty()) Goals(goals)
+        if (goals.isNotEmpty()) {
+            Line(stringResource(Res.string.assignment_goals), "assignment-goals", isStrong = true)
+            Goals(goals)
+        }
         if (state.isOpenForTries) {
-            NotAllowedLines(state.notAllowed)
-            state.handedInAs?.let {
-                Line(stringResource(Res.string.assignment_handed_in, it), "assignment-handed-in", isNews = true)
-            }
+            NotAllowedLines(state.notAllowed) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
+            HandedInLine(state)
         }
         if (state.isAuthor) Line(stringResource(Res.string.assignment_author), "assignment-author")
     }
+}
+
+/** Whether the pupil has handed in. */
+@Composable
+internal fun HandedInLine(state: AssignmentState) {
+    val name = state.handedInAs?.takeIf { state.isOpenForTries } ?: return
+    Line(stringResource(Res.string.assignment_handed_in, name), "assignment-handed-in", isNews = true)
 }
 
 /** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */
@@ -95,18 +103,22 @@ internal fun AssignmentButtons(
     }
 }
 
-/** Opens the sheet with which a pupil hands in. */
+/** Opens the sheet with which a pupil hands in. Before the first try, Run is the main button. */
 @Composable
 internal fun HandInButton(state: AssignmentState, tag: String, onEvent: (WorkshopEvent) -> Unit) {
     val words = if (state.handedInAs == null) Res.string.assignment_hand_in else Res.string.assignment_hand_in_again
-    PrimaryButton(stringResource(words), tag, { onEvent(AssignmentEvent.HandInRequested) })
+    val open = { onEvent(AssignmentEvent.HandInRequested) }
+    if (state.tries.tries > 0) {
+        PrimaryButton(stringResource(words), tag, open)
+    } else {
+        SecondButton(stringResource(words), tag, open)
+    }
 }
 
 /** The goals of the world and their progress in the present run, a line each. */
 @Composable
-private fun Goals(goals: List<GoalProgress>) {
+internal fun Goals(goals: List<GoalProgress>) {
     val colours = LocalRobotranColours.current
-    Line(stringResource(Res.string.assignment_goals), "assignment-goals", isStrong = true)
     for (goal in goals) {
         val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
         Row(

@@ -3,8 +3,9 @@ package robotran.ui.assignment
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -21,6 +22,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import org.jetbrains.compose.resources.stringResource
@@ -71,33 +73,51 @@ private fun HandInCard(
         contentColor = colours.onPane,
         border = BorderStroke(1.dp, colours.line),
     ) {
-        Column(Modifier.padding(20.dp), Arrangement.spacedBy(12.dp)) {
-            Text(
-                title,
-                Modifier.semantics { heading() },
-                fontSize = TextSizes.HEADING,
-                fontWeight = FontWeight.Medium,
-                lineHeight = LineHeights.LEAD,
-            )
-            Box(Modifier.weight(1f).fillMaxWidth()) {
-                val scroll = rememberScrollState()
-                Column(
-                    Modifier
-                        .fillMaxSize()
-                        .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
-                        .verticalScroll(scroll),
-                    Arrangement.spacedBy(12.dp),
-                ) {
-                    when (step) {
-                        is HandInStep.Asking -> AskingView(step, onEvent)
-                        is HandInStep.Running -> RunningView(step)
-                        is HandInStep.HasMistakes -> MistakesView(step)
-                        is HandInStep.Ready -> ReadyView(step, hasShareSheet, onEvent)
+        BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
+            val scroll = rememberScrollState()
+            val scrolling = Modifier
+                .fillMaxWidth()
+                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .verticalScroll(scroll)
+            // On a phone in landscape all scrolls, so that a code has all the height.
+            if (maxHeight < LOW) {
+                Column(scrolling, Arrangement.spacedBy(12.dp)) {
+                    Title(title)
+                    Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight - TITLE, onEvent)
+                    Buttons(step, onEvent)
+                }
+            } else {
+                Column(Modifier.fillMaxSize(), Arrangement.spacedBy(12.dp)) {
+                    Title(title)
+                    BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
+                        Column(scrolling.fillMaxHeight(), Arrangement.spacedBy(12.dp)) {
+                            Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight, onEvent)
+                        }
                     }
+                    Buttons(step, onEvent)
                 }
             }
-            Buttons(step, onEvent)
         }
+    }
+}
+
+@Composable
+private fun Title(words: String) = Text(
+    words,
+    Modifier.semantics { heading() },
+    fontSize = TextSizes.HEADING,
+    fontWeight = FontWeight.Medium,
+    lineHeight = LineHeights.LEAD,
+)
+
+/** @param maxHeight of what is seen at once. */
+@Composable
+private fun Step(step: HandInStep, hasShareSheet: Boolean, maxHeight: Dp, onEvent: (WorkshopEvent) -> Unit) {
+    when (step) {
+        is HandInStep.Asking -> AskingView(step, onEvent)
+        is HandInStep.Running -> RunningView(step)
+        is HandInStep.HasMistakes -> MistakesView(step)
+        is HandInStep.Ready -> ReadyView(step, hasShareSheet, maxHeight, onEvent)
     }
 }
 
@@ -136,4 +156,13 @@ private val WIDTH = 600.dp
 
 /** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
 private const val MAX_WIDENING = 1.4f
-private val HEIGHT = 600.dp
+private val HEIGHT = 720.dp
+
+/** Below this height, title and buttons would leave too little room for a code. */
+private val LOW = 400.dp
+
+/** The height of the title at default font size. */
+private val TITLE = 44.dp
+
+/** From this font scale on, the edges are narrower. */
+private const val LARGE = 1.3f

@@ -2,8 +2,6 @@ package robotran.ui.assignment
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
@@ -27,36 +25,21 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
 import robotran.ui.documents.Explanation
-import robotran.ui.documents.LinkAsQrCode
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.hand_in_best
 import robotran.ui.resources.hand_in_best_is
-import robotran.ui.resources.hand_in_copied
-import robotran.ui.resources.hand_in_copy
 import robotran.ui.resources.hand_in_decides
 import robotran.ui.resources.hand_in_editor
 import robotran.ui.resources.hand_in_editor_is
-import robotran.ui.resources.hand_in_file
-import robotran.ui.resources.hand_in_how
 import robotran.ui.resources.hand_in_mistakes
 import robotran.ui.resources.hand_in_name
-import robotran.ui.resources.hand_in_no_link
-import robotran.ui.resources.hand_in_not_saved
-import robotran.ui.resources.hand_in_qr_help
-import robotran.ui.resources.hand_in_ready
-import robotran.ui.resources.hand_in_ready_plain
 import robotran.ui.resources.hand_in_running
-import robotran.ui.resources.hand_in_saved
-import robotran.ui.resources.hand_in_share
+import robotran.ui.resources.hand_in_unchanged
 import robotran.ui.resources.hand_in_what
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -67,7 +50,6 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
-import robotran.workshop.state.LinkProblem
 
 @Composable
 internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Unit) {
@@ -87,23 +69,32 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     )
     val best = step.best
     when {
-        best == null -> Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
+        best == null -> {
+            Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
+            if (step.isUnchanged) {
+                Explanation(stringResource(Res.string.hand_in_unchanged), Modifier.testTag("hand-in-unchanged"))
+            }
+        }
 
-        !step.canChoose -> Explanation(
-            stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
-            Modifier.testTag("hand-in-what"),
-        )
+        !step.canChoose -> {
+            Explanation(
+                stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
+                Modifier.testTag("hand-in-what"),
+            )
+        }
 
-        else -> Column(Modifier.selectableGroup()) {
-            Explanation(stringResource(Res.string.hand_in_what), Modifier.testTag("hand-in-what"))
-            val time = secondsText(best.milliseconds)
-            Choice(
-                stringResource(Res.string.hand_in_best, best.goalsMet, best.goals, time),
-                !step.isEditor,
-                "hand-in-best",
-            ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
-            Choice(stringResource(Res.string.hand_in_editor), step.isEditor, "hand-in-editor") {
-                onEvent(AssignmentEvent.WorkChosen(isEditor = true))
+        else -> {
+            Column(Modifier.selectableGroup()) {
+                Explanation(stringResource(Res.string.hand_in_what), Modifier.testTag("hand-in-what"))
+                val time = secondsText(best.milliseconds)
+                Choice(
+                    stringResource(Res.string.hand_in_best, best.goalsMet, best.goals, time),
+                    !step.isEditor,
+                    "hand-in-best",
+                ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
+                Choice(stringResource(Res.string.hand_in_editor), step.isEditor, "hand-in-editor") {
+                    onEvent(AssignmentEvent.WorkChosen(isEditor = true))
+                }
             }
         }
     }
@@ -153,67 +144,6 @@ internal fun ProgressBar(part: Float, tag: String) = LinearProgressIndicator(
 internal fun MistakesView(step: HandInStep.HasMistakes) {
     Explanation(stringResource(Res.string.hand_in_mistakes), Modifier.testTag("hand-in-mistakes"), bad = true)
     for (reason in step.reasons.take(MAX_REASONS)) Explanation(reason)
-}
-
-@OptIn(ExperimentalLayoutApi::class)
-@Composable
-internal fun ReadyView(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) {
-    val result = step.result
-    val words = if (result == null) {
-        stringResource(Res.string.hand_in_ready_plain, step.name)
-    } else {
-        val time = secondsText(result.milliseconds)
-        stringResource(Res.string.hand_in_ready, step.name, result.goalsMet, result.goals, time)
-    }
-    Explanation(words, Modifier.testTag("hand-in-ready").semantics { liveRegion = LiveRegionMode.Polite })
-    Explanation(stringResource(Res.string.hand_in_how))
-    FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        PrimaryButton(stringResource(Res.string.hand_in_file), "hand-in-file", {
-            onEvent(AssignmentEvent.HandInFileSaved)
-        })
-        if (step.link != null) {
-            val copy = if (step.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-            SecondButton(stringResource(copy), "hand-in-link", { onEvent(AssignmentEvent.HandInLinkCopied) })
-            if (hasShareSheet) {
-                SecondButton(stringResource(Res.string.hand_in_share), "hand-in-share", {
-                    onEvent(AssignmentEvent.HandInLinkShared)
-                })
-            }
-        }
-    }
-    SaveResult(step.savedAs, step.saveError, "hand-in-saved")
-    LinkOrProblem(step.link, step.linkProblem, "hand-in-qr", Res.string.hand_in_qr_help)
-    Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
-}
-
-/** What came of saving a file, if anything. */
-@Composable
-internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
-    val news = Modifier.testTag(tag).semantics { liveRegion = LiveRegionMode.Polite }
-    when {
-        error != null -> Explanation(stringResource(Res.string.hand_in_not_saved, error).trim(), news, bad = true)
-        savedAs != null -> Explanation(stringResource(Res.string.hand_in_saved, savedAs), news)
-    }
-}
-
-/** [link] as a QR code, with [qrHelp], or why there is no link; [isForClass] see [LinkAsQrCode]. */
-@Composable
-internal fun LinkOrProblem(
-    link: String?,
-    problem: LinkProblem?,
-    tag: String,
-    qrHelp: StringResource = Res.string.documents_qr_help,
-    isForClass: Boolean = false,
-) {
-    val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
-    Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
-        if (link != null) LinkAsQrCode(link, stringResource(qrHelp), isForClass)
-        when (problem) {
-            null -> Unit
-            LinkProblem.NoSite -> Explanation(stringResource(Res.string.hand_in_no_link), news)
-            is LinkProblem.TooLong -> Explanation(problem.message, news)
-        }
-    }
 }
 
 @Composable

@@ -62,46 +62,6 @@ internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds /
     if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
 }
 
-/** What the programs have that the assignment does not allow, a warning each. */
-@Composable
-internal fun NotAllowedLines(all: List<NotAllowed>) {
-    for (found in all) {
-        val words = when (found) {
-            is NotAllowed.HasWord -> {
-                stringResource(
-                    Res.string.assignment_not_allowed_word,
-                    found.program,
-                    found.line,
-                    found.word,
-                )
-            }
-
-            is NotAllowed.InLanguage -> {
-                stringResource(Res.string.assignment_not_allowed_language, found.program, found.language.ownName)
-            }
-        }
-        Row(
-            Modifier.testTag("assignment-not-allowed").padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-                liveRegion = LiveRegionMode.Polite
-            },
-            Arrangement.spacedBy(8.dp),
-        ) {
-            MarkedText("⚠", colour = LocalRobotranColours.current.error)
-            MarkedText(words)
-        }
-    }
-}
-
-/** The first thing that is not allowed in [program], below its text. */
-@Composable
-internal fun NotAllowedStrip(all: List<NotAllowed>, program: String) {
-    val first = all.firstOrNull { it.program == program } ?: return
-    val ground = LocalRobotranColours.current.errorPane
-    Column(Modifier.fillMaxWidth().background(ground).testTag("program-not-allowed").padding(16.dp, 8.dp)) {
-        NotAllowedLines(listOf(first))
-    }
-}
-
 /** The same in all languages. */
 internal val ProgramLanguage.ownName: String
     get() = when (this) {

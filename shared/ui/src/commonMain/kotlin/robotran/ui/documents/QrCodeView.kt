@@ -2,6 +2,7 @@ package robotran.ui.documents
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -31,6 +32,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import org.jetbrains.compose.resources.stringResource
@@ -46,19 +48,23 @@ import robotran.ui.resources.hand_in_close
 import robotran.ui.resources.make_qr_long
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.focusRing
 import kotlin.math.floor
 
 /**
  * [link] as a QR code for another device, or the reason why there is none.
  *
  * @param help says what to do with it.
- * @param isForClass whether many pupils read it from afar, so that it can fill the screen.
+ * @param isForClass whether many pupils read it from afar, so that a button says that it can fill the screen; a touch on
+ * the code does that in any case.
+ * @param maxSide how large it may be here.
  */
 @Composable
 internal fun LinkAsQrCode(
     link: String,
     help: String = stringResource(Res.string.documents_qr_help),
     isForClass: Boolean = false,
+    maxSide: Dp = MAX_SIDE,
 ) {
     val code = remember(link) { QrCode.of(link) }
     val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
@@ -67,15 +73,15 @@ internal fun LinkAsQrCode(
         Explanation(stringResource(words), news.testTag("qr-too-long"))
         return
     }
-    Explanation(help, news)
+    if (help.isNotEmpty()) Explanation(help, news)
+    var isLarge by remember { mutableStateOf(false) }
+    val large = stringResource(Res.string.documents_qr_large)
     Box(Modifier.fillMaxWidth(), Alignment.Center) {
-        QrCodeView(code, Modifier.widthIn(max = MAX_SIDE).fillMaxWidth(), "qr-code")
+        val side = Modifier.widthIn(max = minOf(maxSide, MAX_SIDE)).fillMaxWidth()
+        QrCodeView(code, side.focusRing().clickable(onClickLabel = large) { isLarge = true }, "qr-code")
     }
-    if (isForClass) {
-        var isLarge by remember { mutableStateOf(false) }
-        SecondButton(stringResource(Res.string.documents_qr_large), "qr-show-large", { isLarge = true })
-        if (isLarge) LargeQrCode(code) { isLarge = false }
-    }
+    if (isForClass) SecondButton(large, "qr-show-large", { isLarge = true })
+    if (isLarge) LargeQrCode(code) { isLarge = false }
 }
 
 /** [code] as large as the screen has room for, on white also at night, as projectors and cameras need it. */

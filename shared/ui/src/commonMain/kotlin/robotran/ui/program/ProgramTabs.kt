@@ -2,6 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.foundation.ExperimentalFoundationApi
 import androidx.compose.foundation.background
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -12,13 +13,22 @@ import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.IntSize
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
+import robotran.ui.parts.SCROLL_HINT_DEPTH
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab
@@ -47,15 +57,20 @@ internal fun ProgramTabs(
         modifier.fillMaxWidth().background(pane).height(Dimensions.TARGET),
         verticalAlignment = Alignment.CenterVertically,
     ) {
+        val scroll = rememberScrollState()
         Row(
-            Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(),
+            Modifier
+                .weight(1f)
+                .scrollHint(scroll, Orientation.Horizontal, pane, LocalRobotranColours.current.onPane)
+                .horizontalScroll(scroll)
+                .selectableGroup(),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
-                Row(Modifier.keptInSight(shown, state.programs.size)) {
+                Row(Modifier.keptInSight(shown, state.programs.size, scroll.viewportSize)) {
                     val rename = onRename.takeIf { shown && state.shownFile == 0 }
                     FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
@@ -69,17 +84,22 @@ internal fun ProgramTabs(
     }
 }
 
-/** Scrolls to this tab when it becomes [shown] or the number of [neighbours] changes. */
+/**
+ * Scrolls to this tab when it becomes [shown], or the number of its [neighbours] or the [room] for all of them changes:
+ * the pane is narrower for text than for blocks.
+ */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
-private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
+private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, room: Int): Modifier {
     val requester = remember { BringIntoViewRequester() }
-    LaunchedEffect(shown, neighbours) {
+    var size by remember { mutableStateOf(IntSize.Zero) }
+    val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
+    LaunchedEffect(shown, neighbours, room, size) {
         // It has a position only after layout.
         withFrameNanos { }
-        if (shown) requester.bringIntoView()
+        if (shown) requester.bringIntoView(Rect(-margin, 0f, size.width + margin, size.height.toFloat()))
     }
-    return bringIntoViewRequester(requester)
+    return onSizeChanged { size = it }.bringIntoViewRequester(requester)
 }
 
 /** The files of one program, if it has several. [onRename] is called to rename or remove the current one. */
@@ -91,9 +111,21 @@ internal fun FileTabs(
     onRename: () -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    Row(modifier.fillMaxWidth().height(Dimensions.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
+    val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
+    Row(
+        modifier
+            .fillMaxWidth()
+            .height(Dimensions.TARGET)
+            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .horizontalScroll(scroll)
+            .selectableGroup(),
+    ) {
         files.forEachIndexed { place, file ->
-            FileTab(file.name, place == shown, "file-$place", { onChoose(place) }, onRename.takeIf { place == shown })
+            val isShown = place == shown
+            Row(Modifier.keptInSight(isShown, files.size, scroll.viewportSize)) {
+                FileTab(file.name, isShown, "file-$place", { onChoose(place) }, onRename.takeIf { isShown })
+            }
         }
     }
 }

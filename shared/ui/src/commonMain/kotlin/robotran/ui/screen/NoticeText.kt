@@ -5,6 +5,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_begun_again
 import robotran.ui.resources.assignment_begun_before
 import robotran.ui.resources.assignment_go_on
 import robotran.ui.resources.assignment_world_locked
@@ -111,6 +112,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.AssignmentBegunBefore -> stringResource(Res.string.assignment_begun_before)
 
+    Notice.BegunAgain -> stringResource(Res.string.assignment_begun_again)
+
     Notice.WorldOfAssignment -> stringResource(Res.string.assignment_world_locked)
 
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
@@ -132,6 +135,7 @@ internal fun noticeActionText(action: NoticeAction): StringResource = when (acti
     is NoticeAction.GoOn -> Res.string.assignment_go_on
     NoticeAction.ChangeNumber -> Res.string.notice_change_number
     NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
+    NoticeAction.BeginningUndone -> Res.string.documents_undo
     NoticeAction.UnplugSensors -> Res.string.documents_undo
 }
 

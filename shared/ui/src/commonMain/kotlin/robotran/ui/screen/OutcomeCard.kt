@@ -71,6 +71,7 @@ import robotran.workshop.state.WorkshopState
  * at the end of the run only, so that an earlier time is not covered.
  *
  * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @param tellsTries whether it says how far the pupil is with an assignment; false if another card does.
  */
 @Composable
 internal fun OutcomeCard(
@@ -78,6 +79,7 @@ internal fun OutcomeCard(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     canHandIn: Boolean = true,
+    tellsTries: Boolean = true,
 ) {
     val finished = state.run.outcome.finished ?: return
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
@@ -86,13 +88,13 @@ internal fun OutcomeCard(
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, onEvent)
+            Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, tellsTries, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
             Heading(stringResource(Res.string.outcome_missing))
             for (mark in missing) ShortfallRow(mark, onEvent)
-            state.assignment?.let { Tries(it, canHandIn = false, onEvent) }
+            state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
             val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
@@ -110,6 +112,7 @@ private fun Solved(
     assignment: AssignmentState?,
     course: OpenCourseTask?,
     canHandIn: Boolean,
+    tellsTries: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     Heading(stringResource(Res.string.outcome_solved))
@@ -127,11 +130,11 @@ private fun Solved(
         }
 
         course == null -> {
-            Tries(assignment, canHandIn, onEvent)
+            Tries(assignment, canHandIn, tellsTries, onEvent)
         }
 
         else -> {
-            Tries(assignment, canHandIn = false, onEvent)
+            Tries(assignment, canHandIn = false, tellsTries, onEvent)
             NextInCourse(course, onEvent) { HandInButton(assignment, "solved-hand-in", onEvent) }
         }
     }
@@ -139,9 +142,14 @@ private fun Solved(
 
 /** How far the pupil is with the assignment. */
 @Composable
-private fun Tries(assignment: AssignmentState, canHandIn: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+private fun Tries(
+    assignment: AssignmentState,
+    canHandIn: Boolean,
+    tellsTries: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     if (!assignment.isOpenForTries) return
-    Line(triesText(assignment.tries), "outcome-tries")
+    if (tellsTries) Line(triesText(assignment.tries), "outcome-tries")
     if (canHandIn) HandInButton(assignment, "solved-hand-in", onEvent)
 }
 

@@ -15,6 +15,7 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.HandInSheet
 import robotran.ui.assignment.NotAllowedStrip
@@ -39,6 +40,7 @@ import robotran.ui.show.ShowSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
 import robotran.workshop.blocks.allowedBlocks
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -77,7 +79,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
-            WithAllowedBlocks(state) {
+            WithAllowedBlocks(state, onEvent) {
                 val edit = state.worldEdit
                 when {
                     edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
@@ -108,13 +110,19 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
 
 /** [content] in which the palette of blocks has what the open assignment allows, and programs say what it does not. */
 @Composable
-private fun WithAllowedBlocks(state: WorkshopState, content: @Composable () -> Unit) {
+private fun WithAllowedBlocks(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    content: @Composable () -> Unit,
+) {
     val assignment = state.assignment?.takeIf { it.isOpenForTries }?.assignment
     val allowed = remember(assignment?.words) { assignment?.let { allowedBlocks(it) } }
     val found = state.assignment?.notAllowed.orEmpty()
     val warning = remember(found) {
         found.takeIf { it.isNotEmpty() }?.let { all ->
-            @Composable { program: String -> NotAllowedStrip(all, program) }
+            @Composable { program: String, maxHeight: Dp ->
+                NotAllowedStrip(all, program, maxHeight) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
+            }
         }
     }
     CompositionLocalProvider(

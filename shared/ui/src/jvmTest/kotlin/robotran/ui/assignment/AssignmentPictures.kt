@@ -107,10 +107,11 @@ class AssignmentPictures {
         }
 
     private enum class Screen(val width: Int, val height: Int) {
-        PHONE(411, 891),
-        TABLET_UPRIGHT(800, 1280),
-        TABLET(1280, 800),
-        LAPTOP(1440, 900),
+        PHONE(360, 740),
+        PHONE_ACROSS(640, 360),
+        TABLET_UPRIGHT(768, 1024),
+        TABLET(1024, 768),
+        LAPTOP(1280, 800),
     }
 
     private companion object {
@@ -142,6 +143,17 @@ class AssignmentPictures {
                 handle(WorkshopEvent.TaskShown(true))
             },
             "solved" to { attempt(AnyAssignment.SOLUTION) },
+            "not-allowed" to {
+                val strict = checkNotNull(project.assignment).copy(words = listOf("forward"))
+                openProject(project.copy(assignment = strict))
+                handle(ProgramEvent.ProgramEdited("forward 5\nturn left 90\nbeep\nrepeat 3 times\n  beep\nend\n"))
+                handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            },
+            "begun-again" to {
+                attempt("forward 3\n")
+                handle(AssignmentEvent.BegunAgain)
+            },
+            "asking-first" to { handle(AssignmentEvent.HandInRequested) },
             "asking" to {
                 handIn()
                 handle(AssignmentEvent.HandInClosed)

@@ -7,7 +7,7 @@ import kotlinx.serialization.json.Json
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.service.SerialWriteQueue
 
-/** What this device remembers of handing in: the pupil's name, and what was handed in under which name. */
+/** What this device remembers of pupils' work: the name, what was handed in under which name, and the folded task. */
 internal class AssignmentMemory(private val store: KeyValueStore, scope: CoroutineScope) {
     private val writes = SerialWriteQueue(scope)
     private var kept = Kept()
@@ -17,6 +17,9 @@ internal class AssignmentMemory(private val store: KeyValueStore, scope: Corouti
 
     /** The name under which the assignment [id] was handed in; null if it was not. */
     fun handedInAs(id: String): String? = kept.handedIn[id]
+
+    /** Whether the card of the task is folded; null if that was never chosen. */
+    val isTaskFolded: Boolean? get() = kept.taskFolded
 
     suspend fun load() {
         val text = store.read(NAME) ?: return
@@ -33,7 +36,12 @@ internal class AssignmentMemory(private val store: KeyValueStore, scope: Corouti
     fun handedIn(id: String, name: String) {
         // The oldest go first.
         val others = (kept.handedIn - id).entries.toList().takeLast(MAX_KEPT - 1).associate { it.key to it.value }
-        val changed = Kept(name, others + (id to name))
+        keep(kept.copy(name = name, handedIn = others + (id to name)))
+    }
+
+    fun fold(isFolded: Boolean) = keep(kept.copy(taskFolded = isFolded))
+
+    private fun keep(changed: Kept) {
         kept = changed
         writes.add { store.write(NAME, JSON.encodeToString(Kept.serializer(), changed)) }
     }
@@ -41,7 +49,11 @@ internal class AssignmentMemory(private val store: KeyValueStore, scope: Corouti
     suspend fun saveNow() = writes.finish()
 
     @Serializable
-    private data class Kept(val name: String = "", val handedIn: Map<String, String> = emptyMap())
+    private data class Kept(
+        val name: String = "",
+        val handedIn: Map<String, String> = emptyMap(),
+        val taskFolded: Boolean? = null,
+    )
 
     private companion object {
         const val NAME = "hand-ins"

@@ -23,12 +23,15 @@ import robotran.workshop.programs.asPupil
 import robotran.workshop.run.EndedTry
 import robotran.workshop.service.AssignmentEditor
 import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.MakingState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.PupilProgram
 
 /**
  * Holds what pupils do at an assignment, and what its author makes.
@@ -44,6 +47,7 @@ class AssignmentStateHolder(
     editor: ProjectEditor,
     private val assignments: AssignmentEditor,
     private val tabs: ProgramTabs,
+    private val notices: Notices,
     openWorldEditor: (variation: Int?) -> Unit,
 ) {
     private val memory = AssignmentMemory(platform.store, scope)
@@ -64,6 +68,9 @@ class AssignmentStateHolder(
         )
     private var hints: List<Hint> = emptyList()
     private var lastTry: EndedTry? = null
+
+    /** The programs before they were begun again; null after that was undone. */
+    private var replaced: List<PupilProgram>? = null
     private var checked: Checked? = null
 
     /** Null in a project like any other. */
@@ -86,6 +93,9 @@ class AssignmentStateHolder(
     fun handle(event: AssignmentEvent) {
         when (event) {
             AssignmentEvent.BegunAgain -> beginAgain()
+            AssignmentEvent.BeginningUndone -> undoBeginning()
+            is AssignmentEvent.NotAllowedShown -> show(event.found)
+            is AssignmentEvent.TaskFolded -> memory.fold(event.folded)
             is AssignmentEvent.OfHandIn -> state?.let { maker.handle(event, it) }
             is AssignmentEvent.OfAuthor -> author.handle(event)
         }
@@ -98,6 +108,7 @@ class AssignmentStateHolder(
         author.leave()
         hints = emptyList()
         lastTry = null
+        replaced = null
         rememberStart()
         refresh()
     }
@@ -120,8 +131,8 @@ class AssignmentStateHolder(
         lastTry = ended
         val now = state?.takeIf { it.isOpenForTries } ?: return
         val programs = ended.programs.map { it.asProject().copy(view = null) }
-        val best = BestTry(programs, ended.firstProgram, ended.inputs, ended.result)
-        val tries = now.tries.with(best, isNew)
+        val best = BestTry(programs, ended.firstProgram, ended.inputs, ended.result, ended.percent)
+        val tries = now.tries.with(best, isNew, now.assignment.start)
         if (tries != now.tries) assignments.saveTries(tries)
         hints = if (ended.result.isSolved) emptyList() else hintsAfter(now.assignment, ended, tries)
         refresh()
@@ -155,11 +166,22 @@ class AssignmentStateHolder(
         if (isFresh) assignments.changeAssignment(assignment.copy(start = plain(project.firstPrograms)))
     }
 
-    /** Each text that this replaces can be undone, and other programs stay. */
     private fun beginAgain() {
-        val start = state?.assignment?.start.orEmpty()
-        for (program in start.asReversed()) tabs.addProgram(program.asPupil(), replacing = true)
+        val start = state?.assignment?.start.orEmpty().ifEmpty { return }
+        replaced = current.project.firstPrograms.map { it.asPupil() }
+        tabs.replacePrograms(start.map { it.asPupil() })
         hints = emptyList()
+        notices.show(Notice.BegunAgain)
+    }
+
+    private fun undoBeginning() {
+        replaced?.let(tabs::replacePrograms)
+        replaced = null
+    }
+
+    private fun show(found: NotAllowed) {
+        val index = current.project.firstPrograms.indexOfFirst { it.name == found.program }
+        if (index >= 0) tabs.showLine(index, (found as? NotAllowed.HasWord)?.line ?: 1)
     }
 
     private fun refresh() {
@@ -183,12 +205,13 @@ class AssignmentStateHolder(
             memory.handedInAs(assignment.id),
             project.handIn,
             project.feedback,
+            memory.isTaskFolded,
         )
     }
 
     private fun check(assignment: Assignment, programs: List<ProjectProgram>): Checked {
         val open = plain(programs)
-        val isChanged = assignment.start.any { it !in open }
+        val isChanged = assignment.start.isNotEmpty() && assignment.start != open
         return Checked(assignment, programs, notAllowedIn(assignment, open), isChanged)
     }
 

@@ -8,9 +8,11 @@ import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import robotran.assignments.doing.HandedInWork
+import robotran.assignments.doing.NotAllowed
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.handInName
 import robotran.assignments.doing.makeHandIn
+import robotran.assignments.doing.notAllowedIn
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.projects.LinkCreation
@@ -52,7 +54,7 @@ internal class HandInMaker(
             AssignmentEvent.HandInClosed -> leave()
             AssignmentEvent.HandInBackRequested -> goBack(state)
             is AssignmentEvent.NameEntered -> if (now is HandInStep.Asking) step = now.copy(name = event.name)
-            is AssignmentEvent.WorkChosen -> if (now is HandInStep.Asking) step = now.copy(isEditor = event.isEditor)
+            is AssignmentEvent.WorkChosen -> if (now is HandInStep.Asking) step = now.choosing(event.isEditor, state)
             is AssignmentEvent.HandInMade -> make(event.withMistakes)
             AssignmentEvent.HandInFileSaved -> begin { save() }
             AssignmentEvent.HandInLinkCopied -> begin { copy() }
@@ -84,8 +86,18 @@ internal class HandInMaker(
             best?.result,
             canChoose = best != null && differs,
             isEditor = best == null,
-            state.notAllowed,
+            notAllowed(state, isEditor = best == null),
+            isUnchanged = !state.canBeginAgain,
         )
+    }
+
+    private fun HandInStep.Asking.choosing(isEditor: Boolean, state: AssignmentState): HandInStep.Asking =
+        copy(isEditor = isEditor, notAllowed = notAllowed(state, isEditor))
+
+    /** What the assignment does not allow in what would be handed in. */
+    private fun notAllowed(state: AssignmentState, isEditor: Boolean): List<NotAllowed> {
+        val tried = state.tries.best?.programs.takeUnless { isEditor } ?: return state.notAllowed
+        return notAllowedIn(state.assignment, tried)
     }
 
     private fun goBack(state: AssignmentState) {
@@ -93,11 +105,7 @@ internal class HandInMaker(
         val before = asked ?: question(state)
         step =
             question(state).let {
-                it.copy(
-                    name = before.name,
-                    isEditor =
-                        it.isEditor || (it.canChoose && before.isEditor),
-                )
+                it.copy(name = before.name).choosing(it.isEditor || (it.canChoose && before.isEditor), state)
             }
     }
 

@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.assignments.doing.NotAllowed
 import robotran.assignments.packaging.ScormVersion
 import robotran.projects.Assignment
 
@@ -7,6 +8,15 @@ import robotran.projects.Assignment
 sealed interface AssignmentEvent : WorkshopEvent {
     /** Puts the programs back that the assignment began with. */
     data object BegunAgain : AssignmentEvent
+
+    /** Brings back the programs that [BegunAgain] has replaced. */
+    data object BeginningUndone : AssignmentEvent
+
+    /** Shows [found] in its program. */
+    data class NotAllowedShown(val found: NotAllowed) : AssignmentEvent
+
+    /** Folds the card of the task to its title and goals, or unfolds it. */
+    data class TaskFolded(val folded: Boolean) : AssignmentEvent
 
     /** An action on the sheet with which a pupil hands in. */
     sealed interface OfHandIn : AssignmentEvent

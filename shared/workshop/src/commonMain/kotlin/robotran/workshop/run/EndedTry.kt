@@ -11,6 +11,7 @@ import robotran.workshop.state.PupilProgram
  * @property number the same while a run goes on after its end, or takes another course.
  * @property programs of the first robot, with which it ran.
  * @property firstProgram the index of the program that Run started.
+ * @property percent how much of all goals was reached at the end, 0..100; null without goals.
  * @property state the session, not before the end of the run.
  */
 internal data class EndedTry(
@@ -19,5 +20,6 @@ internal data class EndedTry(
     val firstProgram: Int,
     val inputs: List<RecordedInput>,
     val result: TryResult,
+    val percent: Int?,
     val state: SessionState,
 )

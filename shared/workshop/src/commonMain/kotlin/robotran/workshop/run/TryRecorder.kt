@@ -1,5 +1,6 @@
 package robotran.workshop.run
 
+import robotran.assignments.doing.percentOf
 import robotran.projects.TryResult
 import robotran.projects.repeatable
 import robotran.rcxrom.state.RunState
@@ -50,6 +51,7 @@ internal class TryRecorder(private val run: WatchedRun) {
             run.firstSlots.first(),
             run.player.inputs.repeatable().takeWhile { it.milliseconds <= end },
             TryResult(met, run.world.goals.size, end, trace),
+            percentOf(outcome.goals),
             state,
         ).also { last = it }
     }

@@ -20,6 +20,7 @@ import robotran.projects.TryResult
  * @property handedInAs the name under which it was handed in on this device; null if it was not.
  * @property handIn says that the open project is a hand-in; null while the pupil works at it.
  * @property feedback the teacher's answer in the open project; null if there is none.
+ * @property isTaskFolded whether the pupil has folded the card of the task; null if that was never chosen.
  */
 @Immutable
 data class AssignmentState(
@@ -32,6 +33,7 @@ data class AssignmentState(
     val handedInAs: String? = null,
     val handIn: HandIn? = null,
     val feedback: Feedback? = null,
+    val isTaskFolded: Boolean? = null,
 ) {
     /** Whether the pupil works at it, so that tries count. */
     val isOpenForTries: Boolean get() = !isAuthor && handIn == null && feedback == null
@@ -49,6 +51,8 @@ sealed interface HandInStep {
      * @property best how the best try did; null without one.
      * @property canChoose whether the program in the editor differs from that of the best try.
      * @property isEditor whether the program in the editor is handed in, not the best try.
+     * @property notAllowed what the assignment does not allow in what is handed in.
+     * @property isUnchanged whether that program is still as the pupil got it.
      */
     data class Asking(
         val name: String,
@@ -57,6 +61,7 @@ sealed interface HandInStep {
         val canChoose: Boolean,
         val isEditor: Boolean,
         val notAllowed: List<NotAllowed>,
+        val isUnchanged: Boolean = false,
     ) : HandInStep {
         val canGoOn: Boolean get() = name.isNotBlank()
     }

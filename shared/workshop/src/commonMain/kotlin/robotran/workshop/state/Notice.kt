@@ -112,6 +112,11 @@ sealed interface Notice {
     /** The world belongs to an assignment that does not allow to change it. */
     data object WorldOfAssignment : Notice
 
+    /** The programs that the assignment began with are back. */
+    data object BegunAgain : Notice {
+        override val action: NoticeAction get() = NoticeAction.BeginningUndone
+    }
+
     /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
@@ -155,6 +160,9 @@ sealed interface NoticeAction {
 
     /** Opens the assignment again and the hand-ins for it. */
     data object BackToHandIns : NoticeAction
+
+    /** Brings back the programs that beginning again has replaced. */
+    data object BeginningUndone : NoticeAction
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction

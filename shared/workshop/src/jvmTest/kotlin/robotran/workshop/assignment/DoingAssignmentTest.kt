@@ -2,12 +2,16 @@ package robotran.workshop.assignment
 
 import kotlinx.coroutines.runBlocking
 import robotran.assignments.doing.NotAllowed
+import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.pupilCopy
 import robotran.blockediting.palette.Palette
 import robotran.language.ProgramLanguage
+import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
 import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.documents.Machine
@@ -24,6 +28,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -130,6 +135,76 @@ class DoingAssignmentTest {
         assertEquals(AnyAssignment.BEGIN, workshop.state.programText)
         workshop.handle(ProgramEvent.Undone)
         assertEquals("forward 3\n", workshop.state.programText)
+    }
+
+    @Test
+    fun `beginning again restores exactly the programs and files given, and one touch undoes that`() {
+        val files = listOf(SourceFile("Drive.java", "class Drive {}\n"), SourceFile("Other.java", "class Other {}\n"))
+        val java = ProjectProgram("Drive.java", ProgramLanguage.JAVA, files)
+        val name = pupils.world.robots.first().name
+        val workshop = window(
+            pupils.copy(robots = listOf(ProjectRobot(name, listOf(java, AnyAssignment.program(AnyAssignment.BEGIN))))),
+        )
+        val given = workshop.project.firstPrograms
+        workshop.handle(ProgramEvent.FileChosen(1))
+        workshop.handle(ProgramEvent.FileClosed(1))
+        workshop.handle(ProgramEvent.ProgramEdited("class Drive { int mine; }\n"))
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("mine.robo", "forward 1\n")))
+        val own = workshop.project.firstPrograms
+        workshop.handle(AssignmentEvent.BegunAgain)
+        assertEquals(given, workshop.project.firstPrograms)
+        assertFalse(workshop.doing.canBeginAgain)
+        assertEquals(Notice.BegunAgain, workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(own, workshop.project.firstPrograms)
+        assertNull(workshop.state.notice)
+        assertTrue(workshop.doing.canBeginAgain)
+    }
+
+    @Test
+    fun `what was written after beginning again is not undone by its notice, and the tries stay`() {
+        val workshop = window()
+        workshop.attempt("forward 5\n")
+        val tries = workshop.doing.tries
+        workshop.handle(AssignmentEvent.BegunAgain)
+        assertEquals(tries, workshop.doing.tries)
+        workshop.write("forward 7\n")
+        assertNull(workshop.state.notice)
+        assertEquals("forward 7\n", workshop.state.programText)
+    }
+
+    @Test
+    fun `the start program is not the best try once another has as many goals, and the nearest stays`() {
+        val workshop = window()
+        workshop.attempt(AnyAssignment.BEGIN + "beep\n")
+        workshop.handle(AssignmentEvent.BegunAgain)
+        workshop.attempt("forward 12\n")
+        workshop.attempt("forward 2\n")
+        val best = assertNotNull(workshop.doing.tries.best)
+        assertEquals("forward 12\n", best.programs.single().files.single().text)
+        assertTrue(assertNotNull(best.percent) > 0)
+    }
+
+    @Test
+    fun `what is not allowed leads to its line`() {
+        val workshop = window(with { it.copy(words = listOf("forward")) })
+        workshop.handle(ProgramEvent.ProgramEdited("forward 5\nbackward 5\n"))
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("other.robo", "beep\n")))
+        workshop.handle(AssignmentEvent.NotAllowedShown(workshop.doing.notAllowed.first()))
+        assertEquals(0, workshop.state.programs.shownProgram)
+        assertEquals(1, workshop.state.programs.draft.run { lines.lineOf(selection.caret) })
+        assertEquals(Pane.PROGRAM, workshop.state.pane)
+    }
+
+    @Test
+    fun `whether the task is folded is remembered on the device`() {
+        window().apply {
+            assertNull(doing.isTaskFolded)
+            handle(AssignmentEvent.TaskFolded(true))
+            assertEquals(true, doing.isTaskFolded)
+            runBlocking { assertTrue(closeDocument()) }
+        }
+        assertEquals(true, machine.window().doing.isTaskFolded)
     }
 
     @Test

@@ -1,8 +1,10 @@
 package robotran.workshop.assignment
 
 import kotlinx.coroutines.runBlocking
+import robotran.assignments.doing.NotAllowed
 import robotran.assignments.doing.isIntact
 import robotran.assignments.doing.pupilCopy
+import robotran.projects.Feedback
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -10,6 +12,8 @@ import robotran.projects.openHandInLink
 import robotran.projects.readProject
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
+import robotran.workshop.documents.keep
+import robotran.workshop.documents.projects
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
@@ -87,6 +91,44 @@ class HandInTest {
         assertTrue(workshop.asking.isEditor)
         assertFalse(workshop.asking.canChoose)
         assertEquals("First name and class", workshop.asking.wanted)
+    }
+
+    @Test
+    fun `what is not allowed is told of the program that is handed in`() {
+        val strict = AnyAssignment.teachers.run { copy(assignment = assignment?.copy(words = listOf("forward"))) }
+        val workshop = machine.window(AnyAssignment.request(pupilCopy(strict)))
+        workshop.attempt("forward 5\nbeep\n")
+        workshop.handle(ProgramEvent.ProgramEdited("forward 5\n"))
+        workshop.handle(AssignmentEvent.HandInRequested)
+        assertEquals(listOf("beep"), workshop.asking.notAllowed.map { (it as NotAllowed.HasWord).word })
+        workshop.handle(AssignmentEvent.WorkChosen(isEditor = true))
+        assertEquals(emptyList(), workshop.asking.notAllowed)
+    }
+
+    @Test
+    fun `nothing of a pupil's work is lost by reloading, handing in, going on and opening the feedback`() {
+        window().apply {
+            attempt("forward 5\n")
+            handIn("Ada")
+            handle(AssignmentEvent.HandInFileSaved)
+            handle(AssignmentEvent.HandInClosed)
+            handle(ProgramEvent.ProgramEdited("forward 7\n"))
+            runBlocking { assertTrue(closeDocument()) }
+        }
+        val workshop = machine.window()
+        assertEquals("forward 7\n", workshop.state.programText)
+        val feedback = saved().copy(feedback = Feedback("Go on."))
+        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(feedback, "feedback.robotran"))))
+        assertEquals("Go on.", workshop.state.assignment?.feedback?.comment)
+        workshop.keep()
+        val own = workshop.projects().single { it.project?.tries != null }
+        workshop.handle(DocumentEvent.SavedProjectChosen(own.entry.id))
+        assertEquals("forward 7\n", workshop.state.programText)
+        assertEquals(1, workshop.state.assignment?.tries?.tries)
+        assertEquals("Ada", workshop.state.assignment?.handedInAs)
+        workshop.handle(AssignmentEvent.HandInRequested)
+        assertEquals("Ada", workshop.asking.name)
+        assertTrue(workshop.asking.canChoose)
     }
 
     @Test
