@@ -21,7 +21,7 @@ const SECOND = { width: 1024, height: 768, ...FINGERS };
 /** Drives ahead for `milliseconds`, and a little before and after. */
 const javaFor = (milliseconds) => `import josx.platform.rcx.*;
 
-public class Drive {
+public class Program {
     public static void main(String[] args) throws Exception {
         Motor.A.forward();
         Motor.C.forward();
@@ -72,6 +72,11 @@ async function showText(page, finger) {
   await finger.press('view-switch');
   await finger.press('view-text');
   await appears(page, 'program');
+}
+
+/** Shows the card of the task, which is hidden after a reload. */
+async function showTask(page, finger) {
+  if ((await words(page, 'task-card').count()) === 0) await finger.press('task-chip');
 }
 
 /** Opens the menu of the project and chooses `item`, which may have to be scrolled to. A menu that has just opened may miss a touch. */
@@ -186,6 +191,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await isKept(page, 'sleep(4500)');
     // Neither reloading nor the link loses anything.
     await reload(page);
+    await showTask(page, finger);
     await says(page, 'assignment-tries', /1 try/);
     await appears(page, 'program-1');
     await page.goto('about:blank');
@@ -194,6 +200,8 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await says(page, 'notice-text', /worked on this assignment before/);
     await photograph(page, 'class-again');
     await finger.press('notice-action');
+    await appears(page, 'program-1');
+    await showTask(page, finger);
     await says(page, 'assignment-tries', /1 try/);
     assert.equal((await savedProjects(page)).filter((text) => text.includes('sleep(4500)')).length, 1);
     await finger.press('program-1');
@@ -207,6 +215,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     second = await downloaded(page, folder, () => finger.press('hand-in-file'));
     await finger.press('hand-in-close');
     await reload(page);
+    await showTask(page, finger);
     await says(page, 'assignment-tries', /2 tries/);
     await says(page, 'assignment-handed-in', /Dora/);
     assert.deepEqual(troubles, []);
