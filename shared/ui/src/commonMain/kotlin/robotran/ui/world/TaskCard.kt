@@ -37,10 +37,10 @@ import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.Goals
 import robotran.ui.assignment.HandInLine
-import robotran.ui.course.CourseLine
 import robotran.ui.assignment.HandedInLine
 import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
+import robotran.ui.course.CourseLine
 import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
 import robotran.ui.learning.UNFOLD_ICON
