@@ -25,8 +25,8 @@ import robotran.simulation.state.GoalStatus
 import robotran.ui.drawer.iconFor
 import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.MarkedText
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_author
 import robotran.ui.resources.assignment_begin_again

@@ -21,8 +21,8 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.LinkAsQrCode
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.hand_in_copied

@@ -11,7 +11,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.learning.QuietButton
+import robotran.ui.parts.QuietButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_back
 import robotran.ui.resources.course_next

@@ -23,12 +23,12 @@ import robotran.ui.assignment.making.Chips
 import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Cross
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.QuietButton
 import robotran.ui.parts.RoundButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_add

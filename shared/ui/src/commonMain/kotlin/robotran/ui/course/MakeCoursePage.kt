@@ -23,9 +23,9 @@ import robotran.ui.assignment.making.Field
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.wordsFor
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Page
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_about
 import robotran.ui.resources.course_incomplete

@@ -30,10 +30,10 @@ import robotran.ui.documents.DialogFrame
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page
+import robotran.ui.parts.SecondButton
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_done

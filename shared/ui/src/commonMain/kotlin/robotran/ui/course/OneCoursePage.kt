@@ -15,11 +15,11 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.learning.MarkedText
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.learning.StationPath
 import robotran.ui.learning.Stop
 import robotran.ui.parts.Page
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_all_done
 import robotran.ui.resources.course_begin

@@ -37,8 +37,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import org.jetbrains.compose.resources.stringResource
 import robotran.qrcode.QrCode
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_qr_code
 import robotran.ui.resources.documents_qr_help

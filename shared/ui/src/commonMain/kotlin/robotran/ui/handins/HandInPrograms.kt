@@ -19,7 +19,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectProgram
-import robotran.ui.learning.QuietButton
+import robotran.ui.parts.QuietButton
 import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_beside

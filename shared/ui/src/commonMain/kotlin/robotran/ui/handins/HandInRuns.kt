@@ -25,9 +25,9 @@ import robotran.assignments.grading.GradingPlan
 import robotran.simulation.GoalReport
 import robotran.ui.learning.DONE_ICON
 import robotran.ui.learning.PLAY_ICON
-import robotran.ui.learning.QuietButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_goals

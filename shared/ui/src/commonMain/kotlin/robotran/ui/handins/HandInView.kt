@@ -25,9 +25,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_feedback
 import robotran.ui.resources.hand_in_next

@@ -17,11 +17,11 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_choose
 import robotran.ui.resources.hand_ins_csv

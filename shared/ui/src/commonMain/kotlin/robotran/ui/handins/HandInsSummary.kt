@@ -22,8 +22,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.RadioMark
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_cancel
 import robotran.ui.resources.hand_ins_go_on

@@ -2,7 +2,7 @@ package robotran.ui.handins
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_scan
 import robotran.ui.resources.hand_ins_scan_counted

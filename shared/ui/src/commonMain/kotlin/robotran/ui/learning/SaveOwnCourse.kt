@@ -9,6 +9,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
+import robotran.ui.parts.QuietButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_save_own
 import robotran.ui.resources.course_save_own_of

@@ -39,10 +39,10 @@ import robotran.ui.assignment.triesText
 import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.language.LocalLanguage
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_harder

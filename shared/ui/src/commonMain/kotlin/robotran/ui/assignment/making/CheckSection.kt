@@ -10,7 +10,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.ProgressBar
 import robotran.ui.documents.Explanation
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_feedback_world
 import robotran.ui.resources.hand_in_cancel

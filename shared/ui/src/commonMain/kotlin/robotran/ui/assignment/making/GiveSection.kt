@@ -12,8 +12,8 @@ import robotran.ui.assignment.LinkOrProblem
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.documents.Explanation
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_copied
 import robotran.ui.resources.hand_in_copy

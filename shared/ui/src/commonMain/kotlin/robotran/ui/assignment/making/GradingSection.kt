@@ -27,8 +27,8 @@ import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_grading
 import robotran.ui.resources.make_grading_help

@@ -25,9 +25,9 @@ import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.Quiet
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_due
 import robotran.ui.resources.make_hand_in

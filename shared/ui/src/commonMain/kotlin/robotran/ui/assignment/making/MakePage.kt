@@ -24,8 +24,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Assignment
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
-import robotran.ui.learning.QuietButton
 import robotran.ui.parts.Page
+import robotran.ui.parts.QuietButton
 import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_intro

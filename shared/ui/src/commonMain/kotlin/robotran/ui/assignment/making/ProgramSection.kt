@@ -18,8 +18,8 @@ import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.ownName
 import robotran.ui.documents.Explanation
 import robotran.ui.language.LocalLanguage
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_all
 import robotran.ui.resources.make_goals

@@ -18,7 +18,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_solution
 import robotran.ui.resources.make_solution_changed

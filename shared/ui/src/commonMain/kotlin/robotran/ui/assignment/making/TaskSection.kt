@@ -22,8 +22,8 @@ import robotran.ui.assignment.AssignmentText
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
 import robotran.ui.learning.MarkedText
-import robotran.ui.learning.QuietButton
-import robotran.ui.learning.SecondButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_picture
 import robotran.ui.resources.make_picture_large

@@ -1,4 +1,4 @@
-package robotran.ui.learning
+package robotran.ui.parts
 
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Box
