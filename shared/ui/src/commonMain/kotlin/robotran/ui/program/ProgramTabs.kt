@@ -1,14 +1,12 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.foundation.ScrollState
 import androidx.compose.foundation.background
 import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
-import androidx.compose.foundation.relocation.BringIntoViewRequester
-import androidx.compose.foundation.relocation.bringIntoViewRequester
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.runtime.Composable
@@ -20,10 +18,9 @@ import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.layout.onPlaced
+import androidx.compose.ui.layout.positionInParent
 import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.unit.IntSize
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
@@ -38,6 +35,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.ProgramsState
+import kotlin.math.roundToInt
 
 /**
  * The tabs of the pupil's programs, and a button for a new one. If there are several, each has its number on the
@@ -70,7 +68,7 @@ internal fun ProgramTabs(
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
-                Row(Modifier.keptInSight(shown, state.programs.size, scroll.viewportSize)) {
+                Row(Modifier.keptInSight(shown, state.programs.size, scroll)) {
                     val rename = onRename.takeIf { shown && state.shownFile == 0 }
                     FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
@@ -85,21 +83,27 @@ internal fun ProgramTabs(
 }
 
 /**
- * Scrolls to this tab when it becomes [shown], or the number of its [neighbours] or the [room] for all of them changes:
- * the pane is narrower for text than for blocks.
+ * Scrolls to this tab when it becomes [shown], or the number of its [neighbours] or the room for all of them changes: the
+ * pane is narrower for text than for blocks.
  */
-@OptIn(ExperimentalFoundationApi::class)
 @Composable
-private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, room: Int): Modifier {
-    val requester = remember { BringIntoViewRequester() }
-    var size by remember { mutableStateOf(IntSize.Zero) }
-    val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
-    LaunchedEffect(shown, neighbours, room, size) {
-        // It has a position only after layout.
+private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, scroll: ScrollState): Modifier {
+    var span by remember { mutableStateOf(0..0) }
+    val room = scroll.viewportSize
+    val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.roundToPx() }
+    LaunchedEffect(shown, neighbours, room, span) {
+        if (!shown || room == 0) return@LaunchedEffect
+        // The whole row has its new width only after layout.
         withFrameNanos { }
-        if (shown) requester.bringIntoView(Rect(-margin, 0f, size.width + margin, size.height.toFloat()))
+        when {
+            span.first - margin < scroll.value -> scroll.animateScrollTo(span.first - margin)
+            span.last + margin > scroll.value + room -> scroll.animateScrollTo(span.last + margin - room)
+        }
     }
-    return onSizeChanged { size = it }.bringIntoViewRequester(requester)
+    return onPlaced { tab ->
+        val left = tab.positionInParent().x.roundToInt()
+        span = left..left + tab.size.width
+    }
 }
 
 /** The files of one program, if it has several. [onRename] is called to rename or remove the current one. */
@@ -123,7 +127,7 @@ internal fun FileTabs(
     ) {
         files.forEachIndexed { place, file ->
             val isShown = place == shown
-            Row(Modifier.keptInSight(isShown, files.size, scroll.viewportSize)) {
+            Row(Modifier.keptInSight(isShown, files.size, scroll)) {
                 FileTab(file.name, isShown, "file-$place", { onChoose(place) }, onRename.takeIf { isShown })
             }
         }
