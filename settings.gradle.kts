@@ -38,6 +38,7 @@ include(":shared:run-control")
 include(":shared:world-editing")
 include(":shared:lejos-library")
 include(":shared:learning")
+include(":shared:assignments")
 include(":shared:text-editing")
 include(":shared:block-editing")
 

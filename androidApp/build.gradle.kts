@@ -16,6 +16,7 @@ dependencies {
     implementation(project(":shared:projects"))
     implementation(project(":shared:documents"))
     implementation(libs.androidx.activity.compose)
+    testImplementation(project(":shared:qr-code"))
     testImplementation(libs.androidx.compose.ui.test)
     testImplementation(libs.junit4)
     testImplementation(libs.robolectric)

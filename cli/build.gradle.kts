@@ -6,6 +6,7 @@ dependencies {
     implementation(project(":shared:programs"))
     api(project(":shared:projects"))
     implementation(project(":shared:documents"))
+    api(project(":shared:assignments"))
     implementation(project(":shared:desktop-tower"))
     implementation(libs.coroutines.core)
     implementation(libs.clikt)

@@ -10,6 +10,7 @@ kotlin {
             implementation(project(":shared:documents"))
             implementation(libs.coroutines.core)
             implementation(compose.components.resources)
+            implementation(npm("qr", "0.7.0"))
         }
     }
 }

@@ -22,6 +22,7 @@ kotlin {
             api(project(":shared:run-control"))
             api(project(":shared:projects"))
             api(project(":shared:learning"))
+            api(project(":shared:assignments"))
             api(project(":shared:text-editing"))
             api(project(":shared:block-editing"))
             api(project(":shared:world-editing"))
@@ -30,6 +31,9 @@ kotlin {
             api(project(":shared:tower"))
             api(libs.compose.runtime)
             implementation(libs.coroutines.core)
+        }
+        jvmMain.dependencies {
+            implementation(libs.zxing)
         }
         jvmTest {
             // The tests of shared/ui use them too.

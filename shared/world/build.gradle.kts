@@ -17,6 +17,7 @@ kotlin {
         }
         jvmTest {
             kotlin.srcDir("src/arbitraryWorlds/kotlin")
+            kotlin.srcDir("../json/src/schemaTest/kotlin")
         }
         jvmTest.dependencies {
             implementation(libs.json.schema.validator)

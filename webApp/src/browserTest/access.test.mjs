@@ -1,8 +1,8 @@
 // What Chromium's accessibility tree contains for the built page.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { report } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, press, reports, says, words } from './words.mjs';
 
 /** All nodes of the accessibility tree: { role, name, value, live, disabled }. */

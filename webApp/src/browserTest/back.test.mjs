@@ -1,8 +1,8 @@
 // The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { photograph, reload } from './page.mjs';
 import { onPage } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, disappears, tap, tapFor, words } from './words.mjs';
 
 const TABLET = { width: 1180, height: 820, hasTouch: true };

@@ -1,9 +1,9 @@
 // Blocks in the built page, as a keyboard and a screen reader meet them: the clipboard, and the tree.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { savedProjects } from './kept.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, disappears, press, says, words, writeProgram } from './words.mjs';
+import { test } from './tried-again.mjs';
+import { appears, disappears, PATIENCE, press, says, words, writeProgram } from './words.mjs';
 
 /** Waits until a screen reader is told that `tag` has the focus. */
 const isAt = (page, tag) =>
@@ -13,7 +13,7 @@ const isAt = (page, tag) =>
       return document.getElementById(id)?.dataset.tag === wanted;
     },
     tag,
-    { timeout: 20_000 },
+    { timeout: PATIENCE },
   );
 
 /** Shows the program `text` in blocks, with the cursor at the first one. */
@@ -29,7 +29,7 @@ async function showInBlocks(page, text) {
 /** Waits until a saved project has a program with these lines. */
 async function isProgram(page, lines) {
   const closed = (text) => text.replaceAll(/\s/g, '');
-  const end = Date.now() + 20_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const works = await savedProjects(page);
     if (works.some((text) => closed(text).includes(closed(`"text":${JSON.stringify(lines)}`)))) return;

@@ -1,13 +1,13 @@
 // Builds programs from blocks in the page. What a pupil does is passed as a `hand` that presses things by their tags: a
 // finger, or a screen reader.
 import assert from 'node:assert/strict';
-import { appears, disappears, words } from './words.mjs';
+import { appears, disappears, PATIENCE, words } from './words.mjs';
 
 /** How long something must stay where it is if the screen never rests, in milliseconds. */
 const STILL = 300;
 
 /** What is in a menu. One that has just opened may miss a touch, though it stays where it is. */
-const IN_MENU = /^(panel|run-panel|new|view)-/;
+const IN_MENU = /^(panel|run-panel|new|view|work|menu)-/;
 
 /**
  * Runs in the page, once in each frame: whether the accessibility HTML has been as new as the screen for two whole
@@ -43,7 +43,7 @@ export function fingerOn(page) {
         return { left, top, width, height, x: left + width / 2, y: top + height / 2 };
       },
       [tag, STILL, IN_MENU.test(tag)],
-      { timeout: 20_000, polling: 'raf' },
+      { timeout: PATIENCE, polling: 'raf' },
     );
     return found.jsonValue();
   };
@@ -178,7 +178,7 @@ export const readerOn = (page) => {
     async press(tag) {
       // A list tells only what can be seen, and has an action that scrolls.
       const further = page.locator('#robotran-words button', { hasText: /^Further down/ });
-      const end = Date.now() + 30_000;
+      const end = Date.now() + PATIENCE;
       for (let attempt = 0; !(await pressNow(tag)); attempt++) {
         assert.ok(Date.now() < end, `${tag} is not among ${await seen()}`);
         await rests(page);
@@ -206,7 +206,7 @@ export const blocksOn = (page) =>
 
 /** Waits until a block says `pattern`, and returns it: the one behind `skip` others. */
 export async function blockSaying(page, pattern, skip = 0) {
-  const end = Date.now() + 10_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const all = await blocksOn(page);
     const found = all.filter((block) => pattern.test(block.words))[skip];
@@ -218,7 +218,7 @@ export async function blockSaying(page, pattern, skip = 0) {
 
 /** Waits until the blocks are those of `wanted`: the beginning of what each of them says. */
 export async function areBlocks(page, wanted) {
-  const end = Date.now() + 10_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const all = (await blocksOn(page)).map((block) => block.words);
     if (all.length === wanted.length && all.every((words, place) => words.startsWith(wanted[place]))) return;
@@ -239,7 +239,7 @@ export function builderWith(page, hand) {
     await isClosed();
   };
   const openSocket = async (block, socket, skip, place = 0) => {
-    const end = Date.now() + 10_000;
+    const end = Date.now() + PATIENCE;
     let found;
     for (;;) {
       // What was chosen before may not be there yet.
@@ -302,7 +302,7 @@ async function tagOf(page, pattern) {
           new RegExp(source).test(button.getAttribute('aria-label')),
       )?.dataset.tag,
     pattern.source,
-    { timeout: 10_000 },
+    { timeout: PATIENCE },
   );
   return found.jsonValue();
 }

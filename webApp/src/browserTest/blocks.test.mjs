@@ -1,11 +1,11 @@
 // Builds programs from blocks in the page: with a finger, with a screen reader, and with keys.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { areBlocks, builderWith, fingerOn, keysOn, readerOn } from './blocks.mjs';
 import { isKept } from './kept.mjs';
 import { photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, choose, disappears, press, says, words, writeProgram } from './words.mjs';
 
 /** Opens the first step of the tutorial from the first page, which has been asked for blocks. */

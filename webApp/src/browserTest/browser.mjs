@@ -16,13 +16,13 @@ const QUIET = [
 /** V8's quick compiler alone: its optimising one takes four seconds of a processor each time the page is opened. */
 const QUICK = '--js-flags=--liftoff-only';
 
-const launchOptions = (optimizing) => ({
+const launchOptions = (optimizing, args = []) => ({
   executablePath: process.env.CHROMIUM,
-  args: optimizing ? QUIET : [...QUIET, QUICK],
+  args: optimizing ? [...QUIET, ...args] : [...QUIET, QUICK, ...args],
 });
 
-/** Starts the browser at the path CHROMIUM. With `optimizing` it compiles WebAssembly as for a pupil. */
-export const startBrowser = ({ optimizing = false } = {}) => chromium.launch(launchOptions(optimizing));
+/** Starts the browser at the path CHROMIUM, with further `args`. With `optimizing` it compiles WebAssembly as for a pupil. */
+export const startBrowser = ({ optimizing = false, args } = {}) => chromium.launch(launchOptions(optimizing, args));
 
 /** Starts it with a profile folder that keeps stored data. Returns its only context. */
 export const launchPerson = (folder, { optimizing = false, ...options } = {}) =>

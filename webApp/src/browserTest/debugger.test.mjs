@@ -1,8 +1,8 @@
 // Breakpoints, steps and failures of Robolang and Java programs in the built page.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { choose, press, reports, says, tap } from './words.mjs';
 
 const MAIN =

@@ -1,14 +1,15 @@
 // The editor of the built page: completions, fixes, and the size limit of programs.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import {
   appears,
   choose,
   disappears,
   isSaid,
+  PATIENCE,
   placeOf,
   press,
   programText,
@@ -23,7 +24,7 @@ const LINE = 'forward 20\n';
 
 /** Waits until the program equals `text`. */
 async function reads(page, text) {
-  const end = Date.now() + 10_000;
+  const end = Date.now() + PATIENCE;
   while ((await programText(page)) !== text && Date.now() < end) await page.waitForTimeout(100);
   assert.equal(await programText(page), text);
 }

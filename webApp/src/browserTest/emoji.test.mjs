@@ -1,9 +1,9 @@
 // Emoji: their font is downloaded once, when the first text with an emoji appears. Then all texts show emoji.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { look, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, choose, press, says, words } from './words.mjs';
 
 const FONT = /\/noto_emoji\.\w+\.ttf$/;

@@ -1,8 +1,8 @@
 // The examples and their thumbnails on a tablet and a phone, in both programming languages.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, choose, disappears, placeOf, press, says } from './words.mjs';
 
 test('an example is found in the menu and opened', () =>

@@ -1,8 +1,8 @@
 // The first minute of a pupil with a phone: a robot draws after one touch, and something else after three more.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { photograph, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, reports, tap } from './words.mjs';
 
 /** Counts touches. Nothing else reaches the page: a key would be an error. */

@@ -1,9 +1,9 @@
 // Runs leJOS programs in the built page. The compiler is a separate module, loaded on first use.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { test } from 'node:test';
 import { assertRecordedRun } from './page.mjs';
 import { browserOptions, onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;

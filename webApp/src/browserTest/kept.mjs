@@ -1,5 +1,6 @@
 // What the page has saved in the browser's database.
 import assert from 'node:assert/strict';
+import { PATIENCE } from './words.mjs';
 
 /** All saved projects as text, sorted by name. */
 export const savedProjects = (page) =>
@@ -19,7 +20,7 @@ export const savedProjects = (page) =>
 
 /** Waits until `test` returns true for the saved projects, and returns them. */
 async function worksSuch(page, test) {
-  const end = Date.now() + 20_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const works = await savedProjects(page);
     if (test(works)) return works;

@@ -1,10 +1,10 @@
 // Changes the language in Settings during a run, and checks the texts of the chart and the brick.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { choose, disappears, press, reports, says, writeProgram } from './words.mjs';
+import { test } from './tried-again.mjs';
+import { choose, disappears, PATIENCE, press, reports, says, writeProgram } from './words.mjs';
 
 const JAVA = `import josx.platform.rcx.*;
 public class Program {
@@ -20,7 +20,7 @@ const shows = (page, pattern) =>
   page.waitForFunction(
     (source) => new RegExp(source, 's').test(document.querySelector('#robotran-words').innerHTML),
     pattern.source,
-    { timeout: 30_000 },
+    { timeout: PATIENCE },
   );
 const shown = (page) => page.evaluate(() => document.querySelector('#robotran-words').innerHTML);
 

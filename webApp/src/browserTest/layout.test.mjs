@@ -1,8 +1,8 @@
 // The layout of the built page on screens of all sizes with touch, and that it does not shift.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { photograph } from './page.mjs';
+import { loadAgain, photograph } from './page.mjs';
 import { onPage } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, placeOf, reports, says, words, writeProgram } from './words.mjs';
 
 const PRESSABLE = [
@@ -210,7 +210,7 @@ test('the brick is whole by one touch, after a reload, too, and a finger measure
     assert.ok(!(await isThere(page, 'brick')), 'the brick is small at first');
     await tap(page, 'brick-size');
     await appears(page, 'brick');
-    await page.reload();
+    await loadAgain(page);
     await appears(page, 'brick');
     await tap(page, 'sheet-measure');
     await says(page, 'measured', /^[\d.]+ cm, turn (left|right) [\d.]+ degrees$/);

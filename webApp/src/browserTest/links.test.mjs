@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { isReady, photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, choose, press, reports, says, words, writeProgram } from './words.mjs';
 
 const linkTo = (text) => `#p=a${deflateRawSync(text).toString('base64url')}`;

@@ -1,10 +1,11 @@
 // What the page shows before the app has loaded, and if it cannot load.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, before } from 'node:test';
 import { startBrowser } from './browser.mjs';
 import { photograph } from './page.mjs';
 import { serve } from './serve.mjs';
-import { appears, reports } from './words.mjs';
+import { test } from './tried-again.mjs';
+import { appears, PATIENCE, reports } from './words.mjs';
 
 let browser;
 let site;
@@ -58,7 +59,7 @@ test("the page shows how far it is, in the reader's language, until the app is t
   assert.equal(await words(page), 'Robotran macht sich bereit.');
   assert.equal(await page.getAttribute('html', 'lang'), 'de');
   const progress = () => page.evaluate(() => document.getElementById('loading-progress').value);
-  await page.waitForFunction(() => document.getElementById('loading-progress').value > 0.3, null, { timeout: 30_000 });
+  await page.waitForFunction(() => document.getElementById('loading-progress').value > 0.3, null, { timeout: PATIENCE });
   assert.ok((await progress()) < 0.9, `${await progress()}`);
   await photograph(page, 'loading');
   goOn();
@@ -92,7 +93,7 @@ const finds = (page, texts) =>
       return wanted.every((text) => found.some((each) => each.includes(text)));
     },
     texts,
-    { timeout: 30_000 },
+    { timeout: PATIENCE },
   );
 
 const choice = (wish) => `[data-wish="${wish}"]`;
@@ -130,7 +131,7 @@ const callRest = (page) =>
 test('the rest of Skiko comes when the app is there', async () => {
   const page = await visit({ prepare: keepSkiko });
   await appIsThere(page);
-  await page.waitForFunction(() => globalThis.skiko['first.cold'].get(1) !== null, null, { timeout: 30_000 });
+  await page.waitForFunction(() => globalThis.skiko['first.cold'].get(1) !== null, null, { timeout: PATIENCE });
   const asked = site.asked.length;
   assert.ok((await callRest(page)) > 0);
   assert.equal(site.asked.length, asked);
@@ -272,7 +273,7 @@ test('a browser without Wasm GC is told so, and fetches nothing in vain', async 
 test('a file that cannot be fetched is told, and trying again helps once it can be', async () => {
   site.refuse = (path) => (path.includes('/skiko.') ? 503 : null);
   const page = await visit();
-  await page.waitForSelector('#loading-again', { state: 'visible', timeout: 20_000 });
+  await page.waitForSelector('#loading-again', { state: 'visible', timeout: PATIENCE });
   assert.equal(await words(page), 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.');
   assert.equal(await page.isVisible('#greeting'), false, 'nothing could be carried out');
   await photograph(page, 'loading-broken');
@@ -295,7 +296,7 @@ test('a page in place of a file, as a network to be logged into sends it, is a f
       (route) => route.fulfill({ contentType: 'text/html', body: '<p>Log in first</p>' }),
     ],
   });
-  await page.waitForSelector('#loading-again', { state: 'visible', timeout: 20_000 });
+  await page.waitForSelector('#loading-again', { state: 'visible', timeout: PATIENCE });
   assert.match(await words(page), /could not be fetched/);
   await page.context().close();
 });
@@ -303,7 +304,7 @@ test('a page in place of a file, as a network to be logged into sends it, is a f
 test('a script that is not there is told, too', async () => {
   site.refuse = (path) => (/\/robotran\.\w+\.js$/.test(path) ? 404 : null);
   const page = await visit();
-  await page.waitForSelector('#loading-again', { state: 'visible', timeout: 20_000 });
+  await page.waitForSelector('#loading-again', { state: 'visible', timeout: PATIENCE });
   assert.match(await words(page), /could not be fetched/);
   site.refuse = () => null;
   await page.context().close();
@@ -315,14 +316,14 @@ test('a browser that cannot draw is told why', async () => {
       HTMLCanvasElement.prototype.getContext = () => null;
     },
   });
-  await page.waitForSelector('#loading-again', { state: 'visible', timeout: 30_000 });
+  await page.waitForSelector('#loading-again', { state: 'visible', timeout: PATIENCE });
   assert.match(await words(page), /WebGL/);
   await page.context().close();
 });
 
 test('what went wrong is told under Details, for somebody who is asked for help', async () => {
   const page = await visit({ locale: 'de-AT', prepare: startInVain });
-  await page.waitForSelector('#loading-details', { state: 'visible', timeout: 30_000 });
+  await page.waitForSelector('#loading-details', { state: 'visible', timeout: PATIENCE });
   assert.equal(await words(page), 'Robotran konnte nicht starten.');
   assert.equal(await page.textContent('#loading-details summary'), 'Einzelheiten');
   assert.equal(await page.isVisible('#loading-report'), false, 'only who asks for it sees it');

@@ -1,10 +1,11 @@
 // The app offline, installed and updated, also in a subfolder of the server.
 import assert from 'node:assert/strict';
 import { rm } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { after, before } from 'node:test';
 import { startBrowser } from './browser.mjs';
-import { openPage } from './page.mjs';
+import { loadAgain, openPage } from './page.mjs';
 import { serve } from './serve.mjs';
+import { test } from './tried-again.mjs';
 import { anotherVersion } from './versions.mjs';
 import { press } from './words.mjs';
 
@@ -73,7 +74,7 @@ test('after the first visit the app opens, and compiles Java, without a network'
 
   site.refuse = () => 503;
   const before = site.asked.length;
-  await page.reload();
+  await loadAgain(page);
   await ready(page);
   await runJava(page);
   const font = page.waitForResponse((response) => /\/noto_emoji\./.test(response.url()));
@@ -149,7 +150,7 @@ test('an update waits for the next visit, and what is open goes on with its own 
   assert.equal((await caches(other)).length, 2, 'the older version is kept while a page runs it');
 
   await page.close();
-  await other.reload();
+  await loadAgain(other);
   await until(other, () => globalThis.caches.keys().then((names) => names.length === 1));
   assert.deepEqual(await caches(other), [`robotran /robotran/ ${second}`]);
   assert.deepEqual(troubles, []);
@@ -166,7 +167,7 @@ test('what breaks off half-way is no harm, and is gone on with at the next visit
 
   site.refuse = () => null;
   const asked = site.asked.length;
-  await page.reload();
+  await loadAgain(page);
   await ready(page);
   await kept(page);
   assert.ok(

@@ -130,18 +130,22 @@ export async function isReady(page) {
 }
 
 /**
- * Reloads the page and waits until it is ready. A dialog or menu that has just closed takes its entry out of the browser's
- * history (`PageHistory`), and a browser gives up a reload for that; then the reload is repeated.
+ * Reloads the page. A dialog or menu that has just closed takes its entry out of the browser's history (`PageHistory`), and a
+ * service worker may just be leaving; a browser gives up a reload for that, and then the reload is repeated.
  */
-export async function reload(page) {
+export async function loadAgain(page) {
   for (let attempt = 0; ; attempt++) {
     try {
-      await page.reload();
-      break;
+      return await page.reload();
     } catch (error) {
       if (attempt === 3 || !/ERR_ABORTED/.test(error.message)) throw error;
     }
   }
+}
+
+/** Reloads the page and waits until it is ready. */
+export async function reload(page) {
+  await loadAgain(page);
   await isReady(page);
 }
 

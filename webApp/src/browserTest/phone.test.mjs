@@ -1,8 +1,8 @@
 // On a phone, all of a menu and of a tutorial step is reachable, and everything opened can be closed.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, disappears, placeOf, tap, tapFor, words } from './words.mjs';
 
 const PHONE = { width: 412, height: 915, hasTouch: true };

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { test } from 'node:test';
 import { browserOptions, onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;

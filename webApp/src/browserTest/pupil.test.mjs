@@ -1,10 +1,10 @@
 // Acts like a pupil in the built page: types programs, runs them, edits the world, and finds all of it after a reload.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { photograph, reload, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, choose, disappears, press, reports, says, words, writeProgram } from './words.mjs';
 
 const IN_MEMORY = /^robotran-work 1\n/;

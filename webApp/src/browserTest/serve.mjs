@@ -6,6 +6,7 @@ import path from 'node:path';
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript',
+  '.css': 'text/css',
   '.wasm': 'application/wasm',
   '.json': 'application/json',
   '.webmanifest': 'application/manifest+json',
@@ -22,10 +23,10 @@ const compressed = (file) => readFile(`${file}.br`).catch(() => null);
 /**
  * Serves the folder on a free port, or at the path `under` of it. Returns the address, the requests so far, and
  * functions to change the folder, to fail and to stop. `refuse` gets the path of a request and returns a status that
- * replaces the response, or null.
+ * replaces the response, or null. `pages` has texts that are served in place of files, by their path.
  */
 export async function serve(folder, { under = '/', compresses = false, headers = {}, refuse = () => null } = {}) {
-  const site = { folder, refuse, asked: [] };
+  const site = { folder, refuse, asked: [], pages: {} };
   const server = createServer(async (request, response) => {
     const asked = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
     const inside = asked.startsWith(under) ? asked.slice(under.length) : null;
@@ -37,7 +38,7 @@ export async function serve(folder, { under = '/', compresses = false, headers =
         site.folder,
         path.normalize(inside === '' || inside.endsWith('/') ? `${inside}index.html` : inside),
       );
-      const bytes = await readFile(file);
+      const bytes = site.pages[inside] ?? (await readFile(file));
       const fits = compresses && /br/.test(request.headers['accept-encoding'] ?? '');
       const smaller = fits ? await compressed(file) : null;
       response.writeHead(200, {

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
-import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, PHONE } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, disappears, reports, says, tap } from './words.mjs';
 
 const FINGERS = { ...PHONE, hasTouch: true, acceptDownloads: true };

@@ -1,9 +1,9 @@
 // Records the page's calls of the Web Audio API, so tests need no loudspeaker.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { findColour } from './browser.mjs';
 import { putWelcomeAway, RUN_GREEN } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 
 /** Runs in the page: a silent AudioContext that records its tones in `sounds`. */
 function listen() {

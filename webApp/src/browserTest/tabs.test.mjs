@@ -1,9 +1,9 @@
 // Tabs of one browser: each restores its own project, and only a crash is reported as one.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { isReady, photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { choose, enterProgram, says, words, writeProgram } from './words.mjs';
 
 /** Closes a tab as a pupil does, and waits until it is gone, which Playwright does not. */

@@ -1,9 +1,9 @@
 // Text input in the built page: letters, dead keys, input methods, the clipboard, and keys faster than the frames.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { programText, writeProgram } from './words.mjs';
+import { test } from './tried-again.mjs';
+import { PATIENCE, programText, writeProgram } from './words.mjs';
 
 test('accents that an input method or a dead key makes are written once', () =>
   onPage(TABLET, async ({ page, troubles }) => {
@@ -72,7 +72,7 @@ async function copyAndPaste(page) {
 /** Waits until the focused field contains `text`. */
 const reads = (page, text) =>
   page
-    .waitForFunction((wanted) => document.activeElement.value === wanted, text, { timeout: 10_000 })
+    .waitForFunction((wanted) => document.activeElement.value === wanted, text, { timeout: PATIENCE })
     .catch(async () => assert.equal(await programText(page), text));
 
 /** Runs in the page, so that a test can delay its frames. */

@@ -5,7 +5,7 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { startBrowser } from './browser.mjs';
-import { openPage } from './page.mjs';
+import { loadAgain, openPage } from './page.mjs';
 import { serve } from './serve.mjs';
 import { choose } from './words.mjs';
 
@@ -72,7 +72,7 @@ async function walk(page) {
       await page.waitForTimeout(500);
     }
     events.push('reloaded');
-    await page.reload();
+    await loadAgain(page);
     await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag="menu"]'), null, {
       timeout: 60_000,
     });

@@ -1,5 +1,8 @@
 // Finds and presses elements through the accessibility HTML above the page's canvas.
 
+/** How long a page may take beside a build, in milliseconds. */
+export const PATIENCE = 90_000;
+
 /** The element with the app's test tag `tag`. */
 export const words = (page, tag) => page.locator(`#robotran-words [data-tag="${tag}"]`);
 
@@ -30,7 +33,7 @@ export async function placeOf(page, tag) {
 /** `page.waitForFunction(test, argument)`, whose error says that the page was expected `to` do something. */
 async function waitFor(page, to, test, argument) {
   try {
-    return await page.waitForFunction(test, argument, { timeout: 30_000 });
+    return await page.waitForFunction(test, argument, { timeout: PATIENCE });
   } catch (error) {
     throw new Error(`waited for ${to}: ${error.message}`, { cause: error });
   }
@@ -97,8 +100,8 @@ export async function choose(page, opener, item) {
 }
 
 /** Waits until `tag` exists, or no longer exists. */
-export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 'attached', timeout: 30_000 });
-export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: 30_000 });
+export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 'attached', timeout: PATIENCE });
+export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: PATIENCE });
 
 /** Waits until the text of `tag` matches. */
 export const says = (page, tag, pattern) =>
@@ -115,7 +118,7 @@ export const says = (page, tag, pattern) =>
 
 /** Waits until any text on the screen matches. */
 export const isSaid = (page, pattern) =>
-  page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: 30_000 });
+  page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: PATIENCE });
 
 /** The text of the program's editor. */
 export const programText = (page) =>

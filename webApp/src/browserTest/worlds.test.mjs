@@ -1,10 +1,10 @@
 // Worlds that replace the current one: the pupil's changes are kept, and the new task is shown.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { isKept } from './kept.mjs';
 import { photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { test } from './tried-again.mjs';
 import { appears, choose, disappears, press, reports, says, tap, words, writeProgram } from './words.mjs';
 
 const TASK = 'Drive to the flag in the upper corner.\nLift the pen on the way.\nBeep when you are there.';

@@ -243,18 +243,18 @@
     // Browsers keep compiled code only for a response that is read once. Later visits show no progress anyway.
     if (isFirstVisit) countBytes(answer.clone()).catch((error) => fail('notFetched', error));
     const response = typed(address, answer);
-    if (site.streamed.includes(address)) compileWhileItComes(response);
+    if (site.streamed.includes(address)) compileWhileItComes(address, response);
     return response;
   };
 
   // The app would compile one module after the other, each when the one before runs. With Kotlin's options for both.
   const BUILTINS = { builtins: ['js-string'], importedStringConstants: "'" };
   const compiled = new WeakMap();
-  const compilations = [];
-  const compileWhileItComes = (response) => {
+  const compilations = new Map();
+  const compileWhileItComes = (address, response) => {
     const module = WebAssembly.compileStreaming(response, BUILTINS);
     module.catch(() => undefined); // The app reports it.
-    compilations.push(module);
+    compilations.set(address, module);
     compiled.set(response, module);
   };
 
@@ -284,7 +284,7 @@
       join(new WebAssembly.Module(bytesIn(request.responseText)));
     };
     first[ENTRIES_OF_REST].set(0, callable(bringAtOnce));
-    const bytes = Promise.allSettled(compilations).then(() => download(address)).then((response) => response.arrayBuffer());
+    const bytes = Promise.allSettled(compilations.values()).then(() => download(address)).then((response) => response.arrayBuffer());
     bytes.catch(() => undefined); // Then it is brought when it is needed.
     bringRest = async () => join(await WebAssembly.compile(await bytes));
   };
@@ -349,6 +349,16 @@
 
     /** How programs are shown as chosen on the greeting: `blocks` or `text`; empty if nothing was chosen. */
     view: () => view,
+
+    /** A worker with another instance of the app, see `worker.js`. */
+    openWorker() {
+      const worker = new Worker(absolute(site.worker));
+      const [app, skiko] = site.streamed;
+      const scripts = [...site.chunks, site.script].map(absolute);
+      const order = { scripts, app: absolute(app), skiko: absolute(skiko) };
+      compilations.get(app).then((module) => worker.postMessage({ ...order, module }));
+      return worker;
+    },
 
     /** Called when the app is visible. Removes the loading screen and, once idle, caches everything for offline use. */
     started() {

@@ -6,9 +6,11 @@ import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
 import robotran.android.platform.AndroidFilePicker
+import robotran.android.platform.AndroidPhotos
 import robotran.android.platform.AndroidPosters
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
+import robotran.android.platform.pixelsIn
 import robotran.android.sound.audioTrackSpeaker
 import robotran.android.tower.AndroidTowers
 import robotran.simulation.picture.WorldPictures
@@ -16,9 +18,13 @@ import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.FolderKeyValueStore
 import robotran.ui.platform.JavaClock
+import robotran.workshop.platform.GradingThreads
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.sound.LoudSpeaker
@@ -43,6 +49,9 @@ class AndroidPlatform(private val context: Context) : Platform {
     /** False for a Chromebook, and for a tablet in a case with a keyboard. */
     override val isForFingers: Boolean =
         context.resources.configuration.keyboard != Configuration.KEYBOARD_QWERTY
+    override val gradingWorkers: GradingWorkers = GradingThreads()
+    val photos = AndroidPhotos(context)
+    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, photos, ::pixelsIn)
     override val background: CoroutineContext = Dispatchers.Default
 
     /** Uses the app's language, which may differ from the system's. */

@@ -22,6 +22,7 @@ class MainActivity : ComponentActivity() {
         super.onCreate(savedInstanceState)
         kept.platform.files.attachTo(this)
         kept.platform.posters.attachTo(this)
+        kept.platform.photos.attachTo(this)
         if (savedInstanceState == null && !isFromHistory(intent)) kept.receive(intent)
         setContent { kept.workshop?.let { EdgeToEdge(this, it) } }
     }

@@ -14,6 +14,8 @@ import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.grade.GradeCommand
 import robotran.cli.image.BuildCommand
+import robotran.cli.packaging.CourseCommand
+import robotran.cli.packaging.PackageCommand
 import robotran.cli.run.RunCommand
 import robotran.cli.translate.TranslateCommand
 import robotran.cli.web.WebCommand
@@ -36,7 +38,7 @@ class CommandLine(
             RobotranCommand(console, desktop).subcommands(
                 AppCommand(console, desktop),
                 RunCommand(console, desktop),
-                GradeCommand(console),
+                GradeCommand(console, desktop),
                 CheckCommand(console),
                 TranslateCommand(console),
                 BuildCommand(console),
@@ -46,6 +48,8 @@ class CommandLine(
                 FirmwareCommand(console, towers),
                 BrickCommand(console, towers),
                 WebCommand(console),
+                CourseCommand(console),
+                PackageCommand(console),
             )
         return try {
             command.parse(arguments)

@@ -20,6 +20,8 @@ import robotran.cli.files.ProgramFiles
 import robotran.cli.files.nameOf
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
+import robotran.cli.input.courseOf
+import robotran.cli.input.isCourse
 import robotran.cli.input.isProject
 import robotran.cli.input.loadWorld
 import robotran.cli.input.projectOf
@@ -37,7 +39,8 @@ import robotran.world.file.BuiltInWorlds
 internal class LinkCommand(private val process: Console) : CoreCliktCommand("link") {
     private val files by argument(
         "FILE",
-        help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot",
+        help = "a world (.world.json), a project (.robotran), a course (.course.json or its folder), or programs " +
+            "(.robo, .java) for one robot",
     )
         .multiple(required = true)
     private val world by option(
@@ -65,11 +68,15 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
 
     override fun run() {
         val single = files.singleOrNull()
-        val isWhole = single != null && (single.endsWith(WORLD) || isProject(single))
+        val isWhole = single != null && (single.endsWith(WORLD) || isProject(single) || isCourse(single))
         if (isWhole && world != null) throw UsageError("--world goes with programs only")
         val made =
             when {
                 !isWhole -> compilePrograms()?.let { runBlocking { linkOf(it, spoken.language) } }
+
+                isCourse(single.orEmpty()) -> courseOf(single.orEmpty(), console)?.let {
+                    runBlocking { linkOf(it, spoken.language) }
+                }
 
                 single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let {
                     runBlocking { linkOf(it, spoken.language) }

@@ -8,6 +8,10 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.launch
 import robotran.ui.RobotranStart
+import robotran.web.embedding.Embedding
+import robotran.web.embedding.reportToParent
+import robotran.web.grading.gradeForPage
+import robotran.web.grading.isWorker
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
@@ -15,19 +19,26 @@ import robotran.web.window.PageFonts
 import robotran.web.window.PageWindow
 import robotran.workshop.Workshop
 
-/** Creates the workshop in the page and then removes the loading screen. */
+/** Creates the workshop in the page and then removes the loading screen; in a worker, grades for the page. */
 fun main() {
-    val page = checkNotNull(document.body) { "The page has no body." }
     // Lives as long as the page. A failed coroutine does not cancel the others.
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
+    if (isWorker()) gradeForPage(scope) else openPage(scope)
+}
+
+private fun openPage(scope: CoroutineScope) {
+    val page = checkNotNull(document.body) { "The page has no body." }
     findResourcesInSite()
-    val embedded = isEmbedded()
+    val embedding = Embedding.asked()
+    val isEmbedded = embedding != Embedding.NONE
     val fonts = PageFonts()
-    val platform = WebPlatform(WebSpeaker(), embedded, fonts)
-    PageWindow(page, fonts, hasHistory = !embedded) {
-        RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
+    val platform = WebPlatform(WebSpeaker(), isEmbedded, fonts)
+    PageWindow(page, fonts, hasHistory = !isEmbedded) {
+        val isSheet = embedding == Embedding.SHEET
+        RobotranStart(platform = platform, welcoming = !isEmbedded, embedded = isSheet, onOpened = { workshop ->
             openPageInterface(workshop, scope)
-            if (!embedded) saveOnPageHide(workshop, scope)
+            if (!isEmbedded) saveOnPageHide(workshop, scope)
+            if (embedding == Embedding.ASSIGNMENT) scope.launch { reportToParent(workshop) }
             fulfilWish(workshop)
             notifyAppStarted()
         })
@@ -40,6 +51,3 @@ private fun saveOnPageHide(workshop: Workshop, scope: CoroutineScope) {
     onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.hideDocument() } }
     askBeforeLosing { workshop.state.document.error != null }
 }
-
-/** Whether the URL requests only world and brick, to embed them in another page: `?embed`. */
-private fun isEmbedded(): Boolean = js("new URLSearchParams(location.search).has('embed')")

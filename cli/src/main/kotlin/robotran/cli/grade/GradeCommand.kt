@@ -9,6 +9,7 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
+import robotran.cli.console.DesktopApp
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.speaking
 import robotran.cli.input.MAX_SEEDS
@@ -16,15 +17,20 @@ import robotran.cli.input.readSeeds
 import robotran.cli.run.RunOptions
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
-/** `robotran grade WORLD PROGRAM..`: runs programs in a world and reports for each seed whether they meet its goals. */
-internal class GradeCommand(private val console: Console) : CoreCliktCommand("grade") {
-    private val world by argument("WORLD", help = "a world with goals (.world.json, or a project or link with it)")
+/** `robotran grade ASSIGNMENT HAND-IN..`: runs what pupils handed in and reports whether it meets the goals. */
+internal class GradeCommand(private val console: Console, private val desktop: DesktopApp?) :
+    CoreCliktCommand("grade") {
+    private val world by argument(
+        "ASSIGNMENT",
+        help = "an assignment (.robotran), or a world with goals (.world.json, or a project or link with it)",
+    )
     private val programs by argument(
-        "PROGRAM",
+        "HAND-IN",
         help =
             "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, a folder with the " +
-                "files of one " +
-                "Java program, or a project (.robotran) or link, of which the programs of the first robot count",
+                "files of one Java program, or a project or hand-in (.robotran) or link, of which the programs of " +
+                "the first robot count; or many: a folder or zip with submissions, also of a learning platform, or " +
+                "a text with links",
     ).multipleArguments(required = true)
     private val seeds by option(
         "--seeds",
@@ -47,10 +53,16 @@ internal class GradeCommand(private val console: Console) : CoreCliktCommand("gr
         .default(Runtime.getRuntime().availableProcessors().coerceIn(1, MAX_JOBS))
     private val junit by option("--junit", metavar = "FILE|-", help = "writes the grades as JUnit's XML")
     private val report by option("--report", metavar = "FILE|-", help = "writes the grades as JSON")
+    private val csv by option("--csv", metavar = "FILE|-", help = "writes a table for a spreadsheet, a row a hand-in")
+    private val html by option(
+        "--html",
+        metavar = "FILE",
+        help = "writes a page to read and print, with a picture of each sheet if the desktop app is there",
+    )
     private val options by RunOptions()
     private val spoken by LanguageOption()
 
-    override fun help(context: Context) = "Grades programs by the goals of a world."
+    override fun help(context: Context) = "Grades programs and hand-ins by the goals of an assignment or a world."
 
     override fun helpEpilog(context: Context) =
         "Exit status: 0 if every program met all goals with every seed; 1 if not; 2 if something given cannot be " +
@@ -58,8 +70,8 @@ internal class GradeCommand(private val console: Console) : CoreCliktCommand("gr
             "mistakes."
 
     override fun run() {
-        val request = GradeRequest(world, programs, seeds, jobs, options, junit, report)
-        throw ProgramResult(ProgramGrader(console.speaking(spoken.language)).run(request).status)
+        val request = GradeRequest(world, programs, seeds, jobs, options, GradeOutputs(junit, report, csv, html))
+        throw ProgramResult(ProgramGrader(console.speaking(spoken.language), desktop).run(request).status)
     }
 
     private companion object {
@@ -70,8 +82,9 @@ internal class GradeCommand(private val console: Console) : CoreCliktCommand("gr
 /**
  * What to grade.
  *
- * @property seeds null for the world's own seed.
- * @property junit a file name, - for the console, null for none; the same for [report].
+ * @property world that of the assignment, as the user entered it.
+ * @property programs or hand-ins, as the user entered them.
+ * @property seeds null for those of the assignment, or the world's own seed.
  */
 internal class GradeRequest(
     val world: String,
@@ -79,6 +92,15 @@ internal class GradeRequest(
     val seeds: IntRange?,
     val jobs: Int,
     val options: RunOptions,
-    val junit: String?,
-    val report: String?,
+    val outputs: GradeOutputs,
 )
+
+/** What to write: file names, - for the console, null for none. */
+internal class GradeOutputs(val junit: String?, val report: String?, val csv: String?, val html: String?) {
+    /** Whether one of them replaces the table on the console. */
+    val useConsole: Boolean get() = CONSOLE in listOf(junit, report, csv)
+
+    companion object {
+        const val CONSOLE = "-"
+    }
+}

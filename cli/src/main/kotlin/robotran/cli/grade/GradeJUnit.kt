@@ -8,7 +8,7 @@ import java.io.StringWriter
 import javax.xml.stream.XMLOutputFactory
 import javax.xml.stream.XMLStreamWriter
 
-/** All grades as JUnit XML: one test suite per program, one test case per seed. Times are virtual seconds. */
+/** All grades as JUnit XML: one test suite per program, one test case per world and seed. Times are virtual seconds. */
 internal fun gradeJUnit(worldTitle: String, programs: List<ProgramGrades>): String {
     val text = StringWriter()
     val xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text)
@@ -37,13 +37,15 @@ private fun XMLStreamWriter.suite(worldTitle: String, program: ProgramGrades) {
                 }
             }
 
-            is ProgramGrades.Graded -> program.grades.forEach { case(worldTitle, it) }
+            is ProgramGrades.Graded -> program.grades.zip(program.worlds) { grade, world ->
+                case(worldTitle, grade, world)
+            }
         }
     }
 }
 
-private fun XMLStreamWriter.case(worldTitle: String, grade: Grade) =
-    case(worldTitle, "seed ${grade.seed}", grade.seconds) {
+private fun XMLStreamWriter.case(worldTitle: String, grade: Grade, world: String) =
+    case(worldTitle, listOf(world, "seed ${grade.seed}").filter { it.isNotEmpty() }.joinToString(), grade.seconds) {
         if (!grade.passed) {
             val message = firstUnmet(grade.goals)?.sentence ?: "no goal"
             element("failure", "message" to message, "type" to "goals") {

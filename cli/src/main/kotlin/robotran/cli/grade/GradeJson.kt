@@ -11,7 +11,8 @@ import robotran.simulation.grade.Grade
 
 /**
  * All grades as JSON: the file and title of the `world`, and `programs`. Each program has its file and either
- * `mistakes`, or the number of seeds it `passed` and its `runs`: `seed`, `passed` and the `report` of `robotran run`.
+ * `mistakes`, or the number of seeds it `passed` and its `runs`: `world` for a variation of the assignment's world,
+ * `seed`, `passed` and the `report` of `robotran run`.
  */
 internal fun gradeJson(worldFile: String, worldTitle: String, programs: List<ProgramGrades>): String {
     val report = buildJsonObject {
@@ -31,12 +32,13 @@ private fun json(program: ProgramGrades): JsonObject = buildJsonObject {
 
         is ProgramGrades.Graded -> {
             put("passed", program.passed)
-            put("runs", JsonArray(program.grades.map(::json)))
+            put("runs", JsonArray(program.grades.zip(program.worlds, ::json)))
         }
     }
 }
 
-private fun json(grade: Grade): JsonObject = buildJsonObject {
+private fun json(grade: Grade, world: String): JsonObject = buildJsonObject {
+    if (world.isNotEmpty()) put("world", world)
     put("seed", grade.seed)
     put("passed", grade.passed)
     put("report", jsonOutput.encodeToJsonElement(RunReport.serializer(), grade.report))

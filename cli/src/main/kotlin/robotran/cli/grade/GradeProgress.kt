@@ -30,9 +30,15 @@ internal class GradeProgress(private val console: Console, private val isTermina
         return if (done == total) "\r" + " ".repeat(bar.length) + "\r" else "\r$bar"
     }
 
-    private companion object {
-        const val FEWEST = 5
-        const val TENTHS = 10
-        const val WIDTH = 40
+    companion object {
+        /** The progress of [total] runs, as fits the terminal. */
+        fun of(console: Console, total: Int) =
+            GradeProgress(console, isTerminal = System.getProperty(TERMINAL) == "true", total = total)
+
+        /** The start script sets this to true if standard error is a terminal. */
+        private const val TERMINAL = "robotran.terminal"
+        private const val FEWEST = 5
+        private const val TENTHS = 10
+        private const val WIDTH = 40
     }
 }

@@ -18,12 +18,12 @@ import robotran.simulation.state.GoalStatus
 /**
  * The grades as text tables.
  *
- * @param commandFor returns the command that repeats the run of a program with a seed.
+ * @param commandFor returns the command that repeats the run of a program with a seed; null if there is none.
  */
 internal class GradeTables(
     private val seeds: IntRange,
     private val messages: CommandMessages,
-    private val commandFor: (program: String, seed: Int) -> String,
+    private val commandFor: (program: String, seed: Int) -> String?,
 ) {
     /** The full result of one program: each goal, then the failed seeds. */
     fun ofProgram(program: ProgramGrades.Graded): String {
@@ -34,9 +34,13 @@ internal class GradeTables(
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
     }
 
-    /** A table with one row per program, then the first failed seed of each failed program. */
-    fun ofClass(programs: List<ProgramGrades>): String {
-        val names = programs.map { nameOf(it.shownName) }
+    /**
+     * A table with one row per program, then the first failed seed of each failed program.
+     *
+     * @param areFiles whether programs are called by their files rather than by their pupils.
+     */
+    fun ofClass(programs: List<ProgramGrades>, areFiles: Boolean = true): String {
+        val names = programs.map { if (areFiles) nameOf(it.shownName) else it.shownName }
         val areUnique = names.toSet().size == names.size
         val rows = programs.zip(names) { program, name ->
             listOf(if (areUnique) name else program.shownName) +
@@ -44,9 +48,10 @@ internal class GradeTables(
         }
         val table = render(messages.programColumns(), rows)
         val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
-            program.grades.firstOrNull {
-                !it.passed
-            }?.let { "${program.shownName}: ${commandFor(program.name, it.seed)}" }
+            val missed = program.grades.indexOfFirst { !it.passed }
+            // The command line cannot run a variation of an assignment's world.
+            missed.takeIf { it >= 0 && program.worlds[it].isEmpty() }
+                ?.let { commandFor(program.name, program.grades[it].seed) }?.let { "${program.shownName}: $it" }
         }
         return (listOf(table) + failures).joinToString("\n")
     }
@@ -82,7 +87,7 @@ internal class GradeTables(
         val missed = messages.seedMissed(grade.seed, goal?.sentence, goal?.let(::percent).orEmpty())
         val told = grade.report.error?.let { messages.seedFailed(missed, it) } ?: missed
         val shortfall = firstShortfall(grade.report.goals)?.let { "  ${messages.textOf(it)}" }
-        return listOfNotNull(told, shortfall, "  ${commandFor(program, grade.seed)}")
+        return listOfNotNull(told, shortfall, commandFor(program, grade.seed)?.let { "  $it" })
     }
 
     private fun inWords() = messages.seeds(seeds.first, seeds.last)

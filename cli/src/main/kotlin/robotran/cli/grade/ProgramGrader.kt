@@ -2,10 +2,10 @@ package robotran.cli.grade
 
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.Console
+import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.files.filesOfProgram
-import robotran.cli.files.writeFile
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.RobotProgramsResult
 import robotran.cli.input.SubmissionResult
@@ -17,11 +17,12 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
+import robotran.simulation.grade.Grade
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 
 /** Implements `robotran grade`: reads all files, runs all programs, writes the results. */
-internal class ProgramGrader(private val console: Console) {
+internal class ProgramGrader(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: GradeRequest): ExitCode {
         val place =
             loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
@@ -31,6 +32,17 @@ internal class ProgramGrader(private val console: Console) {
             console.complain(console.messages.noGoals(if (isLink(request.world)) world.title else request.world))
             return ExitCode.BAD_INPUT
         }
+        val isForClass = place.project.assignment != null || request.outputs.csv != null ||
+            request.outputs.html != null || request.programs.any(::holdsSubmissions)
+        return if (isForClass) {
+            HandInsGrader(console, desktop).run(place, request)
+        } else {
+            gradePrograms(place, request)
+        }
+    }
+
+    private fun gradePrograms(place: LoadedWorld, request: GradeRequest): ExitCode {
+        val world = place.world
         val names = request.programs.distinct()
         val shownNames = shownNames(names)
         val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
@@ -63,7 +75,7 @@ internal class ProgramGrader(private val console: Console) {
         }
         val problems = write(world, programs, request)
         problems.forEach(console::complain)
-        if (CONSOLE !in listOf(request.junit, request.report)) {
+        if (!request.outputs.useConsole) {
             console.say(words(programs, seeds, GradedRun(request.world, milliseconds, request.options.words)))
         }
         return when {
@@ -109,36 +121,20 @@ internal class ProgramGrader(private val console: Console) {
         seeds: IntRange,
         milliseconds: Int,
         jobs: Int,
-    ) = GradeProgress(
-        console,
-        isTerminal = System.getProperty(TERMINAL) == "true",
-        total = loads.size * seeds.count(),
-    ).let { progress ->
-        val grader =
-            Grader(
-                world,
-                milliseconds,
-                runBlocking {
-                    loadPhysicsEngine()
-                },
-                jobs,
-                console.language,
-                progress::runIsDone,
-            )
-        loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
+    ): Map<String, List<Grade>> {
+        val progress = GradeProgress.of(console, loads.size * seeds.count())
+        val physics = runBlocking { loadPhysicsEngine() }
+        val grader = Grader(world, milliseconds, physics, jobs, console.language, progress::runIsDone)
+        return loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
     }
 
     /** Writes all requested files and returns errors for those that could not be written. */
-    private fun write(world: World, programs: List<ProgramGrades>, request: GradeRequest): List<String> = listOfNotNull(
-        request.junit?.let { writeText(it, gradeJUnit(world.title, programs)) },
-        request.report?.let { writeText(it, gradeJson(request.world, world.title, programs)) },
-    )
-
-    private fun writeText(name: String, text: String): String? = if (name == CONSOLE) {
-        console.say(text)
-        null
-    } else {
-        writeFile(name, "$text\n".encodeToByteArray(), console.messages)
+    private fun write(world: World, programs: List<ProgramGrades>, request: GradeRequest): List<String> {
+        val writer = OutputWriter(console)
+        return listOfNotNull(
+            request.outputs.junit?.let { writer.write(it, gradeJUnit(world.title, programs)) },
+            request.outputs.report?.let { writer.write(it, gradeJson(request.world, world.title, programs)) },
+        )
     }
 
     private fun words(programs: List<ProgramGrades>, seeds: IntRange, run: GradedRun): String {
@@ -148,10 +144,6 @@ internal class ProgramGrader(private val console: Console) {
     }
 
     private companion object {
-        const val CONSOLE = "-"
         const val MILLISECONDS_PER_SECOND = 1000
-
-        /** The start script sets this to true if standard error is a terminal. */
-        const val TERMINAL = "robotran.terminal"
     }
 }

@@ -16,9 +16,16 @@ internal sealed interface ProgramGrades {
     val name: String
     val shownName: String
 
-    /** @property grades one per seed, in order; never empty. */
-    data class Graded(override val name: String, override val shownName: String, val grades: List<Grade>) :
-        ProgramGrades {
+    /**
+     * @property grades one per world and seed, in order; never empty.
+     * @property worlds the world of each of [grades]: empty for the assignment's own, or the name of a variation.
+     */
+    data class Graded(
+        override val name: String,
+        override val shownName: String,
+        val grades: List<Grade>,
+        val worlds: List<String> = grades.map { "" },
+    ) : ProgramGrades {
         val passed: Int get() = grades.count { it.passed }
     }
 

@@ -1,6 +1,7 @@
 package robotran.cli.input
 
 import robotran.cli.console.Console
+import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.world.World
 
@@ -8,8 +9,13 @@ import robotran.world.World
  * A world to run programs in.
  *
  * @property others what the project of this world assigns to all robots but the first.
+ * @property project that the world comes from; one of the world alone if it comes from none.
  */
-internal data class LoadedWorld(val world: World, val others: List<ProjectRobot> = emptyList()) {
+internal data class LoadedWorld(
+    val world: World,
+    val others: List<ProjectRobot> = emptyList(),
+    val project: Project = Project(world),
+) {
     /** A copy with [changes]. */
     fun with(changes: WorldChanges): LoadedWorld = copy(world = changes.of(world))
 }
@@ -19,8 +25,9 @@ internal data class LoadedWorld(val world: World, val others: List<ProjectRobot>
  */
 internal fun loadWorld(name: String, console: Console): LoadedWorld? = if (isProject(name)) {
     projectOf(name, console)?.let { project ->
-        LoadedWorld(project.worldToRun, project.robots.filter { it.name != project.world.robots.first().name })
+        val others = project.robots.filter { it.name != project.world.robots.first().name }
+        LoadedWorld(project.worldToRun, others, project)
     }
 } else {
-    readWorldFile(name, console)?.let(::LoadedWorld)
+    readWorldFile(name, console)?.let { LoadedWorld(it) }
 }

@@ -47,6 +47,7 @@ private fun openProjectLink(link: String, linkName: String?, console: Console): 
     when (val result = runBlocking { openLink(link, console.language) }) {
         is LinkResult.OfProject -> ReadProject.Read(result.project)
         is LinkResult.OfWorld -> ReadProject.Read(Project(result.world))
+        is LinkResult.OfCourse -> ReadProject.Rejected(console.messages.isCourse(linkName ?: result.course.title))
         is LinkResult.Rejected -> ReadProject.Rejected(listOfNotNull(linkName, result.message).joinToString(": "))
     }
 

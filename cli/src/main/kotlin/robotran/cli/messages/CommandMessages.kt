@@ -118,6 +118,15 @@ internal interface RunMessages {
 internal interface GradeMessages {
     fun noGoals(world: String): String
 
+    /** Nothing was found to grade. */
+    fun noHandIns(): String
+
+    /** The page about a class was requested, but the desktop app is not included. */
+    fun pageWithoutPictures(): String
+
+    /** A program was given to a robot that is not there. */
+    fun noRobot(name: String): String
+
     /** The column headings: goal, number of seeds that met it, lowest progress. */
     fun goalColumns(): List<String>
 

@@ -113,6 +113,13 @@ private object EnglishRunMessages : RunMessages {
 private object EnglishGradeMessages : GradeMessages {
     override fun noGoals(world: String) = "The world $world has no goals, so there is nothing to grade."
 
+    override fun noHandIns() = "There are no hand-ins in what was named."
+
+    override fun pageWithoutPictures() =
+        "The page has no pictures: they need the desktop app, which ./robotran builds and starts."
+
+    override fun noRobot(name: String) = "No robot in this world is called $name."
+
     override fun goalColumns() = listOf("goal", "seeds met", "worst")
 
     override fun programColumns() = listOf("program", "seeds passed", "first goal that was missed")
@@ -143,6 +150,14 @@ private object EnglishGradeMessages : GradeMessages {
 }
 
 private object EnglishWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name is no assignment. \"Make an assignment\" in the app makes one of it."
+
+    override fun noSuchCourse(name: String, known: List<String>) =
+        "There is no course called $name. There are ${listed(known, "and")}."
+
+    override fun isCourse(name: String) = "$name is a whole course. Choose one of its assignments."
+
     override fun siteNotBuilt(folder: String) = "There is no built site in $folder. ./gradlew :webApp:dist makes it."
 
     override fun siteNotHere() =

@@ -117,6 +117,13 @@ private object GermanRunMessages : RunMessages {
 private object GermanGradeMessages : GradeMessages {
     override fun noGoals(world: String) = "Die Welt $world hat keine Ziele, also gibt es nichts zu bewerten."
 
+    override fun noHandIns() = "In dem, was genannt wurde, sind keine Abgaben."
+
+    override fun pageWithoutPictures() =
+        "Die Seite hat keine Bilder: Die brauchen die Desktop-App, die ./robotran baut und startet."
+
+    override fun noRobot(name: String) = "Kein Roboter in dieser Welt heißt $name."
+
     override fun goalColumns() = listOf("Ziel", "Startzahlen", "schlechtestes")
 
     override fun programColumns() = listOf("Programm", "geschaffte Startzahlen", "erstes verfehltes Ziel")
@@ -154,6 +161,14 @@ private object GermanGradeMessages : GradeMessages {
 }
 
 private object GermanWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name ist keine Aufgabe. \"Aufgabe stellen\" in der App macht eine daraus."
+
+    override fun noSuchCourse(name: String, known: List<String>) =
+        "Es gibt keinen Kurs, der $name heißt. Es gibt ${listed(known, "und")}."
+
+    override fun isCourse(name: String) = "$name ist ein ganzer Kurs. Nimm eine seiner Aufgaben."
+
     override fun siteNotBuilt(folder: String) = "In $folder liegt keine gebaute Seite. ./gradlew :webApp:dist baut sie."
 
     override fun siteNotHere() =

@@ -118,6 +118,13 @@ private object SpanishRunMessages : RunMessages {
 private object SpanishGradeMessages : GradeMessages {
     override fun noGoals(world: String) = "El mundo $world no tiene metas, así que no hay nada que calificar."
 
+    override fun noHandIns() = "No hay entregas en lo que se ha indicado."
+
+    override fun pageWithoutPictures() =
+        "La página no tiene imágenes: necesitan la aplicación de escritorio, que ./robotran construye e inicia."
+
+    override fun noRobot(name: String) = "Ningún robot de este mundo se llama $name."
+
     override fun goalColumns() = listOf("meta", "semillas", "peor")
 
     override fun programColumns() = listOf("programa", "semillas superadas", "primera meta sin conseguir")
@@ -152,6 +159,14 @@ private object SpanishGradeMessages : GradeMessages {
 }
 
 private object SpanishWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name no es una tarea. \"Crear una tarea\" en la aplicación la convierte en una."
+
+    override fun noSuchCourse(name: String, known: List<String>) =
+        "No hay ningún curso llamado $name. Están ${listed(known, "y")}."
+
+    override fun isCourse(name: String) = "$name es un curso entero. Elige una de sus tareas."
+
     override fun siteNotBuilt(folder: String) =
         "En $folder no hay ninguna página construida. La construye ./gradlew :webApp:dist."
 

@@ -7,12 +7,17 @@ import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
 import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.GradingThreads
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WebSite
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 
@@ -26,8 +31,11 @@ internal class DesktopPlatform(
 ) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val posters: Posters = DesktopPosters
+    override val webSite: WebSite? = FolderWebSite.ofThisProcess()
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()
+    override val gradingWorkers: GradingWorkers = GradingThreads()
+    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, pixelsIn = ::pixelsIn)
     override val background: CoroutineContext = Dispatchers.Default
 }

@@ -13,6 +13,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.ExperimentalPathApi
+import kotlin.io.path.createDirectory
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.deleteRecursively
 import kotlin.io.path.writeText
@@ -87,6 +88,18 @@ class OpenRequestTest {
         )
         assertEquals(emptyList(), openRequestsIn(StringSelection("hello")))
         assertIs<OpenRequest.Unreadable>(openRequestsIn(DroppedFiles(folder.resolve("none").toFile())).single())
+    }
+
+    @Test
+    fun `a dropped folder brings the files in it that Robotran may read, with their folders`() {
+        val pupils = folder.resolve("Class 7").createDirectory()
+        for (name in listOf("Ada", "Ben", ".hidden")) {
+            pupils.resolve(name).createDirectory().resolve("square.robo").writeText("forward 1")
+        }
+        pupils.resolve("holiday.jpg").writeText("no picture")
+        val arrival = assertIs<OpenRequest.OfFiles>(openRequestsIn(DroppedFiles(pupils.toFile())).single())
+        assertEquals(listOf("Class 7/Ada/square.robo", "Class 7/Ben/square.robo"), arrival.files.map { it.path })
+        assertEquals("square.robo", arrival.files.first().name)
     }
 
     private class DroppedFiles(private vararg val files: File) : Transferable {

@@ -4,13 +4,18 @@ import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
+import robotran.projects.Course
+import robotran.projects.CourseFileResult
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectProgram
+import robotran.projects.assignmentFilesOf
+import robotran.projects.isCourseFile
 import robotran.projects.isLink
 import robotran.projects.openLink
+import robotran.projects.readCourse
 import robotran.projects.readProject
 import robotran.rcxrom.Brick
 import robotran.world.World
@@ -31,9 +36,14 @@ sealed interface OpenFilesResult {
      * @property projects whole projects, each opened separately.
      * @property world replaces the world of the open project, or of the first of [projects].
      * @property programs to be added to the existing ones.
+     * @property courses whole courses, to be kept on the device.
      */
-    data class Opened(val projects: List<OpenedProject>, val world: World?, val programs: List<ProjectProgram>) :
-        OpenFilesResult
+    data class Opened(
+        val projects: List<OpenedProject>,
+        val world: World?,
+        val programs: List<ProjectProgram>,
+        val courses: List<Course> = emptyList(),
+    ) : OpenFilesResult
 
     /** None of the files was opened. */
     data class Rejected(val error: OpenFilesError) : OpenFilesResult
@@ -69,8 +79,11 @@ sealed interface OpenFilesError {
  * @param language the language of error messages.
  */
 suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.ENGLISH): OpenFilesResult {
-    val parts = files.filterNot(::isJava).map { file ->
-        when (val part = partOf(file, language)) {
+    // The files of a course's folder are parts of the course.
+    val inCourses = files.filter(::mayBeCourse).flatMap { assignmentFilesOf(textOf(it).orEmpty()) }.toSet()
+    val byName = files.associateBy { it.name }
+    val parts = files.filterNot { isJava(it) || it.name in inCourses }.map { file ->
+        when (val part = partOf(file, language) { byName[it]?.bytes }) {
             is Part.Unusable -> return OpenFilesResult.Rejected(part.error)
             else -> part
         }
@@ -96,6 +109,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
             },
             worlds.singleOrNull(),
             programs,
+            parts.filterIsInstance<Part.OfCourse>().map { it.course },
         )
     }
 }
@@ -111,6 +125,8 @@ suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): O
 
         is LinkResult.OfWorld -> OpenFilesResult.Opened(emptyList(), result.world, emptyList())
 
+        is LinkResult.OfCourse -> OpenFilesResult.Opened(emptyList(), null, emptyList(), listOf(result.course))
+
         is LinkResult.Rejected -> OpenFilesResult.Rejected(OpenFilesError.InLink(result.message))
     }
 
@@ -119,13 +135,15 @@ private sealed interface Part {
 
     data class OfWorld(val world: World) : Part
 
+    data class OfCourse(val course: Course) : Part
+
     data class OfProgram(val program: ProjectProgram) : Part
 
     data class Unusable(val error: OpenFilesError) : Part
 }
 
 /** A browser or mail program may have changed the file extension, so the content decides, except for programs. */
-private suspend fun partOf(file: IncomingFile, language: Language): Part {
+private suspend fun partOf(file: IncomingFile, language: Language, beside: (String) -> ByteArray?): Part {
     if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Unusable(OpenFilesError.TooLong(file.name))
     val text = textOf(file) ?: return Part.Unusable(OpenFilesError.NotText(file.name))
     return when {
@@ -138,7 +156,7 @@ private suspend fun partOf(file: IncomingFile, language: Language): Part {
         }
 
         text.trimStart().startsWith('{') || JSON_KINDS.any { file.name.endsWith(it.extension) } -> {
-            jsonPartOf(file, text, language)
+            if (isCourseFile(text)) coursePartOf(file, text, language, beside) else jsonPartOf(file, text, language)
         }
 
         isLink(text) -> {
@@ -171,11 +189,18 @@ private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Pa
     }
 }
 
+private fun coursePartOf(file: IncomingFile, text: String, language: Language, beside: (String) -> ByteArray?): Part =
+    when (val result = readCourse(text, language, beside)) {
+        is CourseFileResult.Loaded -> Part.OfCourse(result.course)
+        is CourseFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
+    }
+
 private suspend fun linkedPartOf(text: String, language: Language): Part =
     when (val opening = openLinkText(text, language)) {
         is OpenFilesResult.Rejected -> Part.Unusable(opening.error)
 
         is OpenFilesResult.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject)
+            ?: opening.courses.firstOrNull()?.let(Part::OfCourse)
             ?: Part.OfWorld(checkNotNull(opening.world))
     }
 
@@ -190,7 +215,10 @@ private fun textOf(file: IncomingFile): String? = try {
 private fun isTooLong(text: String): Boolean =
     text.length > ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
 
+private fun mayBeCourse(file: IncomingFile): Boolean =
+    file.bytes.size <= JsonLimits.MAXIMUM_BYTES && textOf(file)?.let(::isCourseFile) == true
+
 private fun isJava(file: IncomingFile): Boolean = file.name.endsWith(FileKind.JAVA.extension, ignoreCase = true)
 
-private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD)
+private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE)
 private const val PROJECT_MARK = "\"robotran-project\""

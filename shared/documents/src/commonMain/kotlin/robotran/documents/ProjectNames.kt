@@ -54,18 +54,28 @@ private fun String.withoutUnpairedSurrogates(): String = filterIndexed { place, 
 private fun String.removeSuffixOf(kinds: List<FileKind>): String =
     kinds.firstOrNull { endsWith(it.extension, ignoreCase = true) }?.let { dropLast(it.extension.length) } ?: this
 
+/** How the name of a course file ends, also without a name before it: `course.json`. */
+const val COURSE_EXTENSION = "course.json"
+
 /** The kinds of Robotran files. */
 enum class FileKind(val extension: String, val mimeType: String) {
     PROJECT(".robotran", "application/json"),
     WORLD(".world.json", "application/json"),
+    COURSE(".course.json", "application/json"),
     ROBOLANG(".robo", "text/plain"),
     JAVA(".java", "text/plain"),
     PNG(".png", "image/png"),
+    JPEG(".jpg", "image/jpeg"),
+
+    /** The same with its other ending. */
+    LONG_JPEG(".jpeg", "image/jpeg"),
     SVG(".svg", "image/svg+xml"),
     GIF(".gif", "image/gif"),
     WEBM(".webm", "video/webm"),
     ZIP(".zip", "application/zip"),
     TEXT(".txt", "text/plain"),
+    CSV(".csv", "text/csv"),
+    HTML(".html", "text/html"),
 
     /** Firmware for an RCX as S-records, such as leJOS's. */
     FIRMWARE(".srec", "application/octet-stream"),

@@ -50,7 +50,8 @@ internal external interface EcjModule : JsAny {
 }
 
 /** Imports the module dynamically, so that the page fetches it only on demand and bundlers find it. */
-internal fun importEcjModule(): Promise<EcjModule> = js("import('./ecj.mjs').then(module => module.loadModule())")
+internal fun importEcjModule(): Promise<EcjModule> =
+    js("import(/* webpackChunkName: 'ecj' */ './ecj.mjs').then(module => module.loadModule())")
 
 internal fun ByteArray.toJsArray(): JsAny = newInt8Array(size).also { copy ->
     forEachIndexed { index, value -> put(copy, index, value) }

@@ -4,10 +4,10 @@ package robotran.projects
  * Compresses [bytes] by raw deflate (RFC 1951). The compression ratio depends on the platform; each reads the output of
  * the others.
  */
-internal expect suspend fun deflate(bytes: ByteArray): ByteArray
+expect suspend fun deflate(bytes: ByteArray): ByteArray
 
 /**
- * Restores the input of [deflate]; null if [compressed] is damaged, truncated, has extra bytes at the end, or would
- * expand to more than [max] bytes.
+ * Restores what was compressed by raw deflate (RFC 1951); null if [compressed] is damaged, truncated, has extra bytes
+ * at the end, or would expand to more than [max] bytes.
  */
-internal expect suspend fun inflate(compressed: ByteArray, max: Int): ByteArray?
+expect suspend fun inflate(compressed: ByteArray, max: Int): ByteArray?

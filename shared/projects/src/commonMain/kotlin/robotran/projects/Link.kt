@@ -2,6 +2,7 @@ package robotran.projects
 
 import kotlinx.serialization.json.JsonElement
 import robotran.json.JsonLimits
+import robotran.json.readJson
 import robotran.json.writeCompactJson
 import robotran.language.Language
 import robotran.projects.messages.LinkMessages
@@ -27,6 +28,8 @@ sealed interface LinkResult {
 
     data class OfProject(val project: Project) : LinkResult
 
+    data class OfCourse(val course: Course) : LinkResult
+
     /** The link is invalid; [message] is one sentence with the reason. */
     data class Rejected(val message: String) : LinkResult
 }
@@ -44,6 +47,17 @@ suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCre
 suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
 
+/** The same for [course], with all its assignments. */
+suspend fun linkOf(course: Course, language: Language = Language.ENGLISH): LinkCreation =
+    linkOf(LinkKind.COURSE, elementOf(course), ProjectMessages.of(language)::courseTooLong)
+
+/**
+ * The short link to [handIn], for a QR code: without the assignment's world, see [writeCompactHandIn]. Only
+ * [openHandInLink] opens it.
+ */
+suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH): LinkCreation =
+    linkOf(LinkKind.HAND_IN, handInElementOf(handIn), ProjectMessages.of(language)::projectTooLong)
+
 /**
  * Opens a link from [linkOf].
  *
@@ -51,11 +65,22 @@ suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): Lin
  * for any text.
  * @param language the language of error messages.
  */
-suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult {
+suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult = openLink(link, null, language)
+
+/**
+ * The same for any link that a pupil hands in, also one from [handInLinkOf].
+ *
+ * @param world of the assignment, for a link without a world.
+ */
+suspend fun openHandInLink(link: String, world: World, language: Language = Language.ENGLISH): LinkResult =
+    openLink(link, world, language)
+
+private suspend fun openLink(link: String, given: World?, language: Language): LinkResult {
     val messages = ProjectMessages.of(language)
     val fragment = link.trim().substringAfter('#')
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
         ?: return LinkResult.Rejected(messages.notALink())
+    if (kind == LinkKind.HAND_IN && given == null) return LinkResult.Rejected(messages.handInLink())
     if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
         return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
@@ -67,14 +92,19 @@ suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkR
     return when {
         bytes == null -> LinkResult.Rejected(messages.linkBroken())
         kind == LinkKind.WORLD -> resultOf(readWorld(bytes, language), messages)
-        else -> resultOf(readProject(bytes, language), messages)
+        kind == LinkKind.PROJECT -> resultOf(readProject(bytes, language), messages)
+        kind == LinkKind.COURSE -> resultOf(readCourse(bytes, language), messages)
+        else -> resultOf(resultOf(readJson(bytes, language) { projectIn(it, given) }), messages)
     }
 }
 
 /** Whether [text] looks like a Robotran link, or a part of one, rather than a file name. */
 fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
 
-private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p=") }
+/** Whether [text] looks like a link to a course. */
+fun isCourseLink(text: String): Boolean = "#${LinkKind.COURSE.start}" in text
+
+private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), COURSE("c="), HAND_IN("h=") }
 
 private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()
@@ -100,6 +130,11 @@ private fun resultOf(result: WorldFileResult, messages: LinkMessages): LinkResul
 private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkResult = when (result) {
     is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
     is ProjectFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
+}
+
+private fun resultOf(result: CourseFileResult, messages: LinkMessages): LinkResult = when (result) {
+    is CourseFileResult.Loaded -> LinkResult.OfCourse(result.course)
+    is CourseFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 /**

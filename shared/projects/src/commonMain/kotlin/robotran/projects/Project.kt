@@ -17,6 +17,10 @@ import robotran.world.World
  * @property world the teacher's original; [settings] holds the pupil's changes.
  * @property robots those of the world's robots that have a configuration, each once.
  * @property inputs the external inputs of a session, in order, to replay it.
+ * @property assignment the task that a teacher has set in this project; null for any other project.
+ * @property tries the pupil's tries at [assignment].
+ * @property handIn marks the project as handed in for [assignment].
+ * @property feedback the teacher's answer to [handIn].
  * @property unknown fields of the file from a newer Robotran or another program.
  */
 data class Project(
@@ -24,6 +28,10 @@ data class Project(
     val robots: List<ProjectRobot> = emptyList(),
     val settings: ProjectSettings = ProjectSettings(),
     val inputs: List<RecordedInput> = emptyList(),
+    val assignment: Assignment? = null,
+    val tries: AssignmentTries? = null,
+    val handIn: HandIn? = null,
+    val feedback: Feedback? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
     /** The world with this project's settings, for sessions. */

@@ -2,6 +2,7 @@ package robotran.projects
 
 import robotran.json.JsonReading
 import robotran.json.readJson
+import robotran.json.writeCompactJson
 import robotran.json.writeJson
 import robotran.language.Language
 import robotran.world.file.MULTILINE_LISTS
@@ -26,11 +27,11 @@ sealed interface ProjectFileResult {
  * @param language the language of error messages.
  */
 fun readProject(text: String, language: Language = Language.ENGLISH): ProjectFileResult =
-    resultOf(readJson(text, language, ::projectIn))
+    resultOf(readJson(text, language) { projectIn(it) })
 
 /** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
 fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): ProjectFileResult =
-    resultOf(readJson(bytes, language, ::projectIn))
+    resultOf(readJson(bytes, language) { projectIn(it) })
 
 /**
  * [project] as a file, readable and easy to merge. [readProject] restores the same project if its numbers have at most
@@ -38,7 +39,13 @@ fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): Projec
  */
 fun writeProject(project: Project): String = writeJson(elementOf(project), MULTILINE_LISTS + TEXT)
 
-private fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (reading) {
+/**
+ * What a hand-in's link holds: the project without white space, and without its world unless the assignment allows to
+ * change that.
+ */
+fun writeCompactHandIn(project: Project): String = writeCompactJson(handInElementOf(project))
+
+internal fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (reading) {
     is JsonReading.Read -> ProjectFileResult.Loaded(reading.value)
     is JsonReading.Rejected -> ProjectFileResult.Rejected(reading.message, reading.line, reading.path)
 }

@@ -14,11 +14,12 @@ import robotran.world.file.unknownOf
 import robotran.world.file.worldIn
 
 /**
- * The project in a file.
+ * The project in a file, or in a part of one such as that of a course.
  *
+ * @param given the world of a file that has none; null if it must have one.
  * @throws JsonValidationException if it is invalid.
  */
-internal fun projectIn(file: JsonCursor): Project {
+fun projectIn(file: JsonCursor, given: World? = null): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
         throw JsonValidationException(null, told { notAProject(PROJECT_FORMAT) })
     }
@@ -26,12 +27,16 @@ internal fun projectIn(file: JsonCursor): Project {
     if (version > PROJECT_VERSION) {
         throw JsonValidationException(null, told { newerProject(version, PROJECT_VERSION) })
     }
-    val world = worldIn(file.member("world"))
+    val world = given?.takeIf { file.optional("world") == null } ?: worldIn(file.member("world"))
     return Project(
         world = world,
         robots = robotsIn(file, world),
         settings = file.optional("settings")?.let(::settingsIn) ?: ProjectSettings(),
         inputs = file.optional("inputs")?.let { InputReader(world).read(it) }.orEmpty(),
+        assignment = file.optional("assignment")?.let(::assignmentIn),
+        tries = file.optional("tries")?.let { triesIn(it, world) },
+        handIn = file.optional("handIn")?.let(::handInIn),
+        feedback = file.optional("feedback")?.let(::feedbackIn),
         unknown = unknownOf(file),
     )
 }
@@ -48,13 +53,16 @@ private fun robotsIn(file: JsonCursor, world: World): List<ProjectRobot> {
 private fun robotIn(place: JsonCursor, world: World): ProjectRobot {
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
-    val programs = place.optional("programs")?.items(0..Brick.MAX_PROGRAMS).orEmpty().map(::programIn)
-    val first = place.optional("firstProgram")?.wholeNumber(1..maxOf(1, programs.size)) ?: 1
+    val programs = programsIn(place.optional("programs"))
     val facing = place.optional("lightSensor")?.choice(FACINGS)
-    return ProjectRobot(name, programs, first - 1, facing, unknownOf(place))
+    return ProjectRobot(name, programs, firstProgramIn(place, programs.size), facing, unknownOf(place))
 }
 
-private fun programIn(place: JsonCursor): ProjectProgram {
+/** The index of the first program of [count] in the field of [place]. */
+internal fun firstProgramIn(place: JsonCursor, count: Int): Int =
+    (place.optional("firstProgram")?.wholeNumber(1..maxOf(1, count)) ?: 1) - 1
+
+internal fun programIn(place: JsonCursor): ProjectProgram {
     val language = place.member("language").choice(LANGUAGES)
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     val files = when (language) {
@@ -72,11 +80,12 @@ private fun fileIn(place: JsonCursor): SourceFile {
 }
 
 /** Its lines, unchanged and with any line ends. */
-private fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
-    val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
-    if ('\n' in text) line.refuse(told { mustBeOneLine() })
-    text
-}
+internal fun textIn(place: JsonCursor): String =
+    place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+        val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
+        if ('\n' in text) line.refuse(told { mustBeOneLine() })
+        text
+    }
 
 private fun settingsIn(place: JsonCursor) = ProjectSettings(
     seed = place.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),

@@ -21,11 +21,23 @@ internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknow
     number("version", PROJECT_VERSION)
     list("robots", project.robots, ::elementOf)
     put("settings", elementOf(project.settings).takeIf { it.isNotEmpty() })
-    // An input for a missing object does nothing, and a file cannot name the object.
-    val inputs = project.inputs.repeatable().filter { isPossible(it.input, project.world) }
-    list("inputs", inputs) { elementOf(it, project.world) }
-    put("world", elementOf(project.world))
+    list("inputs", possibleInputs(project.inputs, project.world)) { elementOf(it, project.world) }
+    put("handIn", project.handIn?.let(::elementOf))
+    put("feedback", project.feedback?.let(::elementOf))
+    put("tries", project.tries?.let { elementOf(it, project.world) })
+    put("assignment", project.assignment?.let(::elementOf))
+    put(WORLD, elementOf(project.world))
 }
+
+/** [project] without a world that is known to be that of its assignment. */
+internal fun handInElementOf(project: Project): JsonObject {
+    val whole = elementOf(project)
+    return if (project.assignment?.mayChangeWorld == false) JsonObject(whole - WORLD) else whole
+}
+
+/** An input for a missing object does nothing, and a file cannot name the object. */
+internal fun possibleInputs(inputs: List<RecordedInput>, world: World): List<RecordedInput> =
+    inputs.repeatable().filter { isPossible(it.input, world) }
 
 private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
     text("name", robot.name)
@@ -34,7 +46,7 @@ private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
     text("lightSensor", robot.lightFacing?.let(::wordFor))
 }
 
-private fun elementOf(program: ProjectProgram) = jsonObject(program.unknown.members) {
+internal fun elementOf(program: ProjectProgram): JsonObject = jsonObject(program.unknown.members) {
     text("name", program.name)
     text("language", wordFor(program.language))
     text("view", program.view?.let(::wordFor))
@@ -50,7 +62,7 @@ private fun elementOf(file: SourceFile) = jsonObject {
 }
 
 /** Splits at line feeds; a carriage return stays with its line. */
-private fun linesOf(text: String) = JsonArray(text.split('\n').map(::JsonPrimitive))
+internal fun linesOf(text: String) = JsonArray(text.split('\n').map(::JsonPrimitive))
 
 private fun elementOf(settings: ProjectSettings) = jsonObject(settings.unknown.members) {
     number("seed", settings.seed)
@@ -158,3 +170,5 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
         }
     }
 }
+
+private const val WORLD = "world"

@@ -116,7 +116,7 @@ class LanguagesTest {
             assertIs<ProjectFileResult.Rejected>(readProject("{}", Language.SPANISH)).message,
         )
         assertEquals(
-            "Das ist kein Link zu einer Welt oder einem Projekt von Robotran.",
+            "Das ist kein Link zu einer Welt, einem Projekt oder einem Kurs von Robotran.",
             assertIs<LinkResult.Rejected>(openLink("https://example.org", Language.GERMAN)).message,
         )
     }

@@ -50,7 +50,7 @@ class LinkTest {
 
     @Test
     fun `what is no link is refused`() = runTest {
-        val noLink = "This is not a link to a world or a project of Robotran."
+        val noLink = "This is not a link to a world, a project or a course of Robotran."
         listOf("", "#", "square.robo", "https://school.example/#about", "#x=abc", "w").forEach {
             assertEquals(noLink, refusal(it))
         }
@@ -82,8 +82,8 @@ class LinkTest {
             val letter = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_".random(random)
             when (val result = openLink(link.replaceRange(place, place + 1, letter.toString()))) {
                 is LinkResult.OfProject -> assertEquals<LinkResult>(result, openLink(linkTo(result.project)))
-                is LinkResult.OfWorld -> throw AssertionError("a project became a world")
                 is LinkResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
+                else -> throw AssertionError("a project became $result")
             }
         }
     }

@@ -5,7 +5,7 @@ import java.util.zip.DataFormatException
 import java.util.zip.Deflater
 import java.util.zip.Inflater
 
-internal actual suspend fun deflate(bytes: ByteArray): ByteArray {
+actual suspend fun deflate(bytes: ByteArray): ByteArray {
     val deflater = Deflater(Deflater.BEST_COMPRESSION, true)
     try {
         deflater.setInput(bytes)
@@ -19,7 +19,7 @@ internal actual suspend fun deflate(bytes: ByteArray): ByteArray {
     }
 }
 
-internal actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? {
+actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? {
     val inflater = Inflater(true)
     try {
         inflater.setInput(compressed)

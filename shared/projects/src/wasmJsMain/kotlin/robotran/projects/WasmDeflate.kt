@@ -6,11 +6,11 @@ import kotlinx.coroutines.await
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
-internal actual suspend fun deflate(bytes: ByteArray): ByteArray = Base64.decode(
+actual suspend fun deflate(bytes: ByteArray): ByteArray = Base64.decode(
     checkNotNull(throughStream(compression(), Base64.encode(bytes), Int.MAX_VALUE).await<JsString?>()).toString(),
 )
 
-internal actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? =
+actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? =
     throughStream(decompression(), Base64.encode(compressed), max).await<JsString?>()?.let {
         Base64.decode(it.toString())
     }

@@ -8,8 +8,13 @@ import robotran.simulation.state.GoalStatus
  *
  * @property goals the goals at the end of the known run.
  * @property finished when the run was over and its goals were decided, in milliseconds; null before that.
+ * @property traceHash of the session at that time; null before that.
  */
-data class RunOutcome(val goals: List<GoalProgress> = emptyList(), val finished: Long? = null) {
+data class RunOutcome(
+    val goals: List<GoalProgress> = emptyList(),
+    val finished: Long? = null,
+    val traceHash: String? = null,
+) {
     /** Whether the run is over and has met all goals of its world. */
     val isSolved: Boolean get() = finished != null && goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }
 }

@@ -96,7 +96,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     val isInPast: Boolean get() = time < length
 
     /** The goals at the end of the known run. */
-    val outcome: RunOutcome get() = RunOutcome(shown.goals, shown.finished)
+    val outcome: RunOutcome get() = RunOutcome(shown.goals, shown.finished, shown.traceHash)
 
     /** All inputs of the run, including those after [time]. */
     val inputs: List<RecordedInput> get() = whole.toList()
@@ -327,6 +327,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         if (record.finished != wasFinished) {
             take.applyDueInputs(whole, record.finished)
             record.observeGoals(session.state)
+            record.traceHash = session.traceHash
             pausesNow = record.isCompleted && playback !is PlaybackState.Seeking
         }
     }

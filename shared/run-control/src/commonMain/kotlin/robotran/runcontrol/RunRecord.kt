@@ -21,6 +21,9 @@ internal class RunRecord(world: World) {
     var finished: Long? = null
         private set
 
+    /** The hash of the session when the run ended; null before that. */
+    var traceHash: String? = null
+
     /** Whether the run ended because its task was completed, although a program may still have run. */
     var isCompleted = false
         private set
@@ -60,6 +63,7 @@ internal class RunRecord(world: World) {
         val time = state.milliseconds
         end = time
         finished = finished?.takeIf { it <= time }
+        if (finished == null) traceHash = null
         isCompleted = isCompleted && finished != null
         goals = state.goals
         states.cutAt(time)

@@ -7,17 +7,26 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
+import robotran.projects.Assignment
+import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.robolang.diagnostic.SourceRange
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
+import robotran.workshop.assignment.AssignmentStateHolder
+import robotran.workshop.assignment.VariationTarget
+import robotran.workshop.course.CourseStateHolder
 import robotran.workshop.documents.DocumentStateHolder
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -27,6 +36,8 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.handins.HandInVisits
+import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
@@ -36,6 +47,7 @@ import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
 import robotran.workshop.send.TowerRobotLink
+import robotran.workshop.service.AssignmentEditor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
@@ -72,6 +84,7 @@ class Workshop(
 ) : Preferences,
     CurrentProject,
     ProjectEditor,
+    AssignmentEditor,
     ProgramTabs,
     RunControls,
     ScreenNavigator,
@@ -99,8 +112,16 @@ class Workshop(
             project.inputs,
         ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder(this)
-    private val worldEdit = WorldEditStateHolder(this, this, this, this)
-    private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
+    private val editedWorld = VariationTarget(this, this, this)
+    private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this, editedWorld::origin)
+    private val assignment =
+        AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this, ::openWorldEditor)
+    private val document: DocumentStateHolder =
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }) {
+            handIns.takes(it)
+        }
+    private val course: CourseStateHolder =
+        CourseStateHolder(platform, scope, this, this, document, document, this)
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
@@ -108,6 +129,10 @@ class Workshop(
     private val show = ShowStateHolder(platform, scope, this, this, this) {
         document.state.name.ifEmpty { this.project.world.title }
     }
+    private val handIns: HandInsStateHolder =
+        HandInsStateHolder(platform, scope, this, this, physics, HandInVisits(document, this, this)) {
+            document.state.name.ifEmpty { this.project.world.title }
+        }
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -116,7 +141,7 @@ class Workshop(
             run = run.state,
             sheet = sheet.state,
             worldEdit = worldEdit.state,
-            document = document.state,
+            document = document.state.copy(hasGoals = run.state.world.goals.isNotEmpty()),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
@@ -126,6 +151,11 @@ class Workshop(
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
             show = show.state,
+            handIns = handIns.state,
+            assignment = assignment.state,
+            handIn = assignment.handIn,
+            making = assignment.making,
+            course = course.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
         )
@@ -163,6 +193,9 @@ class Workshop(
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
             is ShowEvent -> show.handle(event)
+            is HandInsEvent -> handIns.handle(event)
+            is AssignmentEvent -> assignment.handle(event)
+            is CourseEvent -> course.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
@@ -177,6 +210,8 @@ class Workshop(
      * called once, before anything is shown. On the first run without a project shows the welcome page if [welcoming].
      */
     suspend fun start(welcoming: Boolean) {
+        assignment.start()
+        course.start()
         document.start()
         learning.start(welcoming && document.isFresh)
     }
@@ -215,6 +250,9 @@ class Workshop(
     private suspend fun saveSettings() {
         settingsHolder.saveNow()
         learning.saveNow()
+        handIns.saveNow()
+        assignment.saveNow()
+        course.saveNow()
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
@@ -227,7 +265,7 @@ class Workshop(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
-        if (show.state != null) return run.standStill()
+        if (show.state != null || handIns.state != null) return run.standStill()
         run.frame(nanoseconds)
         if (runChanged()) celebrate()
     }
@@ -243,7 +281,10 @@ class Workshop(
     }
 
     /** Returns whether the task has just been solved. */
-    private fun runChanged(): Boolean = learning.runChanged(run.state.session, run.state.outcome, shownProgram)
+    private fun runChanged(): Boolean {
+        assignment.runChanged(run.endedTry)
+        return learning.runChanged(run.state.session, run.state.outcome, shownProgram)
+    }
 
     /** The result of the run so far. */
     fun report(): RunReport = run.report()
@@ -252,24 +293,33 @@ class Workshop(
     fun close() {
         send.close()
         show.close()
+        handIns.close()
+        assignment.close()
         document.release()
         run.close()
     }
 
     override fun openProject(project: Project) {
         learning.leaveProject()
-        worldEdit.leave()
+        leaveWorldEditor()
         opened = project
         programs.open(project)
         run.changeWorld(project.worldToRun, project.inputs)
+        assignment.projectChanged()
+        course.projectChanged()
         worldChanged(isAnother = true)
     }
 
     override fun changeWorld(world: World, isAnother: Boolean) {
         learning.leaveProject()
-        if (isAnother) worldEdit.leave()
+        if (isAnother) leaveWorldEditor()
         val before = run.state.world
-        opened = opened.copy(world = world)
+        // An assignment belongs to its world.
+        opened = if (isAnother) Project(world, opened.robots, opened.settings) else opened.copy(world = world)
+        if (isAnother) {
+            assignment.projectChanged()
+            course.projectChanged()
+        }
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
         worldChanged(isAnother || before.title != world.title || before.task != world.task)
@@ -283,6 +333,18 @@ class Workshop(
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
         withdrawUndoOfPlug()
+        document.projectMayHaveChanged()
+    }
+
+    override fun changeAssignment(assignment: Assignment?) {
+        opened = opened.copy(assignment = assignment)
+        course.triesChanged()
+        document.projectMayHaveChanged()
+    }
+
+    override fun saveTries(tries: AssignmentTries?) {
+        opened = opened.copy(tries = tries)
+        course.triesChanged()
         document.projectMayHaveChanged()
     }
 
@@ -307,9 +369,27 @@ class Workshop(
         handle(ProgramEvent.ClosedMessageDismissed)
     }
 
+    override fun replacePrograms(programs: List<PupilProgram>) {
+        this.programs.replacePrograms(programs)
+        run.programsChanged()
+        learning.programsChanged()
+        assignment.programsChanged()
+    }
+
+    override fun showLine(index: Int, line: Int) {
+        handle(ProgramEvent.RobotChosen(project.world.robots.first().name))
+        handle(ProgramEvent.ProgramChosen(index))
+        showMistake(ProgramDiagnostic("", SourceRange(line, 1, 0), ""))
+    }
+
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
+
+    override suspend fun playInputs() {
+        compilePrograms()
+        handle(RunEvent.RecordingPlayed)
+    }
 
     override fun recordedRun(): RecordedRun = run.recorded()
 
@@ -342,11 +422,29 @@ class Workshop(
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
+        val changesWorld = event == WorldEditEvent.EditorOpened || event is WorldEditEvent.SensorsPluggedIn
+        if (changesWorld && assignment.state?.isWorldLocked == true) return show(Notice.WorldOfAssignment)
         // Help would cover the palette.
         if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {
             learning.handle(LearningEvent.PageClosed)
         }
-        worldEdit.handle(event)
+        val wasOpen = worldEdit.state != null
+        // Robots drive in the world itself, not in a variation of it.
+        val isVariation = editedWorld.variation != null
+        worldEdit.handle(if (isVariation && event == WorldEditEvent.TriedOut) WorldEditEvent.EditorClosed else event)
+        if (!wasOpen || worldEdit.state != null) return
+        editedWorld.leave()
+        assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
+    }
+
+    private fun openWorldEditor(variation: Int?) {
+        editedWorld.comeFromAssignment(variation)
+        handleWorldEdit(WorldEditEvent.EditorOpened)
+    }
+
+    private fun leaveWorldEditor() {
+        worldEdit.leave()
+        editedWorld.leave()
     }
 
     /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
@@ -372,9 +470,11 @@ class Workshop(
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
-        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
+        // What they offer would overwrite what was written since.
+        if (isWritten && (notice == Notice.FirstProgramRuns || notice == Notice.BegunAgain)) notice = null
         if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
+        if (isWritten) assignment.programsChanged()
     }
 
     private fun handleSettings(event: SettingsEvent) {
@@ -399,9 +499,21 @@ class Workshop(
                 document.handle(DocumentEvent.SavedProjectChosen(action.project))
             }
 
+            is NoticeAction.GoOn -> {
+                document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            }
+
             NoticeAction.ChangeNumber -> {
                 show(Pane.PROGRAM)
                 programs.editFirstLength()
+            }
+
+            NoticeAction.BackToHandIns -> {
+                handIns.goBack()
+            }
+
+            NoticeAction.BeginningUndone -> {
+                assignment.handle(AssignmentEvent.BeginningUndone)
             }
 
             NoticeAction.UnplugSensors -> {

@@ -24,10 +24,11 @@ internal object WebFilePicker : FilePicker {
     }
 }
 
-/** Parses the files that scripts pass as lines: a name, a tab, and the content in Base64. */
-internal fun filesIn(lines: String): List<OpenedFile> = lines.split('\n').filter {
-    '\t' in it
-}.map { OpenedFile(it.substringBefore('\t'), Base64.decode(it.substringAfter('\t'))) }
+/** Parses the files that scripts pass as lines: a name after its folders, a tab, and the content in Base64. */
+internal fun filesIn(lines: String): List<OpenedFile> = lines.split('\n').filter { '\t' in it }.map { line ->
+    val path = line.substringBefore('\t')
+    OpenedFile(path.substringAfterLast('/'), Base64.decode(line.substringAfter('\t')), path = path)
+}
 
 private fun chooseFiles(accept: String): Promise<JsString> = js(
     """new Promise((resolve) => {
@@ -53,10 +54,16 @@ private fun download(name: String, type: String, content: String): Unit = js(
     }""",
 )
 
-/** Installs the script that encodes files as lines, see [filesIn]. */
+/**
+ * Installs the scripts that encode files as lines, see [filesIn], and that find the files in what was dropped. A folder
+ * gives the files in it that Robotran may read.
+ */
 internal fun prepareReadingOfFiles(): Unit = js(
     """{
         const most = 16000000;
+        const mostFiles = 2000;
+        const mostFolders = 8;
+        const readable = /\.(robotran|json|robo|java|zip|txt|url|webloc|html|htm|md)$/i;
         globalThis.robotranFiles = async (files) => {
             const lines = [];
             for (const file of Array.from(files)) {
@@ -66,9 +73,46 @@ internal fun prepareReadingOfFiles(): Unit = js(
                 for (let place = 0; place < bytes.length; place += 8192) {
                     letters.push(String.fromCharCode(...bytes.subarray(place, place + 8192)));
                 }
-                lines.push(file.name.replace(/[\t\n]/g, ' ') + '\t' + btoa(letters.join('')));
+                const path = file.robotranPath || file.name.replace(/[\t\n\/]/g, ' ');
+                lines.push(path + '\t' + btoa(letters.join('')));
             }
             return lines.join('\n');
+        };
+        const entriesIn = (folder) => new Promise((resolve) => {
+            const reader = folder.createReader();
+            const all = [];
+            const more = () => reader.readEntries((some) => {
+                all.push(...some);
+                if (some.length === 0 || all.length > mostFiles) resolve(all); else more();
+            }, () => resolve(all));
+            more();
+        });
+        const fileIn = (entry) => new Promise((resolve) => entry.file(resolve, () => resolve(null)));
+        const collect = async (entry, folders, found) => {
+            if (found.length >= mostFiles || entry.name.startsWith('.')) return;
+            if (entry.isDirectory) {
+                if (folders.length >= mostFolders) return;
+                const inside = [...folders, entry.name.replace(/[\t\n\/]/g, ' ')];
+                for (const next of await entriesIn(entry)) await collect(next, inside, found);
+            } else if (folders.length === 0 || readable.test(entry.name)) {
+                const file = await fileIn(entry);
+                if (!file) return;
+                if (folders.length > 0) {
+                    file.robotranPath = [...folders, file.name.replace(/[\t\n\/]/g, ' ')].join('/');
+                }
+                found.push(file);
+            }
+        };
+        globalThis.robotranDropped = async (dropped) => {
+            // What was dropped is there only while the event lasts.
+            const entries = Array.from(dropped.items || [])
+                .map((item) => item.kind === 'file' && item.webkitGetAsEntry ? item.webkitGetAsEntry() : null)
+                .filter((entry) => entry);
+            const files = Array.from(dropped.files);
+            if (!entries.some((entry) => entry.isDirectory)) return globalThis.robotranFiles(files);
+            const found = [];
+            for (const entry of entries) await collect(entry, [], found);
+            return globalThis.robotranFiles(found);
         };
     }""",
 )

@@ -9,9 +9,11 @@ import robotran.tower.port.NoTowerPorts
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
+import robotran.web.grading.WebGradingWorkers
 import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.platform.NoWindowMemory
@@ -19,9 +21,11 @@ import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.VideoRecorder
 import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WebSite
 import robotran.workshop.platform.WindowMemory
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
@@ -48,6 +52,9 @@ internal class WebPlatform(
 
     override val videos: VideoRecorder = WebVideoRecorder
     override val posters: Posters = WebPosters
+    override val webSite: WebSite = OwnWebSite
+    override val gradingWorkers: GradingWorkers = WebGradingWorkers
+    override val qrScanner: QrScanner? = CameraQrScanner.find()
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
@@ -97,7 +104,7 @@ private fun isPointerCoarse(): Boolean = js("matchMedia('(pointer: coarse)').mat
 private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
-        if (!stays && /^#[wp]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
+        if (!stays && /^#[wphc]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
         return fragment;
     })()""",
 )
@@ -109,7 +116,7 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
         addEventListener('dragover', (event) => event.preventDefault());
         addEventListener('drop', (event) => {
             event.preventDefault();
-            if (event.dataTransfer) globalThis.robotranFiles(event.dataTransfer.files).then((lines) => take(lines));
+            if (event.dataTransfer) globalThis.robotranDropped(event.dataTransfer).then((lines) => take(lines));
         });
     }""",
 )

@@ -67,6 +67,11 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedProjectRuns: DirectoryProperty
 
+        /** A class of hand-ins, and the grades that the page should give them. */
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedGrades: DirectoryProperty
+
         /** A file for the functions of Skiko that the tests call; absent if it is not a marked one, see [MarkSkiko]. */
         @get:OutputFile
         @get:Optional
@@ -101,6 +106,7 @@ abstract class BrowserTest
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)
                 exec.environment("EXPECTED_PROJECT_RUNS", expectedProjectRuns.get().asFile.path)
+                exec.environment("EXPECTED_GRADES", expectedGrades.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
                 skikoCalls.orNull?.let { exec.environment("SKIKO_CALLS", it.asFile.path) }
             }

@@ -19,11 +19,35 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "must not be before the input above it"
 
+    override fun mustBeBase64() = "must be a picture in Base64"
+
+    override fun tooManySeeds(limit: Int) = "must not be more than $limit seeds"
+
+    override fun mustNotBeLongerThan(characters: Int) = "must not have more than $characters characters"
+
     override fun noLamp() = "cannot be, since the world has no lamp"
 
     override fun noBlock() = "cannot be, since the world has no block"
 
-    override fun notALink() = "This is not a link to a world or a project of Robotran."
+    override fun notACourse(format: String) =
+        "This is not a Robotran course: a course file says \"format\": \"$format\"."
+
+    override fun newerCourse(version: Int, known: Int) =
+        "This course was made with a newer Robotran (it has version $version, this Robotran reads up to $known)."
+
+    override fun mustBeAssignment() = "must be an assignment"
+
+    override fun assignmentTwice(id: String) = "has the id \"$id\", and so has an assignment before it"
+
+    override fun mustBeFileName() = "must be the name of a file beside the course, without a folder"
+
+    override fun fileNotBeside(name: String) = "needs the file \"$name\"; open it together with the course"
+
+    override fun notALink() = "This is not a link to a world, a project or a course of Robotran."
+
+    override fun handInLink() =
+        "This is what somebody has handed in. A teacher opens it under \"Look at hand-ins\", together with the " +
+            "assignment."
 
     override fun linkTooLong(limit: Int) = "The link is too long: more than $limit characters."
 
@@ -36,6 +60,8 @@ internal object EnglishProjectMessages : ProjectMessages {
     override fun worldTooLong(characters: Int, limit: Int) = tooLong("world", characters, limit)
 
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("project", characters, limit)
+
+    override fun courseTooLong(characters: Int, limit: Int) = tooLong("course", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
         val known = if (robots.size == 1) {

@@ -20,11 +20,35 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "darf nicht vor der Eingabe darüber sein"
 
+    override fun mustBeBase64() = "muss ein Bild in Base64 sein"
+
+    override fun tooManySeeds(limit: Int) = "dürfen nicht mehr als $limit Seeds sein"
+
+    override fun mustNotBeLongerThan(characters: Int) = "darf nicht mehr als $characters Zeichen haben"
+
     override fun noLamp() = "kann nicht sein, denn die Welt hat keine Lampe"
 
     override fun noBlock() = "kann nicht sein, denn die Welt hat keinen Klotz"
 
-    override fun notALink() = "Das ist kein Link zu einer Welt oder einem Projekt von Robotran."
+    override fun notACourse(format: String) =
+        "Das ist kein Kurs von Robotran: In einer Kursdatei steht \"format\": \"$format\"."
+
+    override fun newerCourse(version: Int, known: Int) =
+        "Dieser Kurs wurde mit einem neueren Robotran gemacht (er hat Version $version, dieses Robotran liest bis " +
+            "$known)."
+
+    override fun mustBeAssignment() = "muss eine Aufgabe sein"
+
+    override fun assignmentTwice(id: String) = "hat die ID \"$id\", und die hat schon eine Aufgabe davor"
+
+    override fun mustBeFileName() = "muss der Name einer Datei neben dem Kurs sein, ohne Ordner"
+
+    override fun fileNotBeside(name: String) = "braucht die Datei \"$name\"; öffne sie zusammen mit dem Kurs"
+
+    override fun notALink() = "Das ist kein Link zu einer Welt, einem Projekt oder einem Kurs von Robotran."
+
+    override fun handInLink() =
+        "Das ist eine Abgabe. Lehrer öffnen sie unter \"Abgaben ansehen\", zusammen mit der Aufgabe."
 
     override fun linkTooLong(limit: Int) = "Der Link ist zu lang: Er hat mehr als $limit Zeichen."
 
@@ -37,6 +61,8 @@ internal object GermanProjectMessages : ProjectMessages {
     override fun worldTooLong(characters: Int, limit: Int) = tooLong("Diese Welt", "Sie", characters, limit)
 
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("Dieses Projekt", "Es", characters, limit)
+
+    override fun courseTooLong(characters: Int, limit: Int) = tooLong("Dieser Kurs", "Er", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
         val known = if (robots.size == 1) {

@@ -6,6 +6,7 @@ import robotran.language.choose
 /** The error messages for projects, links and the programs of robots. */
 interface ProjectMessages :
     ProjectFileMessages,
+    CourseFileMessages,
     LinkMessages,
     RobotMessages {
     companion object {
@@ -36,6 +37,14 @@ interface ProjectFileMessages {
 
     fun beforeInputAbove(): String
 
+    /** The data of a picture are damaged. */
+    fun mustBeBase64(): String
+
+    fun tooManySeeds(limit: Int): String
+
+    /** @param characters of all lines together. */
+    fun mustNotBeLongerThan(characters: Int): String
+
     /** An input moves a lamp in a world without lamps. */
     fun noLamp(): String
 
@@ -43,9 +52,33 @@ interface ProjectFileMessages {
     fun noBlock(): String
 }
 
+/** The error messages for course files, in addition to those for projects. */
+interface CourseFileMessages {
+    /** A whole sentence. */
+    fun notACourse(format: String): String
+
+    /** A whole sentence. */
+    fun newerCourse(version: Int, known: Int): String
+
+    /** From here on without a full stop. A project of the course is not an assignment. */
+    fun mustBeAssignment(): String
+
+    /** @param id of two assignments. */
+    fun assignmentTwice(id: String): String
+
+    /** A name leads to another folder. */
+    fun mustBeFileName(): String
+
+    /** The course names a file that was not opened together with it. */
+    fun fileNotBeside(name: String): String
+}
+
 /** The error messages for links, in whole sentences. */
 interface LinkMessages {
     fun notALink(): String
+
+    /** The link holds a hand-in without its world. */
+    fun handInLink(): String
 
     fun linkTooLong(limit: Int): String
 
@@ -59,6 +92,8 @@ interface LinkMessages {
     fun worldTooLong(characters: Int, limit: Int): String
 
     fun projectTooLong(characters: Int, limit: Int): String
+
+    fun courseTooLong(characters: Int, limit: Int): String
 }
 
 /** The error messages for assigning programs to robots, in whole sentences. */

@@ -20,11 +20,35 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "no puede ser anterior a la entrada de encima"
 
+    override fun mustBeBase64() = "debe ser una imagen en Base64"
+
+    override fun tooManySeeds(limit: Int) = "no deben ser más de $limit semillas"
+
+    override fun mustNotBeLongerThan(characters: Int) = "no debe tener más de $characters caracteres"
+
     override fun noLamp() = "no puede ser, porque el mundo no tiene ninguna lámpara"
 
     override fun noBlock() = "no puede ser, porque el mundo no tiene ningún bloque"
 
-    override fun notALink() = "Esto no es un enlace a un mundo o a un proyecto de Robotran."
+    override fun notACourse(format: String) =
+        "Esto no es un curso de Robotran: un archivo de curso dice \"format\": \"$format\"."
+
+    override fun newerCourse(version: Int, known: Int) =
+        "Este curso se hizo con un Robotran más nuevo (tiene la versión $version, y este Robotran lee hasta la " +
+            "$known)."
+
+    override fun mustBeAssignment() = "tiene que ser una tarea"
+
+    override fun assignmentTwice(id: String) = "tiene el id \"$id\", y una tarea anterior también"
+
+    override fun mustBeFileName() = "tiene que ser el nombre de un archivo junto al curso, sin carpeta"
+
+    override fun fileNotBeside(name: String) = "necesita el archivo \"$name\"; ábrelo junto con el curso"
+
+    override fun notALink() = "Esto no es un enlace a un mundo, a un proyecto o a un curso de Robotran."
+
+    override fun handInLink() =
+        "Esto es lo que alguien ha entregado. Se abre en \"Ver las entregas\", junto con la tarea."
 
     override fun linkTooLong(limit: Int) = "El enlace es demasiado largo: tiene más de $limit letras y signos."
 
@@ -37,6 +61,8 @@ internal object SpanishProjectMessages : ProjectMessages {
     override fun worldTooLong(characters: Int, limit: Int) = tooLong("mundo", characters, limit)
 
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("proyecto", characters, limit)
+
+    override fun courseTooLong(characters: Int, limit: Int) = tooLong("curso", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
         val known = if (robots.size == 1) {

@@ -23,30 +23,58 @@ fun Session.runForGoals(
     milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND,
     endsWhenDecided: Boolean = true,
 ): Grade {
-    pressRun()
-    var left = milliseconds
-    var quiet = 0
-    while (left > 0 && quiet < QUIET_MILLISECONDS && !(endsWhenDecided && areGoalsDecided())) {
-        val before = state
-        val part = minOf(left, LOOK_MILLISECONDS)
-        advance(part)
-        left -= part
-        quiet =
-            if (isOver(state) && !hasMoved(before, state) && state.robots.none { it.brick.sounding }) {
-                quiet + part
-            } else {
-                0
-            }
+    val run = GoalRun(this, milliseconds, endsWhenDecided)
+    while (!run.isOver) run.advance(milliseconds)
+    return run.grade()
+}
+
+/**
+ * The run of [runForGoals] in slices, so that a screen stays alive meanwhile. The slices do not affect the result.
+ *
+ * @param session must be new, and belongs to this run.
+ */
+class GoalRun(
+    private val session: Session,
+    milliseconds: Int = session.world.timeLimit * MILLISECONDS_PER_SECOND,
+    private val endsWhenDecided: Boolean = true,
+) {
+    private var left = milliseconds
+    private var quiet = 0
+
+    init {
+        session.pressRun()
     }
-    finish()
-    val goals = state.goals
-    return Grade(
-        seed = world.seed,
-        passed = goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET },
-        goals = goals,
-        seconds = state.milliseconds / MILLISECONDS_PER_SECOND.toDouble(),
-        report = report(),
-    )
+
+    val isOver: Boolean
+        get() = left <= 0 || quiet >= QUIET_MILLISECONDS || (endsWhenDecided && session.areGoalsDecided())
+
+    /** Advances time by at most [milliseconds], rounded up to [LOOK_MILLISECONDS], and not beyond the end of the run. */
+    fun advance(milliseconds: Int) {
+        var rest = milliseconds
+        while (rest > 0 && !isOver) {
+            val before = session.state
+            val part = minOf(left, LOOK_MILLISECONDS)
+            session.advance(part)
+            left -= part
+            rest -= part
+            val now = session.state
+            quiet =
+                if (isOver(now) && !hasMoved(before, now) && now.robots.none { it.brick.sounding }) quiet + part else 0
+        }
+    }
+
+    /** Ends the run and evaluates its goals. */
+    fun grade(): Grade {
+        session.finish()
+        val goals = session.state.goals
+        return Grade(
+            seed = session.world.seed,
+            passed = goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET },
+            goals = goals,
+            seconds = session.state.milliseconds / MILLISECONDS_PER_SECOND.toDouble(),
+            report = session.report(),
+        )
+    }
 }
 
 private fun Session.areGoalsDecided(): Boolean {

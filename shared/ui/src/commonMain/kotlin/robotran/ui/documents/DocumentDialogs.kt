@@ -97,7 +97,7 @@ private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEv
 }
 
 @Composable
-private fun wordsFor(error: OpenFilesError): String = when (error) {
+internal fun wordsFor(error: OpenFilesError): String = when (error) {
     is OpenFilesError.InFile -> stringResource(Res.string.documents_refused_file, error.file, error.message)
     is OpenFilesError.InLink -> error.message
     is OpenFilesError.NotText -> stringResource(Res.string.documents_refused_text, error.file)

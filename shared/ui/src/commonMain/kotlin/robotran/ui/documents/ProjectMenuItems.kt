@@ -22,12 +22,16 @@ import robotran.ui.resources.documents_replay
 import robotran.ui.resources.documents_save
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_share
+import robotran.ui.resources.hand_ins_menu
+import robotran.ui.resources.make_title
 import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
@@ -58,9 +62,14 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     HorizontalDivider(color = LocalRobotranColours.current.line)
     ProjectMenuItem(Res.string.send_robot, "send-robot") { choose(SendEvent.Requested) }
     ProjectMenuItem(Res.string.show_title, "show") { choose(ShowEvent.Requested) }
+    ProjectMenuItem(Res.string.make_title, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
     ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
     ProjectMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
     ProjectMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
+    if (state.hasGoals) {
+        HorizontalDivider(color = LocalRobotranColours.current.line)
+        ProjectMenuItem(Res.string.hand_ins_menu, "hand-ins") { choose(HandInsEvent.Requested) }
+    }
 }
 
 @Composable

@@ -1,49 +1,134 @@
 package robotran.ui.documents
 
 import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.aspectRatio
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import androidx.compose.ui.window.DialogProperties
 import org.jetbrains.compose.resources.stringResource
 import robotran.qrcode.QrCode
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_qr_code
 import robotran.ui.resources.documents_qr_help
+import robotran.ui.resources.documents_qr_large
 import robotran.ui.resources.documents_qr_long
+import robotran.ui.resources.hand_in_close
+import robotran.ui.resources.make_qr_long
+import robotran.ui.theme.AppDialog
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.focusRing
 import kotlin.math.floor
 
-/** [link] as a QR code for another device, or the reason why there is none. */
+/**
+ * [link] as a QR code for another device, or the reason why there is none.
+ *
+ * @param help says what to do with it.
+ * @param isForClass whether many pupils read it from afar, so that a button says that it can fill the screen; a touch on
+ * the code does that in any case.
+ * @param maxSide how large it may be here.
+ */
 @Composable
-internal fun LinkAsQrCode(link: String) {
+internal fun LinkAsQrCode(
+    link: String,
+    help: String = stringResource(Res.string.documents_qr_help),
+    isForClass: Boolean = false,
+    maxSide: Dp = MAX_SIDE,
+) {
     val code = remember(link) { QrCode.of(link) }
+    val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
     if (code == null) {
-        Explanation(stringResource(Res.string.documents_qr_long), Modifier.testTag("qr-too-long"))
+        val words = if (isForClass) Res.string.make_qr_long else Res.string.documents_qr_long
+        Explanation(stringResource(words), news.testTag("qr-too-long"))
         return
     }
-    Explanation(stringResource(Res.string.documents_qr_help))
-    Box(Modifier.fillMaxWidth(), Alignment.Center) { QrCodeView(code) }
+    if (help.isNotEmpty()) Explanation(help, news)
+    var isLarge by remember { mutableStateOf(false) }
+    val large = stringResource(Res.string.documents_qr_large)
+    Box(Modifier.fillMaxWidth(), Alignment.Center) {
+        val side = Modifier.widthIn(max = minOf(maxSide, MAX_SIDE)).fillMaxWidth()
+        QrCodeView(code, side.focusRing().clickable(onClickLabel = large) { isLarge = true }, "qr-code")
+    }
+    if (isForClass) SecondButton(large, "qr-show-large", { isLarge = true })
+    if (isLarge) LargeQrCode(code) { isLarge = false }
 }
 
+/** [code] as large as the screen has room for, on white also at night, as projectors and cameras need it. */
 @Composable
-private fun QrCodeView(code: QrCode) {
+internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
+    AppDialog(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
+        val name = stringResource(Res.string.documents_qr_code)
+        val close = @Composable {
+            PrimaryButton(stringResource(Res.string.hand_in_close), "qr-large-close", onClose, Modifier.padding(8.dp))
+        }
+        BoxWithConstraints(
+            Modifier
+                .fillMaxSize()
+                .background(RobotranColours.ON_COLOUR)
+                .testTag("qr-large-view")
+                .semantics { paneTitle = name },
+        ) {
+            val isAcross = maxWidth > maxHeight
+            // A square as large as possible, whatever the close button leaves.
+            val side = if (isAcross) {
+                minOf(maxHeight, maxWidth - CLOSE_WIDTH)
+            } else {
+                minOf(
+                    maxWidth,
+                    maxHeight - CLOSE_HEIGHT,
+                )
+            }
+            val large = @Composable { QrCodeView(code, Modifier.size(side), "qr-code-large") }
+            if (isAcross) {
+                Row(Modifier.fillMaxSize()) {
+                    Box(Modifier.weight(1f).fillMaxHeight(), Alignment.Center) { large() }
+                    close()
+                }
+            } else {
+                Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.End) {
+                    close()
+                    Box(Modifier.weight(1f).fillMaxWidth(), Alignment.Center) { large() }
+                }
+            }
+        }
+    }
+
+@Composable
+private fun QrCodeView(code: QrCode, modifier: Modifier, tag: String) {
     val words = stringResource(Res.string.documents_qr_code)
     Canvas(
-        Modifier.widthIn(max = MAX_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
+        modifier.aspectRatio(1f).testTag(tag).semantics {
             role = Role.Image
             contentDescription = words
         },
@@ -71,3 +156,7 @@ private fun DrawScope.drawQrCode(code: QrCode) {
 }
 
 private val MAX_SIDE = 360.dp
+
+/** Room for the button beside or above a large code. */
+private val CLOSE_WIDTH = 140.dp
+private val CLOSE_HEIGHT = 72.dp

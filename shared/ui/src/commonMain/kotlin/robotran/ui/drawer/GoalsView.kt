@@ -111,7 +111,7 @@ private fun GoalRow(
     }
 }
 
-private fun iconFor(status: GoalStatus) = when (status) {
+internal fun iconFor(status: GoalStatus) = when (status) {
     GoalStatus.MET -> RunIcon.DONE
     GoalStatus.FAILED -> RunIcon.CLOSE
     GoalStatus.PENDING -> RunIcon.OPEN

@@ -40,6 +40,7 @@ import robotran.workshop.event.WorkshopEvent
  * Buttons for the task and the goals of the world, if it has them.
  *
  * @param isSlim whether there is room for one short line only.
+ * @param howFar how far the pupil is with an assignment, for screen readers.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -50,16 +51,17 @@ internal fun TaskAndGoals(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     isSlim: Boolean = false,
+    howFar: String = "",
 ) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (hasTask) TaskChip(taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
+        if (hasTask) TaskChip(taskShown, howFar) { onEvent(WorkshopEvent.TaskShown(it)) }
         GoalChip(goals, onEvent, isSlim = isSlim)
     }
 }
 
 /** Shows and hides the task of the world. */
 @Composable
-private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
+private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current
     val help = stringResource(if (shown) Res.string.task_hide else Res.string.task_show)
     Box(
@@ -72,7 +74,9 @@ private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
             .toggleable(shown, role = Role.Button, onValueChange = onShow)
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 16.dp, vertical = 8.dp)
-            .semantics(mergeDescendants = true) { contentDescription = help },
+            .semantics(mergeDescendants = true) {
+                contentDescription = "$help. $howFar".removeSuffix(". ")
+            },
         Alignment.Center,
     ) {
         Text(

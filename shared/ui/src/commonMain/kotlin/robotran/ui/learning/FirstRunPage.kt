@@ -34,6 +34,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
 import robotran.ui.parts.Icon
 import robotran.ui.parts.Page
+import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res

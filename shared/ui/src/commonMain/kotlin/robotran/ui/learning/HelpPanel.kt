@@ -37,6 +37,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.learning.WordHelp
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.QuietButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_help_all

@@ -15,26 +15,29 @@ import robotran.projects.ProgramView
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.SavedOwnCourse
 
 /**
  * The learning pages over the workshop; fills the screen. The tutorial is not one of them, see [TutorialPane].
  *
  * @param view how programs are shown.
+ * @param saved what came of saving lessons or worlds as a course.
  * @param foot the height of the run bar, which help on words leaves free.
  */
 @Composable
 internal fun LearningPages(
     state: LearningState,
     view: ProgramView,
+    saved: SavedOwnCourse?,
     onEvent: (WorkshopEvent) -> Unit,
     foot: Dp = 0.dp,
 ) {
     when (state.page) {
         LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
 
-        LearningPage.MAP -> LessonMapPage(state, onEvent)
+        LearningPage.MAP -> LessonMapPage(state, saved, onEvent)
 
-        LearningPage.WORLDS -> WorldGalleryPage(state, onEvent)
+        LearningPage.WORLDS -> WorldGalleryPage(state, saved, onEvent)
 
         LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)
 

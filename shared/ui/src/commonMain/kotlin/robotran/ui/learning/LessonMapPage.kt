@@ -27,11 +27,13 @@ import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.SavedOwnCourse
 
 /** All strands, each a path with its lessons as stations: which are done, which is next. A touch opens a lesson. */
 @Composable
-internal fun LessonMapPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+internal fun LessonMapPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     val strands = rememberLazyListState(
         state.nextLesson?.let { next ->
             Lessons.strands.indexOf(Lessons.strandOf(Lessons.all[next]))
@@ -47,14 +49,19 @@ internal fun LessonMapPage(state: LearningState, onEvent: (LearningEvent) -> Uni
             verticalArrangement = Arrangement.spacedBy(32.dp),
         ) {
             items(Lessons.strands, key = { it.name }) { strand ->
-                StrandOnMap(strand, state) { onEvent(LearningEvent.LessonChosen(it)) }
+                StrandOnMap(strand, state, saved, onEvent)
             }
         }
     }
 }
 
 @Composable
-private fun StrandOnMap(strand: Strand, state: LearningState, onChoose: (Int) -> Unit) {
+private fun StrandOnMap(
+    strand: Strand,
+    state: LearningState,
+    saved: SavedOwnCourse?,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val done = strand.lessons.count { it.name in state.stepsDone }
     Column(Modifier.testTag("strand-${strand.name}"), Arrangement.spacedBy(4.dp)) {
@@ -77,6 +84,15 @@ private fun StrandOnMap(strand: Strand, state: LearningState, onChoose: (Int) ->
             color = colours.quiet,
             fontSize = TextSizes.COMPACT,
         )
-        StationPath(strand, state, onChoose)
+        StationPath(
+            strand.lessons.map { lesson ->
+                val index = Lessons.all.indexOf(lesson)
+                val isDone = lesson.name in state.stepsDone
+                Stop("lesson-${lesson.name}", lesson.text(state.language).title, isDone, state.nextLesson == index) {
+                    onEvent(LearningEvent.LessonChosen(index))
+                }
+            },
+        )
+        SaveOwnCourse(strand.name, strand.title(state.language), saved, onEvent)
     }
 }

@@ -7,6 +7,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
+import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.withStyle
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -19,6 +20,7 @@ internal fun MarkedText(
     text: String,
     modifier: Modifier = Modifier,
     colour: Color = LocalRobotranColours.current.onPane,
+    weight: FontWeight = FontWeight.Normal,
 ) {
     val code = codeStyle().run {
         SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings)
@@ -30,6 +32,7 @@ internal fun MarkedText(
         color = colour,
         fontSize = TextSizes.BODY,
         lineHeight = LineHeights.BODY,
+        fontWeight = weight,
     )
 }
 

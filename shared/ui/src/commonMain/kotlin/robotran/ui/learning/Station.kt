@@ -28,8 +28,6 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.learning.Lesson
-import robotran.learning.Lessons
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_map_done
@@ -39,35 +37,42 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.state.LearningState
 
-/** One lesson on the map: a green disc with a check mark if it is done, a yellow one if it is next, or an open one. */
+/**
+ * A stop on a path: a lesson, or an assignment of a course.
+ *
+ * @property note how far the pupil is with it, below its title; null for nothing.
+ */
+internal class Stop(
+    val tag: String,
+    val title: String,
+    val isDone: Boolean,
+    val isNext: Boolean,
+    val note: String? = null,
+    val onClick: () -> Unit,
+)
+
+/** One stop on the map: a green disc with a check mark if it is done, a yellow one if it is next, or an open one. */
 @Composable
-internal fun Station(
-    lesson: Lesson,
-    number: Int,
-    state: LearningState,
-    height: Dp,
-    modifier: Modifier = Modifier,
-    onClick: () -> Unit,
-) {
+internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val isDone = lesson.name in state.stepsDone
-    val isNext = state.nextLesson?.let { Lessons.all[it] } == lesson
-    val title = lesson.text(state.language).title
-    val condition = stringResource(
+    val isDone = stop.isDone
+    val isNext = stop.isNext
+    val title = stop.title
+    val state = stringResource(
         when {
             isDone -> Res.string.learning_map_done
             isNext -> Res.string.learning_map_next
             else -> Res.string.learning_map_open
         },
     )
+    val condition = listOfNotNull(state, stop.note).joinToString(", ")
     Column(
         modifier
             .height(height)
-            .testTag("lesson-${lesson.name}")
+            .testTag(stop.tag)
             .focusRing()
-            .clickable(role = Role.Button, onClick = onClick)
+            .clickable(role = Role.Button, onClick = stop.onClick)
             .semantics {
                 contentDescription = "$number $title"
                 stateDescription = condition
@@ -113,5 +118,17 @@ internal fun Station(
             maxLines = TITLE_LINES,
             overflow = TextOverflow.Ellipsis,
         )
+        stop.note?.let { note ->
+            Text(
+                note,
+                Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
+                color = colours.quiet,
+                fontSize = TextSizes.SMALL,
+                lineHeight = TITLE_LINE,
+                textAlign = TextAlign.Center,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
     }
 }

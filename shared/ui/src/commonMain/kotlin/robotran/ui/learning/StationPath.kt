@@ -17,43 +17,39 @@ import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.learning.Lessons
-import robotran.learning.Strand
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.workshop.state.LearningState
 
-/** The lessons of [strand] along a path that winds to and fro, as many in a row as there is room for. */
+/** The [stops] along a path that winds to and fro, as many in a row as there is room for. */
 @Composable
-internal fun StationPath(strand: Strand, state: LearningState, onChoose: (Int) -> Unit) {
+internal fun StationPath(stops: List<Stop>) {
     val density = LocalDensity.current
     val colours = LocalRobotranColours.current
-    val rowHeight = with(density) { STATION_SIZE + STATION_GAP * 2 + (TITLE_LINE * TITLE_LINES).toDp() }
+    val notes = if (stops.any { it.note != null }) 1 else 0
+    val rowHeight = with(density) { STATION_SIZE + STATION_GAP * 2 + (TITLE_LINE * (TITLE_LINES + notes)).toDp() }
     BoxWithConstraints(Modifier.fillMaxWidth().padding(top = 8.dp)) {
         val columns = (maxWidth / (MIN_CELL * density.fontScale)).toInt().coerceIn(1, MAX_COLUMNS)
-        val rows = strand.lessons.chunked(columns)
+        val rows = stops.chunked(columns)
         val cell = maxWidth / columns
         Column(
             Modifier.semantics { isTraversalGroup = true }.drawBehind {
-                val centres = strand.lessons.indices.map { centreOf(it, columns, cell, rowHeight) }
+                val centres = stops.indices.map { centreOf(it, columns, cell, rowHeight) }
                 centres.zipWithNext().forEachIndexed { place, (from, to) ->
-                    val isDone = strand.lessons[place].name in state.stepsDone
+                    val isDone = stops[place].isDone
                     val colour = if (isDone) RobotranColours.RUN_GREEN else colours.line
                     drawLine(colour, from, to, WAY_WIDTH.toPx(), StrokeCap.Round)
                 }
             },
         ) {
-            rows.forEachIndexed { row, lessons ->
-                val padded = lessons + List(columns - lessons.size) { null }
+            rows.forEachIndexed { row, inRow ->
+                val padded = inRow + List(columns - inRow.size) { null }
                 Row(Modifier.fillMaxWidth()) {
-                    for (lesson in if (row % 2 == 0) padded else padded.reversed()) {
-                        if (lesson == null) {
+                    for (stop in if (row % 2 == 0) padded else padded.reversed()) {
+                        if (stop == null) {
                             Spacer(Modifier.weight(1f))
                         } else {
-                            val index = Lessons.all.indexOf(lesson)
-                            val number = strand.lessons.indexOf(lesson) + 1
-                            Station(lesson, number, state, rowHeight, Modifier.weight(1f)) { onChoose(index) }
+                            Station(stop, stops.indexOf(stop) + 1, rowHeight, Modifier.weight(1f))
                         }
                     }
                 }

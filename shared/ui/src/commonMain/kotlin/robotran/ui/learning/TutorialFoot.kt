@@ -22,9 +22,13 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
 import robotran.ui.parts.AppMenu
+import robotran.ui.parts.ButtonSize
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.MenuItem
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_begin_again
 import robotran.ui.resources.learning_close

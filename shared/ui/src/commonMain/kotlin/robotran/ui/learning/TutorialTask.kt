@@ -26,6 +26,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.ButtonSize
+import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.resources.Res

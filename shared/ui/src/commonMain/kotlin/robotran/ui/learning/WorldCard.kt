@@ -15,6 +15,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
+import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_harder

@@ -1,6 +1,7 @@
 package robotran.ui.learning
 
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -25,6 +26,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.course.OwnCourses
 import robotran.learning.WorldGallery
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
@@ -42,11 +44,13 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.SavedOwnCourse
 
 /** All built-in worlds to choose from. */
 @Composable
-internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     val found = remember(state.query, state.language) { WorldGallery.search(state.query, state.language) }
     Page(stringResource(Res.string.learning_worlds), "worlds-page", {
@@ -71,6 +75,11 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
             }, key = "search") { Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
             items(found, key = { it.name }) { world ->
                 WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
+            }
+            item(span = { GridItemSpan(maxLineSpan) }, key = "save") {
+                Column {
+                    SaveOwnCourse(OwnCourses.WORLDS, stringResource(Res.string.learning_worlds), saved, onEvent)
+                }
             }
             if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
         }

@@ -51,6 +51,7 @@ import robotran.ui.program.blocks.EditErrorBar
 import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.KeysInUse
+import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.program.blocks.RowMarks
@@ -112,9 +113,11 @@ internal fun BlocksPane(
     val shown = rememberUpdatedState(programs)
     val fix = rememberUpdatedState(onFix)
     val help = rememberUpdatedState(onHelp)
-    val introduced = remember(tutorialStep) { tutorialStep?.let { blocksIntroducedBy(it) } }
-    val scope = remember(blocks, looks, messages, codeSize, introduced) {
-        BlockScope(blocks, looks, messages, codeSize, introduced, { help.value(it) }) { event.value(it) }
+    val allowed = LocalAllowedBlocks.current
+    val introduced = remember(tutorialStep, allowed) { allowed ?: tutorialStep?.let { blocksIntroducedBy(it) } }
+    val isFixed = allowed != null
+    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed) {
+        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, { help.value(it) }) { event.value(it) }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val hasFocus = remember { mutableStateOf(false) }

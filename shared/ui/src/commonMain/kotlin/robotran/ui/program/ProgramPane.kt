@@ -17,6 +17,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
@@ -100,6 +102,15 @@ internal fun ProgramPane(
                         programs.closedMessageShown
                     }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
                 }
+            }
+            // An open sheet has the room of all else. On a phone in landscape there is no room beside mistakes.
+            val hasRoom = !programs.isEditingBlocks &&
+                (height != PaneHeight.VERY_LOW || programs.diagnostics.isEmpty())
+            if (height == PaneHeight.HIGH || hasRoom) {
+                LocalProgramWarning.current?.invoke(
+                    programs.program.name,
+                    height.ofWarning * LocalDensity.current.fontScale.coerceIn(1f, 1.5f),
+                )
             }
         }
     }
@@ -278,6 +289,14 @@ private fun ShownFile(
         if (state.view.hasText && control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
+
+/** How high the warning below the program may be. */
+private val PaneHeight.ofWarning: Dp
+    get() = when (this) {
+        PaneHeight.HIGH -> 160.dp
+        PaneHeight.LOW -> 80.dp
+        PaneHeight.VERY_LOW -> 48.dp
+    }
 
 /** Whether a sheet is open over the blocks. */
 private val ProgramsState.isEditingBlocks: Boolean get() = view.hasBlocks && blocks?.sheet != null

@@ -1,24 +1,31 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.foundation.ScrollState
 import androidx.compose.foundation.background
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
-import androidx.compose.foundation.relocation.BringIntoViewRequester
-import androidx.compose.foundation.relocation.bringIntoViewRequester
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.onPlaced
+import androidx.compose.ui.layout.positionInParent
+import androidx.compose.ui.platform.LocalDensity
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
+import robotran.ui.parts.SCROLL_HINT_DEPTH
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab
@@ -28,6 +35,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.ProgramsState
+import kotlin.math.roundToInt
 
 /**
  * The tabs of the pupil's programs, and a button for a new one. If there are several, each has its number on the
@@ -47,15 +55,20 @@ internal fun ProgramTabs(
         modifier.fillMaxWidth().background(pane).height(Dimensions.TARGET),
         verticalAlignment = Alignment.CenterVertically,
     ) {
+        val scroll = rememberScrollState()
         Row(
-            Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(),
+            Modifier
+                .weight(1f)
+                .scrollHint(scroll, Orientation.Horizontal, pane, LocalRobotranColours.current.onPane)
+                .horizontalScroll(scroll)
+                .selectableGroup(),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
-                Row(Modifier.keptInSight(shown, state.programs.size)) {
+                Row(Modifier.keptInSight(shown, state.programs.size, scroll)) {
                     val rename = onRename.takeIf { shown && state.shownFile == 0 }
                     FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
@@ -69,17 +82,28 @@ internal fun ProgramTabs(
     }
 }
 
-/** Scrolls to this tab when it becomes [shown] or the number of [neighbours] changes. */
-@OptIn(ExperimentalFoundationApi::class)
+/**
+ * Scrolls to this tab when it becomes [shown], or the number of its [neighbours] or the room for all of them changes: the
+ * pane is narrower for text than for blocks.
+ */
 @Composable
-private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
-    val requester = remember { BringIntoViewRequester() }
-    LaunchedEffect(shown, neighbours) {
-        // It has a position only after layout.
+private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, scroll: ScrollState): Modifier {
+    var span by remember { mutableStateOf(0..0) }
+    val room = scroll.viewportSize
+    val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.roundToPx() }
+    LaunchedEffect(shown, neighbours, room, span) {
+        if (!shown || room == 0) return@LaunchedEffect
+        // The whole row has its new width only after layout.
         withFrameNanos { }
-        if (shown) requester.bringIntoView()
+        when {
+            span.first - margin < scroll.value -> scroll.animateScrollTo(span.first - margin)
+            span.last + margin > scroll.value + room -> scroll.animateScrollTo(span.last + margin - room)
+        }
     }
-    return bringIntoViewRequester(requester)
+    return onPlaced { tab ->
+        val left = tab.positionInParent().x.roundToInt()
+        span = left..left + tab.size.width
+    }
 }
 
 /** The files of one program, if it has several. [onRename] is called to rename or remove the current one. */
@@ -91,9 +115,21 @@ internal fun FileTabs(
     onRename: () -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    Row(modifier.fillMaxWidth().height(Dimensions.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
+    val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
+    Row(
+        modifier
+            .fillMaxWidth()
+            .height(Dimensions.TARGET)
+            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .horizontalScroll(scroll)
+            .selectableGroup(),
+    ) {
         files.forEachIndexed { place, file ->
-            FileTab(file.name, place == shown, "file-$place", { onChoose(place) }, onRename.takeIf { place == shown })
+            val isShown = place == shown
+            Row(Modifier.keptInSight(isShown, files.size, scroll)) {
+                FileTab(file.name, isShown, "file-$place", { onChoose(place) }, onRename.takeIf { isShown })
+            }
         }
     }
 }

@@ -1,6 +1,9 @@
 package robotran.ui.screen
 
 import robotran.ui.worldedit.escaped
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
@@ -12,6 +15,13 @@ import robotran.workshop.state.WorkshopState
 /** The pages over the workshop that Back closes, topmost first. Menus and dialogs handle Back themselves. */
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
+    state.handIns?.let { handIns ->
+        if (handIns.isScanning) add(HandInsEvent.ScanEnded)
+        if (handIns.openedRow != null) add(HandInsEvent.HandInChosen(null))
+        add(HandInsEvent.Closed)
+    }
+    if (state.making != null) add(AssignmentEvent.MakingClosed)
+    if (state.course.page != null) add(CourseEvent.PageClosed)
     if (state.learning.page != null) add(LearningEvent.PageClosed)
     state.worldEdit?.let { edit ->
         escaped(edit.editing)?.let { add(WorldEditEvent.Edited(it)) }

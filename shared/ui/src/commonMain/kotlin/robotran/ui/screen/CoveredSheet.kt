@@ -64,7 +64,7 @@ internal fun CoveredSheet(
             isSolved = state.learning.solved != null && state.run.isSolved,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
-        if (isOutcomeAbove(state)) LowerOutcome(state, onEvent)
+        if (isOutcomeAbove(state) && !isOutcomeReplaced(state)) LowerOutcome(state, onEvent, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -80,7 +80,12 @@ private fun BoxWithConstraintsScope.Messages(
     withNotice: Boolean,
     onWholeBrick: (() -> Unit)?,
 ) {
-    val max = maxHeight / 2
+    val max = if (maxHeight < LOW) maxHeight * MOST else maxHeight / 2
+    val tall = maxHeight * TALL
+    val most = if (isSmall) maxHeight * MOST else max
+    val hasRoom = maxHeight >= LOW
+    val isFolded = isTaskFolded(state)
+    val tellsTries = !cardTellsTries(state, withNotice)
     Column(
         Modifier.align(
             Alignment.TopEnd,
@@ -90,9 +95,31 @@ private fun BoxWithConstraintsScope.Messages(
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
-        if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
+        if (!isOutcomeAbove(state) && !isOutcomeReplaced(state)) {
+            OutcomeCard(
+                state,
+                onEvent,
+                Modifier.heightIn(max = most),
+                withNotice,
+                tellsTries = tellsTries,
+            )
+        }
         if (state.taskShown && state.hasTask) {
-            TaskCard(state.world, state.learning, onEvent, Modifier.heightIn(max = max))
+            // An assignment says more. It covers more only before the first run, or with a hint.
+            val saysMore = state.assignment?.let { state.untouched || it.hints.isNotEmpty() } ?: false
+            val room = if (saysMore) tall else max
+            TaskCard(
+                state.world,
+                state.learning,
+                state.assignment,
+                state.session.goals,
+                onEvent,
+                Modifier.heightIn(max = room),
+                canHandIn = withNotice,
+                course = state.course.open.takeIf { withNotice },
+                isFolded = isFolded,
+                areButtonsFixed = hasRoom,
+            )
         }
         if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
     }
@@ -100,7 +127,11 @@ private fun BoxWithConstraintsScope.Messages(
 
 /** The card of the outcome above the sheet's buttons, so that it does not cover what it is about. */
 @Composable
-private fun BoxWithConstraintsScope.LowerOutcome(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun BoxWithConstraintsScope.LowerOutcome(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    canHandIn: Boolean,
+) {
     val buttonsWidth = sheetButtonsWidth(state.world)
     OutcomeCard(
         state,
@@ -110,9 +141,28 @@ private fun BoxWithConstraintsScope.LowerOutcome(state: WorkshopState, onEvent: 
             .padding(start = buttonsWidth, bottom = if (buttonsWidth == 0.dp) BUTTONS_HEIGHT else 0.dp)
             .padding(8.dp)
             .widthIn(max = MAX_WIDTH)
-            .heightIn(max = maxHeight / 2),
+            .heightIn(max = if (isSmall) maxHeight * MOST else maxHeight / 2),
+        canHandIn,
+        tellsTries = !cardTellsTries(state, canHandIn),
     )
 }
+
+/** On a phone, the card of an assignment is folded from the first run on, unless the pupil has chosen. */
+private fun BoxWithConstraintsScope.isTaskFolded(state: WorkshopState): Boolean {
+    val assignment = state.assignment?.takeIf { it.isOpenForTries } ?: return false
+    return assignment.isTaskFolded ?: (isSmall && (assignment.tries.tries > 0 || !state.untouched))
+}
+
+/** Whether it is the sheet of a phone. */
+private val BoxWithConstraintsScope.isSmall: Boolean get() = maxWidth < SMALL || maxHeight < LOW
+
+/** Whether the card of the task tells the tries, so that no other has to. */
+private fun cardTellsTries(state: WorkshopState, canHandIn: Boolean): Boolean =
+    canHandIn && state.taskShown && state.hasTask
+
+/** Whether the card of an assignment, which has the hint, is shown in the place of what was missing. */
+private fun isOutcomeReplaced(state: WorkshopState): Boolean =
+    state.assignment != null && state.taskShown && state.hasTask && state.learning.solved == null
 
 /** Whether what the outcome is about, a place or the robot, is in the upper half of the paper. */
 private fun isOutcomeAbove(state: WorkshopState): Boolean {
@@ -151,3 +201,13 @@ private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifie
 /** The height of a row of the sheet's buttons. */
 private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp
+
+/** A sheet on a phone is narrower than that, or lower. */
+private val SMALL = 480.dp
+private val LOW = 280.dp
+
+/** The part of a small sheet that a card may cover. */
+private const val MOST = 0.7f
+
+/** The part of the paper that the card of an assignment may cover. */
+private const val TALL = 0.7f

@@ -28,6 +28,7 @@ import robotran.ui.parts.MenuDivider
 import robotran.ui.parts.MenuItem
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
+import robotran.ui.resources.course_list
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.first_page
 import robotran.ui.resources.learn
@@ -42,6 +43,7 @@ import robotran.ui.resources.worlds
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -97,6 +99,7 @@ private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (Wo
     MenuItem(stringResource(Res.string.worlds), "menu-worlds") {
         choose(LearningEvent.PageRequested(LearningPage.WORLDS))
     }
+    MenuItem(stringResource(Res.string.course_list), "menu-courses") { choose(CourseEvent.ListRequested) }
     MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
         choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
     }

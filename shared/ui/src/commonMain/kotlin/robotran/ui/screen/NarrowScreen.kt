@@ -24,6 +24,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.howFar
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
@@ -158,6 +159,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                         onEvent,
                         Modifier.padding(horizontal = 12.dp),
                         isSlim = true,
+                        howFar = howFar(state.assignment),
                     )
                     StripWithSize(state.run, onEvent, showBrick)
                 }
@@ -171,6 +173,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                     state.session.goals,
                     onEvent,
                     Modifier.padding(horizontal = 12.dp),
+                    howFar = howFar(state.assignment),
                 )
                 StripWithSize(state.run, onEvent, showBrick)
             }

@@ -5,6 +5,12 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_begun_again
+import robotran.ui.resources.assignment_begun_before
+import robotran.ui.resources.assignment_go_on
+import robotran.ui.resources.assignment_world_locked
+import robotran.ui.resources.course_too_long
+import robotran.ui.resources.course_too_many
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_back_others
 import robotran.ui.resources.documents_back_unnamed
@@ -28,6 +34,8 @@ import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_unexpected
 import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
+import robotran.ui.resources.hand_in_go_back
+import robotran.ui.resources.hand_in_notice
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
 import robotran.ui.resources.notice_change_number
@@ -78,6 +86,10 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
 
+    is Notice.TooManyCourses -> stringResource(Res.string.course_too_many, notice.max)
+
+    Notice.CourseTooLong -> stringResource(Res.string.course_too_long)
+
     Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
 
     is Notice.KitNeedsCorrectProgram -> stringResource(Res.string.documents_kit_mistake, notice.line)
@@ -98,12 +110,20 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.EarlierProjectSaved -> stringResource(Res.string.documents_kept_before)
 
+    is Notice.AssignmentBegunBefore -> stringResource(Res.string.assignment_begun_before)
+
+    Notice.BegunAgain -> stringResource(Res.string.assignment_begun_again)
+
+    Notice.WorldOfAssignment -> stringResource(Res.string.assignment_world_locked)
+
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
 
     is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
         ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
 
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
+
+    is Notice.HandInOpened -> stringResource(Res.string.hand_in_notice, notice.name)
 
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
@@ -112,7 +132,10 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back
+    is NoticeAction.GoOn -> Res.string.assignment_go_on
     NoticeAction.ChangeNumber -> Res.string.notice_change_number
+    NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
+    NoticeAction.BeginningUndone -> Res.string.documents_undo
     NoticeAction.UnplugSensors -> Res.string.documents_undo
 }
 

@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
@@ -32,12 +33,17 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.HandInButton
+import robotran.ui.assignment.Line
+import robotran.ui.assignment.triesText
+import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.language.LocalLanguage
-import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_harder
 import robotran.ui.resources.learning_hint
@@ -54,16 +60,27 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.OpenCourseTask
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
 
 /**
  * What came of a run that is over, until it is closed: what was missing for the goals, or that the task is solved. Shown
  * at the end of the run only, so that an earlier time is not covered.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @param tellsTries whether it says how far the pupil is with an assignment; false if another card does.
  */
 @Composable
-internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun OutcomeCard(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
+    tellsTries: Boolean = true,
+) {
     val finished = state.run.outcome.finished ?: return
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
     if (isClosed || state.run.isSeeking || state.run.time < finished) return
@@ -71,13 +88,15 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, onEvent)
+            Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, tellsTries, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
             Heading(stringResource(Res.string.outcome_missing))
             for (mark in missing) ShortfallRow(mark, onEvent)
-            if (!state.taskShown && state.learning.worldTask?.help?.hints.orEmpty().isNotEmpty()) {
+            state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
+            val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
+            if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
                 SecondButton(stringResource(Res.string.learning_hint), "missing-hint", {
                     onEvent(WorkshopEvent.TaskShown(true))
@@ -88,7 +107,14 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 }
 
 @Composable
-private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
+private fun Solved(
+    solved: SolvedTask,
+    assignment: AssignmentState?,
+    course: OpenCourseTask?,
+    canHandIn: Boolean,
+    tellsTries: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Heading(stringResource(Res.string.outcome_solved))
     for (line in solvedText(solved)) {
         Text(
@@ -98,7 +124,33 @@ private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
             lineHeight = LineHeights.BODY,
         )
     }
-    Next(solved, onEvent)
+    when {
+        assignment == null -> {
+            Next(solved, onEvent)
+        }
+
+        course == null -> {
+            Tries(assignment, canHandIn, tellsTries, onEvent)
+        }
+
+        else -> {
+            Tries(assignment, canHandIn = false, tellsTries, onEvent)
+            NextInCourse(course, onEvent) { HandInButton(assignment, "solved-hand-in", onEvent) }
+        }
+    }
+}
+
+/** How far the pupil is with the assignment. */
+@Composable
+private fun Tries(
+    assignment: AssignmentState,
+    canHandIn: Boolean,
+    tellsTries: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
+    if (!assignment.isOpenForTries) return
+    if (tellsTries) Line(triesText(assignment.tries), "outcome-tries")
+    if (canHandIn) HandInButton(assignment, "solved-hand-in", onEvent)
 }
 
 @OptIn(ExperimentalLayoutApi::class)
@@ -151,10 +203,12 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
             .drawBehind { drawRect(bar, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
+        val scroll = rememberScrollState()
         Column(
             Modifier
                 .weight(1f)
-                .verticalScroll(rememberScrollState())
+                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
                 .semantics { liveRegion = LiveRegionMode.Polite },
             Arrangement.spacedBy(4.dp),

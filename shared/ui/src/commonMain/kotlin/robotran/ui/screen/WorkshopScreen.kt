@@ -5,6 +5,7 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
@@ -14,13 +15,22 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.assignment.HandInSheet
+import robotran.ui.assignment.NotAllowedStrip
+import robotran.ui.assignment.making.MakePage
+import robotran.ui.assignment.making.MakingPlace
+import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
+import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
+import robotran.ui.program.LocalProgramWarning
+import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
@@ -29,6 +39,8 @@ import robotran.ui.settings.SettingsPage
 import robotran.ui.show.ShowSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
+import robotran.workshop.blocks.allowedBlocks
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -57,27 +69,34 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             WindowForm.ACROSS
         }
         var foot by remember { mutableStateOf(0) }
+        val makingPlace = remember { MakingPlace() }
         val runBar = @Composable {
             RunBar(state.run, state.status, state.caretLine, onEvent, Modifier.onSizeChanged { foot = it.height }) {
                 SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
             }
         }
-        val isCovered = state.settingsShown || state.learning.page?.coversAll == true
+        val isCovered = state.settingsShown || state.making != null || state.handIns != null ||
+            state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
-            val edit = state.worldEdit
-            when {
-                edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
-                layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
-                layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
-                else -> NarrowScreen(state, onEvent)
+            WithAllowedBlocks(state, onEvent) {
+                val edit = state.worldEdit
+                when {
+                    edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
+                    layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
+                    layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
+                    else -> NarrowScreen(state, onEvent)
+                }
             }
         }
         val footHeight = with(LocalDensity.current) { foot.toDp() }.takeIf { layout != ScreenLayout.NARROW } ?: 0.dp
-        LearningPages(state.learning, state.settings.programView, onEvent, footHeight)
+        LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
+        state.course.page?.let { CoursePages(it, onEvent) }
+        state.making?.let { MakePage(it, makingPlace, onEvent) }
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }
+        state.handIns?.let { HandInsPage(it, onEvent) }
         val ofPages = pageBackEvents(state)
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
         // then.
@@ -85,15 +104,43 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         DocumentDialogs(state.document, onEvent)
         state.send?.let { SendSheet(it, onEvent) }
         state.show?.let { ShowSheet(it, state.world, state.session, onEvent) }
+        state.handIn?.let { HandInSheet(it, state.document.hasShareSheet, onEvent) }
     }
+}
+
+/** [content] in which the palette of blocks has what the open assignment allows, and programs say what it does not. */
+@Composable
+private fun WithAllowedBlocks(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    content: @Composable () -> Unit,
+) {
+    val assignment = state.assignment?.takeIf { it.isOpenForTries }?.assignment
+    val allowed = remember(assignment?.words) { assignment?.let { allowedBlocks(it) } }
+    val found = state.assignment?.notAllowed.orEmpty()
+    val warning = remember(found) {
+        found.takeIf { it.isNotEmpty() }?.let { all ->
+            @Composable { program: String, maxHeight: Dp ->
+                NotAllowedStrip(all, program, maxHeight) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
+            }
+        }
+    }
+    CompositionLocalProvider(
+        LocalAllowedBlocks provides allowed,
+        LocalProgramWarning provides warning,
+        content = content,
+    )
 }
 
 /** From this size on, at default font size, there is room for the whole brick beside a large sheet. */
 private val BROAD_WIDTH = 1600.dp
 private val BROAD_HEIGHT = 800.dp
 
+/** Whether neither the world editor nor the page of an assignment covers the run bar. */
+private val WorkshopState.isDesk: Boolean get() = worldEdit == null && making == null
+
 /** Whether the run bar, if visible, would currently allow [event]. */
-private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {
+private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.isDesk && when (event) {
     RunEvent.StopPressed -> state.stoppable
     RunEvent.PausePressed -> state.run.pausable
     else -> true

@@ -16,6 +16,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.howFar
 import robotran.ui.drawer.FootTabs
 import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.parts.IconTouch
@@ -53,7 +54,14 @@ internal fun WorldFooter(
                 Alignment.CenterVertically,
             ) {
                 if (inOneRow) Tabs(state, onEvent, Modifier.weight(1f))
-                TaskAndGoals(state.hasTask, state.taskShown, state.session.goals, onEvent, isSlim = true)
+                TaskAndGoals(
+                    state.hasTask,
+                    state.taskShown,
+                    state.session.goals,
+                    onEvent,
+                    isSlim = true,
+                    howFar = howFar(state.assignment),
+                )
                 // As large without it, so that nothing moves.
                 Box(Modifier.size(STRIP_WIDTH, STRIP_HEIGHT)) {
                     if (!isWhole) Strip(state.run, onEvent, isLow = true)

@@ -2,8 +2,10 @@ package robotran.ui.world
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -18,40 +20,73 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalProgress
+import robotran.ui.assignment.AssignmentButtons
+import robotran.ui.assignment.AssignmentCard
+import robotran.ui.assignment.FeedbackCard
+import robotran.ui.assignment.Goals
+import robotran.ui.assignment.HandInLine
+import robotran.ui.assignment.HandedInLine
+import robotran.ui.assignment.Line
+import robotran.ui.assignment.triesText
+import robotran.ui.course.CourseLine
+import robotran.ui.learning.FOLD_ICON
+import robotran.ui.learning.HintCards
+import robotran.ui.learning.UNFOLD_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
+import robotran.ui.resources.task_fold
 import robotran.ui.resources.task_hide
+import robotran.ui.resources.task_unfold
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.OpenCourseTask
 import robotran.world.World
 
 /**
  * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
- * with its task.
+ * with its task, and in an assignment all about that.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @param course where the assignment is in its course; null if it is in none.
+ * @param isFolded whether only the title and the goals are shown.
+ * @param areButtonsFixed whether there is room for buttons that do not scroll.
  */
 @Composable
 internal fun TaskCard(
     world: World,
     learning: LearningState,
+    assignment: AssignmentState?,
+    goals: List<GoalProgress>,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
+    course: OpenCourseTask? = null,
+    isFolded: Boolean = false,
+    areButtonsFixed: Boolean = true,
 ) {
     val colours = LocalRobotranColours.current
-    Row(
+    Column(
         modifier
             .testTag("task-card")
             .clip(RoundedCornerShape(CORNER))
@@ -60,36 +95,128 @@ internal fun TaskCard(
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
-        verticalAlignment = Alignment.Top,
     ) {
-        Column(
-            Modifier.weight(
-                1f,
-            ).verticalScroll(rememberScrollState()).padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
-            Text(
-                world.title,
-                Modifier.testTag("task-title").semantics { heading() },
-                color = colours.onPane,
-                fontSize = TextSizes.LEAD,
-                lineHeight = LineHeights.BODY,
-                fontWeight = FontWeight.SemiBold,
-            )
-            Text(
-                world.task.trim(),
-                Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.BODY,
-            )
-            learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+        if (assignment == null) {
+            Row(Modifier.weight(1f, fill = false), verticalAlignment = Alignment.Top) {
+                Column(Modifier.weight(1f)) { TaskOfWorld(world, learning, onEvent) }
+                HideTask(onEvent)
+            }
+        } else {
+            Row(verticalAlignment = Alignment.Top) {
+                // It does not scroll, and must leave room for the rest.
+                val lines = if (areButtonsFixed && LocalDensity.current.fontScale <= LARGE) 2 else 1
+                Title(world, Modifier.weight(1f).padding(start = START, top = 12.dp), lines)
+                IconTouch(
+                    if (isFolded) UNFOLD_ICON else FOLD_ICON,
+                    stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
+                    "task-fold",
+                    { onEvent(AssignmentEvent.TaskFolded(!isFolded)) },
+                )
+                HideTask(onEvent)
+            }
+            if (isFolded) {
+                FoldedAssignment(learning, assignment, goals, canHandIn)
+            } else {
+                WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed, course)
+            }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
-            onEvent(WorkshopEvent.TaskShown(false))
-        })
     }
 }
 
+@Composable
+private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
+    IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
+        onEvent(WorkshopEvent.TaskShown(false))
+    })
+
+@Composable
+private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
+    Scrolling(top = 12.dp) {
+        Title(world)
+        TaskText(world)
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+    }
+
+/** A hint that has just come, the goals and the tries, so that the world can be seen. */
+@Composable
+private fun ColumnScope.FoldedAssignment(
+    learning: LearningState,
+    assignment: AssignmentState,
+    goals: List<GoalProgress>,
+    tellsTries: Boolean,
+) = Scrolling {
+    HintCards(assignment.hints, learning.isInBlocks)
+    Goals(goals)
+    if (tellsTries) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
+    HandedInLine(assignment)
+}
+
+@Composable
+private fun ColumnScope.WholeAssignment(
+    world: World,
+    learning: LearningState,
+    assignment: AssignmentState,
+    goals: List<GoalProgress>,
+    onEvent: (WorkshopEvent) -> Unit,
+    canHandIn: Boolean,
+    hasRoom: Boolean,
+    course: OpenCourseTask?,
+) {
+    // With large text they would leave no room.
+    val areButtonsFixed = hasRoom && LocalDensity.current.fontScale <= LARGE
+    Scrolling {
+        HintCards(assignment.hints, learning.isInBlocks)
+        assignment.handIn?.let { HandInLine(it) }
+        assignment.feedback?.let { FeedbackCard(it) }
+        TaskText(world)
+        AssignmentCard(assignment, goals, onEvent)
+        if (canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+        course?.let { CourseLine(it, onEvent) }
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+    }
+    if (canHandIn && areButtonsFixed) {
+        AssignmentButtons(assignment, onEvent, Modifier.padding(start = START, bottom = 12.dp))
+    }
+}
+
+@Composable
+private fun TaskText(world: World) = Text(
+    world.task.trim(),
+    Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+    lineHeight = LineHeights.BODY,
+)
+
+@Composable
+private fun ColumnScope.Scrolling(top: Dp = 0.dp, content: @Composable ColumnScope.() -> Unit) {
+    val scroll = rememberScrollState()
+    val colours = LocalRobotranColours.current
+    Column(
+        Modifier
+            .weight(1f, fill = false)
+            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .verticalScroll(scroll)
+            .padding(start = START, top = top, bottom = 12.dp, end = if (top == 0.dp) 12.dp else 0.dp),
+        Arrangement.spacedBy(4.dp),
+        content = content,
+    )
+}
+
+@Composable
+private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
+    world.title,
+    modifier.testTag("task-title").semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.LEAD,
+    lineHeight = LineHeights.BODY,
+    fontWeight = FontWeight.SemiBold,
+    overflow = TextOverflow.Ellipsis,
+    maxLines = maxLines,
+)
+
+/** Up to this font scale there is room for fixed buttons. */
+private const val LARGE = 1.3f
 private val BAR = 6.dp
+private val START = 22.dp
 private val CORNER = Corners.MEDIUM

@@ -64,9 +64,9 @@ import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written
 
-/** The top of the editor: undo, help, and the button that closes it. */
+/** The top of the editor: undo, help, and the button that closes it. Robots cannot drive in all worlds, see [canTry]. */
 @Composable
-internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
+internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, canTry: Boolean) {
     val colours = LocalRobotranColours.current
     val editing = making.editing
     Row(
@@ -106,15 +106,17 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
             }
             EditMenu(making, view, withWords)
         }
-        IconTouch(
-            EditIcons.PLAY,
-            stringResource(Res.string.worldedit_try_help),
-            "edit-try",
-            {
-                making.perform(WorldEditEvent.TriedOut)
-            },
-            label = stringResource(Res.string.worldedit_try).takeIf { withWords },
-        )
+        if (canTry) {
+            IconTouch(
+                EditIcons.PLAY,
+                stringResource(Res.string.worldedit_try_help),
+                "edit-try",
+                {
+                    making.perform(WorldEditEvent.TriedOut)
+                },
+                label = stringResource(Res.string.worldedit_try).takeIf { withWords },
+            )
+        }
         Button(
             { making.perform(WorldEditEvent.EditorClosed) },
             Modifier.padding(

@@ -89,7 +89,9 @@ internal fun WorldEditPane(
             }
         }
         Column(Modifier.fillMaxSize()) {
-            EditBar(making, view, withWords = this@BoxWithConstraints.maxWidth >= WORDS_WIDTH * scale)
+            val withWords = this@BoxWithConstraints.maxWidth >= WORDS_WIDTH * scale
+            EditBar(making, view, withWords, canTry = state.origin?.variation == null)
+            state.origin?.let { AssignmentBanner(it, onEvent) }
             HorizontalDivider(color = LocalRobotranColours.current.line)
             val put = { focus.requestFocus() }
             val width = this@BoxWithConstraints.maxWidth

@@ -14,6 +14,7 @@ import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
 import robotran.ui.resources.Res
+import robotran.ui.resources.course_list
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
 import robotran.ui.resources.documents_first_page
@@ -48,9 +49,11 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_find
 import robotran.ui.resources.editor_format
 import robotran.ui.resources.editor_paste
+import robotran.ui.resources.hand_ins_menu
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_map
+import robotran.ui.resources.make_title
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_step_into
@@ -60,7 +63,10 @@ import robotran.ui.resources.run_to_line
 import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
 import robotran.workshop.Workshop
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -91,7 +97,9 @@ fun FrameWindowScope.WorkshopMenuBar(
             window.rootPane.repaint()
         }
         MenuBar {
-            Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
+            Menu(stringResource(Res.string.documents_menu_file)) {
+                FileItems(state.document.hasGoals, onEvent, openAnother, close)
+            }
             Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
             Menu(stringResource(Res.string.documents_menu_run)) {
                 RunItems(
@@ -133,11 +141,17 @@ fun windowTitle(workshop: Workshop?): String {
 }
 
 @Composable
-private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: () -> Unit, close: () -> Unit) {
+private fun MenuScope.FileItems(
+    hasGoals: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    openAnother: () -> Unit,
+    close: () -> Unit,
+) {
     Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(Res.string.course_list) { onEvent(CourseEvent.ListRequested) }
     Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
     Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
@@ -146,11 +160,14 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
     Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
+    Choice(Res.string.make_title) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
     Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
     Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
+    Separator()
+    Choice(Res.string.hand_ins_menu, enabled = hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }

@@ -1,6 +1,7 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
+import robotran.assignments.doing.pupilCopy
 import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
@@ -43,7 +44,7 @@ internal class DocumentExports(
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
         if (address.isEmpty()) return view.show(DocumentDialog.SharingFile)
         view.show(DocumentDialog.SharingLink())
-        val making = withContext(platform.background) { linkOf(current.project, preferences.language) }
+        val making = withContext(platform.background) { linkOf(shared(), preferences.language) }
         view.show(
             when (making) {
                 is LinkCreation.Made -> DocumentDialog.SharingLink(link = address + making.fragment)
@@ -51,6 +52,9 @@ internal class DocumentExports(
             },
         )
     }
+
+    /** What an assignment's author gives away has neither checks nor solution. */
+    private fun shared() = current.project.let { if (it.assignment?.checks == null) it else pupilCopy(it) }
 
     suspend fun copyLink() {
         val sharing = view.dialog as? DocumentDialog.SharingLink ?: return

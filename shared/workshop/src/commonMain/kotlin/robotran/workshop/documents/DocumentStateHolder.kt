@@ -6,8 +6,10 @@ import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import robotran.documents.AutosaveThrottle
+import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
 import robotran.documents.validProjectName
+import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.OpenRequest
@@ -19,15 +21,21 @@ import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.StoredAssignments
 import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
+import robotran.workshop.state.WorkToAdd
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
-/** Holds the name and file of the project and makes sure that nothing is lost. */
+/**
+ * Holds the name and file of the project and makes sure that nothing is lost.
+ *
+ * @param takesElsewhere offers what arrives to a page that is open. Returns whether the page has taken it.
+ */
 class DocumentStateHolder(
     private val platform: Platform,
     private val scope: CoroutineScope,
@@ -37,19 +45,35 @@ class DocumentStateHolder(
     tabs: ProgramTabs,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
-) : ProjectSwitcher {
+    openCourses: suspend (List<Course>) -> Unit,
+    private val takesElsewhere: (OpenRequest) -> Boolean = { false },
+) : ProjectSwitcher,
+    StoredAssignments {
     private val autosaver = DocumentAutosaver(platform, preferences, current)
     private val view = DocumentView(autosaver, platform.sharing.hasShareSheet)
     private val saver = FileSaver(platform, current, notices, autosaver, view)
     private val replacement = ProjectReplacement(autosaver, view, saver, notices)
     private val opener =
-        FileOpener(platform, preferences, current, editor, tabs, navigator, notices, autosaver, view, replacement)
+        FileOpener(
+            platform,
+            preferences,
+            current,
+            editor,
+            tabs,
+            navigator,
+            notices,
+            autosaver,
+            view,
+            replacement,
+            openCourses,
+        )
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
     private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
     private val restoration = ProjectRestoration(platform, notices, autosaver)
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
     val state: DocumentState get() = view.state
+    override val openId: String? get() = autosaver.openId
 
     fun handle(event: DocumentEvent) {
         when (event) {
@@ -140,6 +164,7 @@ class DocumentStateHolder(
     fun release() = autosaver.release()
 
     private suspend fun receive(arrival: OpenRequest) {
+        if (takesElsewhere(arrival)) return
         when (arrival) {
             is OpenRequest.OfFiles -> opener.open(arrival.files)
             is OpenRequest.OfLink -> opener.openLink(arrival.link)
@@ -161,6 +186,33 @@ class DocumentStateHolder(
             view.show(null)
             saveNow()
             result = SwitchResult.Switched(left, autosaver.openId)
+        }
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
+        projectMayHaveChanged()
+        return result
+    }
+
+    override suspend fun visitProject(name: String, project: Project): SwitchResult {
+        val left = autosaver.openId
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.openProject(project)
+            autosaver.opened(name, null, before, isOnlyChosen = true)
+            view.show(null)
+            result = SwitchResult.Switched(left, null)
+        }
+        projectMayHaveChanged()
+        return if (result is SwitchResult.Switched) SwitchResult.Switched(left, autosaver.openId) else result
+    }
+
+    override suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult {
+        val taken = id?.let { projects.claim(it) }
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.openProject(taken?.first?.project ?: project)
+            if (taken != null) autosaver.resume(taken.first, taken.second) else autosaver.opened(name, null)
+            view.show(null)
+            result = SwitchResult.Switched(before, autosaver.openId)
         }
         if (result == SwitchResult.Cancelled) taken?.second?.release()
         projectMayHaveChanged()
@@ -202,6 +254,37 @@ class DocumentStateHolder(
         projectMayHaveChanged()
         return result
     }
+
+    override suspend fun worksAt(ids: Set<String>): Map<String, String> {
+        saveNow()
+        val found = mutableMapOf<String, String>()
+        for (summary in autosaver.repository.projects()) {
+            val id = savedProject(summary.id)?.takeIf {
+                it.handIn == null && it.assignment?.checks == null
+            }?.assignment?.id
+            if (id != null && id in ids) found.getOrPut(id) { summary.id }
+        }
+        return found
+    }
+
+    override suspend fun storedProject(id: String): Project? =
+        if (id == autosaver.openId) current.project else savedProject(id)
+
+    override suspend fun assignmentsToAdd(): List<WorkToAdd> {
+        saveNow()
+        return autosaver.repository.projects().mapNotNull { summary ->
+            savedProject(summary.id)?.takeIf { it.assignment != null && it.handIn == null }
+                ?.let { WorkToAdd(summary.id, summary.name, it.world.title) }
+        }
+    }
+
+    override suspend fun openStored(id: String) {
+        projects.handle(DocumentEvent.SavedProjectChosen(id))
+        projectMayHaveChanged()
+    }
+
+    private suspend fun savedProject(id: String): Project? =
+        (autosaver.repository.read(id) as? SavedProjectResult.Found)?.work?.project
 
     private suspend fun begin() {
         val name = autosaver.uniqueName()

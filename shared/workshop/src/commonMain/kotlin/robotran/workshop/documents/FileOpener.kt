@@ -1,16 +1,20 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
+import robotran.assignments.course.unpackedCourses
 import robotran.documents.FileReference
 import robotran.documents.IncomingFile
 import robotran.documents.OpenFilesError
 import robotran.documents.OpenFilesResult
 import robotran.documents.OpenedProject
 import robotran.documents.SavedProject
+import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
 import robotran.documents.validProjectName
+import robotran.projects.Course
+import robotran.projects.Project
 import robotran.rcxrom.Brick
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
@@ -39,6 +43,7 @@ internal class FileOpener(
     private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
+    private val openCourses: suspend (List<Course>) -> Unit,
 ) {
     suspend fun choose() {
         val files = platform.files.open(KINDS)
@@ -49,7 +54,11 @@ internal class FileOpener(
         val given = files.map { file ->
             IncomingFile(file.name, file.bytes, file.location?.let { FileReference(it, file.name) })
         }
-        when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
+        when (
+            val opening = withContext(platform.background) {
+                openFiles(unpackedCourses(given), preferences.language)
+            }
+        ) {
             is OpenFilesResult.Opened -> take(opening)
             is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
         }
@@ -76,14 +85,28 @@ internal class FileOpener(
     }
 
     private suspend fun take(opened: OpenFilesResult.Opened) {
+        takeWork(opened)
+        if (opened.courses.isNotEmpty()) openCourses(opened.courses)
+    }
+
+    private suspend fun takeWork(opened: OpenFilesResult.Opened) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
         val others = saveOthers(opened.projects.drop(1))
+        view.saveNow()
+        val begun = begunBefore(first.project)
         replacement.replace { before ->
             editor.openProject(first.project)
-            autosaver.opened(first.name, first.file, before)
+            // A second copy of an assignment goes again if the pupil goes on with the first.
+            autosaver.opened(first.name, first.file, before, isOnlyChosen = begun != null)
             view.show(null)
             opened.world?.let { editor.changeWorld(it) }
-            replacement.offerPreviousProject(before)
+            if (begun ==
+                null
+            ) {
+                replacement.offerPreviousProject(before)
+            } else {
+                notices.show(Notice.AssignmentBegunBefore(begun))
+            }
             addPrograms(opened)
         }
         if (!autosaver.claimFile()) {
@@ -92,6 +115,21 @@ internal class FileOpener(
             notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
         }
     }
+
+    /** The ID of the newest stored project with the same assignment that has been worked at; null if there is none. */
+    private suspend fun begunBefore(project: Project): String? {
+        val id = project.assignment?.id
+        if (id == null || project.handIn != null || project.tries != null) return null
+        return autosaver.repository.projects().firstOrNull { summary ->
+            val stored = (autosaver.repository.read(summary.id) as? SavedProjectResult.Found)?.work?.project
+            stored?.assignment?.id == id && stored.handIn == null &&
+                (stored.tries != null || stored.isChangedFrom(project))
+        }?.id
+    }
+
+    private fun Project.isChangedFrom(other: Project): Boolean =
+        robots.map { it.programs.map { program -> program.files } } !=
+            other.robots.map { it.programs.map { program -> program.files } }
 
     /** A world becomes a new project with the current programs; programs are added to the current ones. */
     private suspend fun takeParts(opened: OpenFilesResult.Opened) {
@@ -137,6 +175,7 @@ internal class FileOpener(
     }
 
     private companion object {
-        val KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOLANG, FileKind.JAVA)
+        val KINDS =
+            listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE, FileKind.ROBOLANG, FileKind.JAVA, FileKind.ZIP)
     }
 }

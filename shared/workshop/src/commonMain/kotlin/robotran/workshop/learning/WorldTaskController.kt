@@ -37,7 +37,8 @@ internal class WorldTaskController(
             seenWorld = world
             seen = WorldGallery.find(world)
         }
-        return seen
+        // A teacher's assignment has hints of its own, and its solution stays with the teacher.
+        return seen.takeIf { current.project.assignment == null }
     }
 
     /** The state of the task after any change; [before] was the state before it. */

@@ -20,8 +20,9 @@ interface FilePicker {
  *
  * @property name without folders.
  * @property location the location for saving it again; null if the platform does not report it.
+ * @property path its name, after the folders that were dropped with it, with `/` between.
  */
-class OpenedFile(val name: String, val bytes: ByteArray, val location: String? = null)
+class OpenedFile(val name: String, val bytes: ByteArray, val location: String? = null, val path: String = name)
 
 /** The result of saving a file. */
 sealed interface Saving {

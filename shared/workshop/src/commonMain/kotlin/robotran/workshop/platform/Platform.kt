@@ -52,8 +52,17 @@ interface Platform {
     /** Writes and prints posters. */
     val posters: Posters get() = NoPosters
 
+    /** The web site, for packages that contain it; null if there is none at hand. */
+    val webSite: WebSite? get() = null
+
     /** The infrared towers that reach a real robot. */
     val towers: TowerPorts get() = NoTowerPorts
+
+    /** Grade hand-ins beside the UI thread; null if only that thread can. */
+    val gradingWorkers: GradingWorkers? get() = null
+
+    /** Reads QR codes; null where that is not possible. */
+    val qrScanner: QrScanner? get() = null
 
     /** The context for long work, off the UI thread if possible. */
     val background: CoroutineContext get() = EmptyCoroutineContext
@@ -74,4 +83,7 @@ class MemoryPlatform(
     override val isForFingers: Boolean = false,
     override val videos: VideoRecorder = NoVideoRecorder,
     override val posters: Posters = NoPosters,
+    override val webSite: WebSite? = null,
+    override val gradingWorkers: GradingWorkers? = null,
+    override val qrScanner: QrScanner? = null,
 ) : Platform

@@ -6,6 +6,7 @@ import robotran.projects.ProgramView
 import robotran.robolang.RobolangProgram
 import robotran.robolang.translate.Translation
 import robotran.robolang.translate.translateRobolang
+import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
 import robotran.workshop.state.InlineDiagnostic
@@ -72,6 +73,22 @@ internal class ProgramBuffer private constructor(
         val file = program.files[index].name
         val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines, memory.draft.lines) }
         return ProgramBuffer(program.withText(index, memory.draft.text), remembered, null, moved, lastTranslation)
+    }
+
+    /** This program with the files of [other]; those of the same name keep their editor states, to be undone. */
+    fun changedTo(other: PupilProgram): ProgramBuffer = if (other == program) {
+        this
+    } else {
+        withFiles(
+            other.files.map { file ->
+                val known = memories.getOrNull(program.files.indexOfFirst { it.name == file.name })
+                file to when {
+                    known == null -> ProgramFileMemory(Draft(file.text), view = view)
+                    known.draft.text == file.text -> known
+                    else -> known.written(known.draft.changedTo(file.text), EditKind.OTHER)
+                }
+            },
+        )
     }
 
     /** This program without [note], which was fixed. */

@@ -152,6 +152,19 @@ internal class ProgramEditing(
         navigator.show(Pane.PROGRAM)
     }
 
+    /** Gives [robot] exactly [programs]; files of the same name keep what they were, to be undone. */
+    fun replaceAll(robot: RobotPrograms, programs: List<PupilProgram>) {
+        val before = robot.list.entries
+        val plain = programs.map { it.withPlainLineEnds() }
+        robot.list.replace(
+            plain.map { program ->
+                before.firstOrNull { it.program.name == program.name }?.changedTo(program) ?: opened(program)
+            },
+        )
+        robot.closed = null
+        choose(robot, 0)
+    }
+
     private fun addClass(robot: RobotPrograms) {
         val entry = robot.entry
         if (entry.program.language != ProgramLanguage.JAVA) return
@@ -214,7 +227,7 @@ internal class ProgramEditing(
 }
 
 /** This draft with [text] and the caret next to the same text as before. */
-private fun Draft.changedTo(text: String): Draft {
+internal fun Draft.changedTo(text: String): Draft {
     val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
     return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
 }

@@ -50,6 +50,11 @@ internal class ProgramList(
         entries = entries.mapIndexed { index, old -> if (index == slot) compileIfShort(entry) else old }
     }
 
+    /** Replaces all programs by [changed]. */
+    fun replace(changed: List<ProgramBuffer>) {
+        entries = changed.map(::compileIfShort)
+    }
+
     /** Inserts [entry] at [slot] and moves the programs after it. There must be room. */
     fun insert(slot: Int, entry: ProgramBuffer) {
         entries = entries.take(slot) + compileIfShort(entry) + entries.drop(slot)

@@ -187,6 +187,14 @@ class ProgramsStateHolder(
         refresh()
     }
 
+    /** Gives the first robot exactly [programs] and shows the first. Files of the same name can be undone. */
+    internal fun replacePrograms(programs: List<PupilProgram>) {
+        shownRobot = robots.first().placement.name
+        editing.replaceAll(robots.first(), programs)
+        requestCompile()
+        refresh()
+    }
+
     /**
      * Updates the robots to those of [world]. Robots keep their programs by name; the first robot gets those of the
      * first.

@@ -64,6 +64,8 @@ class RunStateHolder(
     private val stopLocation = StopLocation(programs)
     private var pendingStart: PendingStart? = null
 
+    private val tries = TryRecorder(run)
+
     private val player: RunPlayer get() = run.player
 
     var state: RunPaneState by mutableStateOf(firstState())
@@ -77,6 +79,9 @@ class RunStateHolder(
 
     /** The inputs of the run, including those after the current time. */
     val inputs: List<RecordedInput> get() = player.inputs
+
+    /** The run that Run has started, once it is over; null for any other run. */
+    internal val endedTry: EndedTry? get() = tries.ended()
 
     fun handle(event: RunEvent) {
         when (event) {
@@ -116,6 +121,7 @@ class RunStateHolder(
         if (robot < 0) return
         pendingStart = null
         state = state.copy(untouched = false)
+        tries.leave()
         player.apply(SessionInput.RunNow(program, robot))
         player.play()
         navigator.show(Pane.WORLD)
@@ -203,6 +209,7 @@ class RunStateHolder(
         pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
         startNewRun(slot)
+        tries.begin()
         state = state.copy(untouched = false)
         for (robot in run.world.robots.indices) {
             player.apply(SessionInput.Press(BrickButton.RUN, robot))
@@ -297,7 +304,10 @@ class RunStateHolder(
             if (!programs.canStart(slot)) return
             startNewRun(slot)
         }
-        if (button == BrickButton.RUN) state = state.copy(untouched = false)
+        if (button == BrickButton.RUN) {
+            state = state.copy(untouched = false)
+            tries.goOn()
+        }
         touch(SessionInput.Press(button, state.watched))
     }
 
@@ -332,6 +342,7 @@ class RunStateHolder(
         inputs: List<RecordedInput> = emptyList(),
     ) {
         run.startNewRun(firstSlots, world, inputs)
+        tries.leave()
         idleDetector.disturb()
         state = state.copy(watched = player.watched)
         drawer.startNewRun()

@@ -15,6 +15,7 @@ import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
 import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Notice
+import robotran.workshop.state.PupilProgram
 import robotran.world.World
 
 /**
@@ -32,6 +33,9 @@ internal class WatchedRun(
 ) {
     private val sound = SoundPlayer(speaker)
     private var loaded = programs.written
+
+    /** The programs of the first robot, as they are on its brick. */
+    val loadedPrograms: List<PupilProgram> get() = loaded.programs.first()
 
     /** The world of the current run. */
     var world = world

@@ -11,6 +11,12 @@ interface ProgramTabs {
     /** Shows the program at [index]. */
     fun chooseProgram(index: Int)
 
+    /** Gives the first robot exactly [programs] and shows the first. Files of the same name can be undone. */
+    fun replacePrograms(programs: List<PupilProgram>)
+
+    /** Shows the line [line], from 1, of the first robot's program at [index]. */
+    fun showLine(index: Int, line: Int)
+
     /** Removes the program at [index] without a message. */
     fun removeProgram(index: Int)
 

@@ -5,6 +5,9 @@ import robotran.world.World
 
 /** Opens another project. The current one stays saved. Asks before changes are lost. */
 interface ProjectSwitcher {
+    /** The ID of the open project; null until it is first saved. */
+    val openId: String?
+
     /**
      * Opens [project].
      *
@@ -14,6 +17,17 @@ interface ProjectSwitcher {
 
     /** Opens the saved project [id], or a new empty one if it is missing or null. */
     suspend fun resumeProject(id: String?): SwitchResult
+
+    /**
+     * Opens [project] as a new project [name] to look at. It is not kept if it is left unchanged.
+     *
+     * @return [SwitchResult.Switched.left] is the ID of the previous project, even if that is not kept;
+     * [SwitchResult.Switched.opened] is null only if the project cannot be saved.
+     */
+    suspend fun visitProject(name: String, project: Project): SwitchResult
+
+    /** Opens the saved project [id] again after a visit, or [project] as a new project [name] if it was not kept. */
+    suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult
 
     /** Opens the built-in [world] with the current programs as a new project. */
     suspend fun openWorld(world: World): SwitchResult

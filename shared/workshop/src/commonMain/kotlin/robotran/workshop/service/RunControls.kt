@@ -7,6 +7,9 @@ interface RunControls {
     /** Starts the current program on an empty sheet, like Run in the run bar. */
     fun run()
 
+    /** Repeats the run with the inputs that the project was opened with, once its programs are compiled. */
+    suspend fun playInputs()
+
     /** The known run, to be repeated elsewhere. */
     fun recordedRun(): RecordedRun
 }

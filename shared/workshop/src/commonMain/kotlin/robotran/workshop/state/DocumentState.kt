@@ -16,6 +16,7 @@ import robotran.world.World
  * @property warningShown whether [error] is shown; false once the user has closed it.
  * @property dialog the open dialog; null if there is none.
  * @property hasShareSheet whether links can be shared with other apps.
+ * @property hasGoals whether its world has goals, so that hand-ins for it can be graded.
  */
 @Immutable
 data class DocumentState(
@@ -26,6 +27,7 @@ data class DocumentState(
     val warningShown: Boolean = true,
     val dialog: DocumentDialog? = null,
     val hasShareSheet: Boolean = false,
+    val hasGoals: Boolean = false,
 )
 
 /** Why autosave fails. */

@@ -96,6 +96,27 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.GoBack(project)
     }
 
+    /** My work has the same assignment already, as the project with the ID [project]. */
+    data class AssignmentBegunBefore(val project: String) : Notice {
+        override val action: NoticeAction get() = NoticeAction.GoOn(project)
+    }
+
+    /** The device keeps [max] courses already. */
+    data class TooManyCourses(val max: Int) :
+        Notice,
+        Error
+
+    /** A course exceeds the max size of a file. */
+    data object CourseTooLong : Notice, Error
+
+    /** The world belongs to an assignment that does not allow to change it. */
+    data object WorldOfAssignment : Notice
+
+    /** The programs that the assignment began with are back. */
+    data object BegunAgain : Notice {
+        override val action: NoticeAction get() = NoticeAction.BeginningUndone
+    }
+
     /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
@@ -107,6 +128,11 @@ sealed interface Notice {
     /** The first program runs; its numbers are there to be changed. */
     data object FirstProgramRuns : Notice {
         override val action: NoticeAction get() = NoticeAction.ChangeNumber
+    }
+
+    /** What the pupil [name] has handed in is open in the workshop. */
+    data class HandInOpened(val name: String) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BackToHandIns
     }
 
     /** A manual input has replaced the later part of the run. */
@@ -126,8 +152,17 @@ sealed interface NoticeAction {
     /** Opens the saved project with the ID [project]. */
     data class GoBack(val project: String) : NoticeAction
 
+    /** Opens the saved project with the ID [project], to go on with it. */
+    data class GoOn(val project: String) : NoticeAction
+
     /** Shows the program, in blocks with the first length open. */
     data object ChangeNumber : NoticeAction
+
+    /** Opens the assignment again and the hand-ins for it. */
+    data object BackToHandIns : NoticeAction
+
+    /** Brings back the programs that beginning again has replaced. */
+    data object BeginningUndone : NoticeAction
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction

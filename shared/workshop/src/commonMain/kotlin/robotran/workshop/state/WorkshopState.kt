@@ -23,6 +23,11 @@ import robotran.world.World
  * @property siteRequested whether that page opens at the base URL of links.
  * @property send the sheet that sends a program to a real robot; null while it is closed.
  * @property show the sheet with which pupils show what they made; null while it is closed.
+ * @property handIns the page on which a teacher looks at hand-ins; null while it is closed.
+ * @property assignment the assignment that is open; null in a project like any other.
+ * @property handIn the sheet with which a pupil hands in; null while it is closed.
+ * @property making the page that makes an assignment; null while it is closed.
+ * @property course the courses on this device.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -41,6 +46,11 @@ data class WorkshopState(
     val siteRequested: Boolean = false,
     val send: SendState? = null,
     val show: ShowState? = null,
+    val handIns: HandInsState? = null,
+    val assignment: AssignmentState? = null,
+    val handIn: HandInStep? = null,
+    val making: MakingState? = null,
+    val course: CourseState = CourseState(),
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
 ) {
@@ -65,7 +75,8 @@ data class WorkshopState(
     val soundOn: Boolean get() = settings.soundOn
 
     /** Whether the world has a task to show. A tutorial step shows the task itself. */
-    val hasTask: Boolean get() = world.task.isNotBlank() && learning.tutorial?.isLoaded != true
+    val hasTask: Boolean
+        get() = (world.task.isNotBlank() || assignment != null) && learning.tutorial?.isLoaded != true
 
     val shownProgramRun: ShownProgramRun get() = ShownProgramRun.of(programs, run)
 

@@ -9,6 +9,7 @@ import robotran.worldediting.WorldEditing
  *
  * @property editing the edited world, the selection and the undo history.
  * @property first the world before editing.
+ * @property origin the assignment to which the editor leads back; null if it leads back to the workshop.
  * @property hasFailedToClose whether the user tried to close the editor with an invalid world.
  * @property hintsShown whether validation messages are shown; false once the user has closed them.
  */
@@ -16,9 +17,13 @@ import robotran.worldediting.WorldEditing
 data class WorldEditState(
     val editing: WorldEditing,
     val first: World,
+    val origin: EditOrigin? = null,
     val hasFailedToClose: Boolean = false,
     val hintsShown: Boolean = true,
 ) {
     val world: World get() = editing.world
     val isChanged: Boolean get() = world != first
 }
+
+/** The assignment called [assignment] whose world is edited, or its variation called [variation]. */
+data class EditOrigin(val assignment: String, val variation: String?)

@@ -9,6 +9,7 @@ import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.RunControls
+import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
@@ -23,6 +24,7 @@ class WorldEditStateHolder(
     private val editor: ProjectEditor,
     private val runControls: RunControls,
     private val notices: Notices,
+    private val origin: () -> EditOrigin? = { null },
 ) {
     private var latest: WorldEditing? = null
 
@@ -53,7 +55,7 @@ class WorldEditStateHolder(
     private fun open() {
         if (state != null) return
         val editing = lastEditing()
-        state = WorldEditState(editing.after(Edit.Select(null)).after(Edit.FinishChange), editing.world)
+        state = WorldEditState(editing.after(Edit.Select(null)).after(Edit.FinishChange), editing.world, origin())
     }
 
     /** The state to edit from: with groups and undo history if the world has not changed since the last edit. */

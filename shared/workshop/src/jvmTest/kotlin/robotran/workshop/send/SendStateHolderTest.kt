@@ -313,6 +313,10 @@ class SendStateHolderTest {
 
         override fun removeProgram(index: Int) = error("Sending removes no program.")
 
+        override fun replacePrograms(programs: List<PupilProgram>) = Unit
+
+        override fun showLine(index: Int, line: Int) = Unit
+
         override fun showMistake(diagnostic: ProgramDiagnostic) {
             mistakes += diagnostic
         }

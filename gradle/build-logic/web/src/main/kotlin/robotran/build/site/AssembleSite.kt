@@ -12,7 +12,7 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest` and
+ * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest`, `embedding.json` and
  * `service-worker.js`, and all other files in `files` under names that contain a content hash. The output is
  * reproducible.
  */
@@ -24,7 +24,7 @@ abstract class AssembleSite : DefaultTask() {
     abstract val app: DirectoryProperty
 
     /**
-     * The page around the app: its HTML, style, script and service worker with `{{placeholders}}`, its manifest, and
+     * The page around the app: its HTML, style, scripts and service worker with `{{placeholders}}`, its manifest, and
      * the folder `icons`.
      */
     @get:InputDirectory
@@ -40,20 +40,24 @@ abstract class AssembleSite : DefaultTask() {
         output.deleteRecursively()
         val builtApp = BuiltApp(app.get().asFile)
         val icons = page.get().asFile.resolve("icons").listFiles().orEmpty().sorted().map(SiteFile::of)
-        val files = builtApp.code + builtApp.resources.values + icons
+        val worker = SiteFile.of(shellFile("worker.js"))
+        val files = builtApp.code + builtApp.resources.values + icons + worker
         for (file in files) file.content.copyTo(output.resolve(file.address), overwrite = true)
-        for (notice in builtApp.notices) notice.copyTo(output.resolve("${SiteFile.FOLDER}/${notice.name}"))
+        val notices = builtApp.notices.map { it to "${SiteFile.FOLDER}/${it.name}" }
+        for ((notice, address) in notices) notice.copyTo(output.resolve(address))
 
         val addresses = icons.associate { it.content.name to it.address }
         val manifest = filled("manifest.webmanifest", addresses)
         val version = versionOf(files, manifest)
-        val html = htmlOf(builtApp, version, addresses)
+        val html = htmlOf(builtApp, version, worker, addresses)
         output.resolve("index.html").writeText(html)
         output.resolve("manifest.webmanifest").writeText(manifest)
+        shellFile(EMBEDDING).copyTo(output.resolve(EMBEDDING))
         val kept =
             files.sortedBy {
                 it.address
             }.distinctBy { it.address }.map { listOf(it.address, integrityOf(it.content.readBytes())) } +
+                notices.map { (notice, address) -> listOf(address, integrityOf(notice.readBytes())) } +
                 listOf(
                     listOf("manifest.webmanifest", integrityOf(manifest.toByteArray())),
                     listOf("", integrityOf(html.toByteArray())),
@@ -69,7 +73,7 @@ abstract class AssembleSite : DefaultTask() {
         )
     }
 
-    private fun htmlOf(app: BuiltApp, version: String, addresses: Map<String, String>): String {
+    private fun htmlOf(app: BuiltApp, version: String, worker: SiteFile, addresses: Map<String, String>): String {
         val script = filled("start.js", emptyMap())
         val style = filled("page.css", emptyMap())
         val site =
@@ -78,6 +82,8 @@ abstract class AssembleSite : DefaultTask() {
                 "script" to app.script.address,
                 "first" to app.neededFirst.map { listOf(it.address, it.content.length()) },
                 "streamed" to app.streamed.map { it.address },
+                "worker" to worker.address,
+                "chunks" to app.chunksForWorkers.map { it.address },
                 "skikoRest" to app.skikoRest?.address.orEmpty(),
                 "resources" to app.resources.mapValues { it.value.address },
             )
@@ -117,5 +123,8 @@ abstract class AssembleSite : DefaultTask() {
     private companion object {
         val PLACE = Regex("""\{\{([\w.-]+)}}""")
         const val VERSION_DIGITS = 16
+
+        /** Whoever hosts the site may edit it, so it is not a part of the version. */
+        const val EMBEDDING = "embedding.json"
     }
 }

@@ -31,6 +31,12 @@ internal class BuiltApp(folder: File) {
     /** The modules that are instantiated by `WebAssembly.instantiateStreaming`. */
     val streamed: List<SiteFile> = STREAMED_MODULES.map(::module)
 
+    /** Scripts that load later, and that a worker cannot load by itself. */
+    val chunksForWorkers: List<SiteFile> = code.filter {
+        it.name.startsWith("$COMPILER.") &&
+            it.content.extension == "js"
+    }
+
     /** The module that draws the app. */
     val skiko: SiteFile get() = module(SKIKO)
 
@@ -52,6 +58,7 @@ internal class BuiltApp(folder: File) {
         const val FONTS = "font"
         val CODE = listOf("js", "wasm")
         const val SKIKO = "skiko"
+        const val COMPILER = "ecj"
         val STREAMED_MODULES = listOf("robotran", SKIKO)
         val FIRST_MODULES = STREAMED_MODULES + "physics"
     }

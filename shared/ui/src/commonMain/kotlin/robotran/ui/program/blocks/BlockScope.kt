@@ -19,6 +19,7 @@ import robotran.workshop.event.BlockEvent
  * What all rows and sheets of blocks need.
  *
  * @property introduced the ids of the blocks that the palette has; null for all.
+ * @property isIntroductionFixed whether the pupil cannot ask for all other blocks, because an assignment allows no others.
  * @property onHelp shows help on a word of Robolang.
  */
 @Immutable
@@ -28,6 +29,7 @@ internal data class BlockScope(
     val messages: BlockMessages,
     val codeSize: Float,
     val introduced: Set<String>?,
+    val isIntroductionFixed: Boolean = false,
     val onHelp: (word: String) -> Unit = {},
     val onEvent: (BlockEvent) -> Unit,
 ) {

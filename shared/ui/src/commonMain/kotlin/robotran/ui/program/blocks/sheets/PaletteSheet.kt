@@ -56,6 +56,7 @@ import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.DoNowButton
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_blocks_none
 import robotran.ui.resources.blocks_none_found
 import robotran.ui.resources.blocks_not_yet
 import robotran.ui.resources.blocks_palette
@@ -109,13 +110,19 @@ internal fun PaletteSheet(
         PaletteSearchField(palette, turn, { list.requestFocus() }) { (lines + values).firstOrNull()?.let(take) }
     }
     val showAll: @Composable () -> Unit = {
-        if (introduced != null) {
+        if (introduced != null && !scope.isIntroductionFixed) {
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
     }
     val noneFound: @Composable () -> Unit = {
         Text(
-            stringResource(if (introduced == null) Res.string.blocks_none_found else Res.string.blocks_not_yet),
+            stringResource(
+                when {
+                    introduced == null -> Res.string.blocks_none_found
+                    scope.isIntroductionFixed -> Res.string.assignment_blocks_none
+                    else -> Res.string.blocks_not_yet
+                },
+            ),
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
         )

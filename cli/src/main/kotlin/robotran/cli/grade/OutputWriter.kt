@@ -1,0 +1,19 @@
+package robotran.cli.grade
+
+import robotran.cli.console.Console
+import robotran.cli.console.messages
+import robotran.cli.files.writeFile
+
+/** Writes results to files or to the console. */
+internal class OutputWriter(private val console: Console) {
+    /** Returns an error if the file [name] could not be written, null otherwise. */
+    fun write(name: String, text: String): String? = if (name == GradeOutputs.CONSOLE) {
+        console.say(text)
+        null
+    } else {
+        write(name, "$text\n".encodeToByteArray())
+    }
+
+    /** The same for [bytes] and a file. */
+    fun write(name: String, bytes: ByteArray): String? = writeFile(name, bytes, console.messages)
+}

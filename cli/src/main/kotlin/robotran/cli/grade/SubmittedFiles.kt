@@ -1,0 +1,132 @@
+package robotran.cli.grade
+
+import robotran.assignments.collecting.CollectedFile
+import robotran.assignments.collecting.CollectingLimits
+import robotran.cli.files.FileContent
+import robotran.cli.files.JAVA
+import robotran.cli.files.ROBOLANG
+import robotran.cli.files.isClassFile
+import robotran.cli.files.isFolder
+import robotran.cli.files.readContent
+import robotran.cli.files.reading
+import robotran.cli.input.PROJECT
+import robotran.cli.messages.CommandMessages
+import robotran.projects.isLink
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.getLastModifiedTime
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.streams.asSequence
+
+/** What was named on the command line, for [robotran.assignments.collecting.collectSubmissions]. */
+internal class SubmittedFiles(private val messages: CommandMessages) {
+    private val collected = mutableListOf<CollectedFile>()
+    private val paths = mutableMapOf<String, String>()
+    private val unreadable = mutableMapOf<String, String>()
+
+    val files: List<CollectedFile> get() = collected
+
+    /** By name, as the user entered it: sentences on what cannot be read. */
+    val problems: Map<String, String> get() = unreadable
+
+    /** The path of what a submission calls its [origin]; null if that lies in a zip or a link. */
+    fun pathOf(origin: String): String? = paths[origin]
+
+    /** Adds the files, folders and links [names]. */
+    fun add(names: List<String>) {
+        val links = names.filter(::isLink)
+        links.forEachIndexed { index, link ->
+            val name = if (links.size == 1) messages.theLink() else messages.numberedLink(index + 1)
+            collected += CollectedFile("$name.txt", link.encodeToByteArray())
+        }
+        val others = names - links.toSet()
+        val base = baseOf(others)
+        others.forEach { name -> if (isFolder(name)) addFolder(name, base) else addFile(name, Path.of(name), base) }
+    }
+
+    private fun addFolder(name: String, base: Path?) {
+        val problem = reading(name, messages, { it }) {
+            val folder = Path.of(name)
+            val found = Files.walk(folder).use { walk ->
+                walk.asSequence().filter { it.isRegularFile() }.take(CollectingLimits.MAXIMUM_FILES).sorted().toList()
+            }
+            found.filterNot { isHidden(folder.relativize(it)) }.forEach { addFile(it.toString(), it, base) }
+            null
+        }
+        problem?.let { unreadable[name] = it }
+    }
+
+    private fun addFile(name: String, path: Path, base: Path?) {
+        val problem = reading(name, messages, { it }) {
+            val isUseful = isUseful(path.name)
+            val limit = if (path.name.endsWith(ZIP, ignoreCase = true)) LARGEST_ZIP_BYTES else LARGEST_FILE_BYTES
+            when (val content = if (isUseful) readContent(path, name, limit, messages) else FileContent.Read(NOTHING)) {
+                is FileContent.Rejected -> {
+                    content.reason
+                }
+
+                is FileContent.Read -> {
+                    val shown = base?.relativize(path.toAbsolutePath().normalize())?.joinToString("/") ?: path.name
+                    collected += CollectedFile(shown, content.bytes, path.getLastModifiedTime().toMillis())
+                    paths[shown] = name
+                    null
+                }
+            }
+        }
+        problem?.let { unreadable[name] = it }
+    }
+
+    /** The folder above the one in which all [names] lie, so that the names of folders above do not matter. */
+    private fun baseOf(names: List<String>): Path? {
+        val parents = names.mapNotNull { name ->
+            runCatching {
+                Path.of(name).toAbsolutePath().normalize()
+            }.getOrNull()?.let { if (isFolder(name)) it else it.parent }
+        }
+        val common = parents.reduceOrNull { one, other ->
+            val shared = one.zip(other).takeWhile { (a, b) -> a == b }.size
+            if (shared == 0) one.root else one.root.resolve(one.subpath(0, shared))
+        } ?: return null
+        return if (common.fileName == null || isHidden(common.fileName)) common else common.parent
+    }
+
+    private companion object {
+        val NOTHING = ByteArray(0)
+        const val LARGEST_FILE_BYTES = 16_000_000
+        const val LARGEST_ZIP_BYTES = 256_000_000
+    }
+}
+
+/**
+ * Whether [name] holds submissions rather than one program: a zip, a text with links, a link to a hand-in, or a folder
+ * that is no program. A folder with class files is a program, and so is one with Java files and no other work in it.
+ */
+internal fun holdsSubmissions(name: String): Boolean = when {
+    isLink(name) -> HAND_IN_LINK in name
+    isFolder(name) -> runCatching { isFolderOfSubmissions(Path.of(name)) }.getOrDefault(false)
+    else -> TEXTS.any { name.endsWith(it, ignoreCase = true) }
+}
+
+private fun isFolderOfSubmissions(folder: Path): Boolean {
+    val direct = folder.listDirectoryEntries().filter { it.isRegularFile() }.map { it.name }
+    if (direct.any(::isClassFile)) return false
+    val work = Files.walk(folder).use { walk ->
+        walk.asSequence().filter { it.isRegularFile() && !isHidden(folder.relativize(it)) && isUseful(it.name) }
+            .take(CollectingLimits.MAXIMUM_FILES).toList()
+    }
+    val isJava = direct.any { it.endsWith(JAVA) } &&
+        work.all { it.parent == folder && (it.name.endsWith(JAVA) || it.name.endsWith(TEXT)) }
+    return work.isNotEmpty() && !isJava
+}
+
+private fun isHidden(path: Path): Boolean = path.any { it.name.startsWith('.') && it.name.trim('.').isNotEmpty() }
+
+private fun isUseful(file: String): Boolean =
+    (TEXTS + listOf(ROBOLANG, JAVA, PROJECT, ".json")).any { file.endsWith(it, ignoreCase = true) }
+
+private const val HAND_IN_LINK = "#h="
+private const val ZIP = ".zip"
+private const val TEXT = ".txt"
+private val TEXTS = listOf(ZIP, TEXT, ".url", ".webloc", ".html", ".htm")

@@ -1,0 +1,118 @@
+package robotran.assignments.collecting
+
+/**
+ * Files that belong together.
+ *
+ * @property key the same for all files of one pupil, if a learning platform has told; null otherwise.
+ * @property name of the pupil, as far as folders and files tell.
+ * @property origin the folder or file, as shown.
+ * @property isFolder whether it is a pupil's folder rather than one file.
+ * @property isPupils whether the files lie where only this pupil's do.
+ */
+internal class FileGroup(
+    val key: String?,
+    val name: String,
+    val origin: String,
+    val files: List<FoundFile>,
+    val isFolder: Boolean,
+    val isPupils: Boolean = isFolder,
+)
+
+/**
+ * Sorts [files] by pupils: by the names that learning platforms make, or else by folders, or else file by file.
+ *
+ * @param isNoHandIn whether a file is something else, such as the assignment, which may lie beside a class's folder.
+ */
+internal fun groupsOf(files: List<FoundFile>, isNoHandIn: (FoundFile) -> Boolean): List<FileGroup> {
+    val named = files.map { file -> file to platformPlace(file) }
+    val byPlatform = named.filter { it.second != null }.groupBy({ checkNotNull(it.second).name.key }, { it })
+        .map { (key, found) ->
+            val place = checkNotNull(found.first().second)
+            FileGroup(
+                key,
+                place.name.pupil,
+                place.origin,
+                found.map { (file, place) ->
+                    file.at(checkNotNull(place).inner)
+                },
+                true,
+            )
+        }
+    return byPlatform + FolderGrouping(isNoHandIn).groups(named.filter { it.second == null }.map { it.first }, 0, "")
+}
+
+private class PlatformPlace(val name: PlatformName, val origin: String, val inner: List<String>)
+
+private fun platformPlace(file: FoundFile): PlatformPlace? {
+    file.path.forEachIndexed { index, part ->
+        val name = PlatformName.of(part) ?: return@forEachIndexed
+        val inner = listOf(name.rest).filter { it.isNotEmpty() } + file.path.drop(index + 1)
+        return PlatformPlace(name, file.path.take(index + 1).joinToString("/"), inner.ifEmpty { listOf(file.name) })
+    }
+    return null
+}
+
+private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
+    /**
+     * The groups of [files], which all lie in the same folder at [depth].
+     *
+     * @param prefix names the class if there are several; empty otherwise.
+     */
+    fun groups(files: List<FoundFile>, depth: Int, prefix: String): List<FileGroup> {
+        val direct = files.filter { it.path.size == depth + 1 }
+        val folders = (files - direct.toSet()).groupBy { it.path[depth] }
+        if (folders.size == 1 && (direct.all(isNoHandIn) || isClass(folders.values.single(), depth + 1))) {
+            return directGroups(direct, depth, prefix, isOnly = false) +
+                groups(folders.values.single(), depth + 1, prefix)
+        }
+        val isOnly = folders.isEmpty() && direct.size == 1 && depth >= 2
+        val classes = folders.filterValues { holdsPupils(it, depth + 1) }.keys
+        return directGroups(direct, depth, prefix, isOnly) + folders.flatMap { (name, inside) ->
+            if (name in classes) {
+                groups(inside, depth + 1, if (classes.size == 1) prefix else "$prefix$name/")
+            } else {
+                val origin = inside.first().path.take(depth + 1).joinToString("/")
+                listOf(FileGroup(null, prefix + name, origin, inside.map { it.at(it.path.drop(depth + 1)) }, true))
+            }
+        }
+    }
+
+    private fun directGroups(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> {
+        val java = direct.filter { it.kind == FoundKind.JAVA }
+        val isOneProgram = java.size > 1 && java.count(::hasMain) < 2
+        val single = direct.filterNot { isOneProgram && it in java }.map { file ->
+            val name = if (isOnly) file.path[depth - 1] else stemOf(file.name)
+            FileGroup(null, prefix + name, file.shownPath, listOf(file.at(listOf(file.name))), false, isOnly)
+        }
+        if (!isOneProgram) return single
+        val main = java.firstOrNull(::hasMain) ?: java.first()
+        val name = main.path.getOrNull(depth - 1) ?: stemOf(main.name)
+        val origin = main.path.dropLast(1).ifEmpty { main.path }.joinToString("/")
+        return single + FileGroup(null, prefix + name, origin, java.map { it.at(listOf(it.name)) }, true)
+    }
+
+    /** Whether a folder holds the folders of pupils, rather than the files of one. */
+    private fun holdsPupils(files: List<FoundFile>, depth: Int): Boolean {
+        val useful = files.filter { it.content !is FoundContent.Ignored }
+        val folders = useful.filter { it.path.size > depth + 1 }.groupBy { it.path[depth] }
+        if (useful.any { it.path.size == depth + 1 }) return false
+        if (folders.size == 1) return holdsPupils(useful, depth + 1)
+        return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || useful.count(::hasMain) > 1)
+    }
+
+    /** Whether the only folder beside loose files holds the projects of several pupils, rather than the work of one. */
+    private fun isClass(files: List<FoundFile>, depth: Int): Boolean {
+        val works = files.filter { it.path.size == depth + 1 && it.content !is FoundContent.Ignored }
+        return works.size >= FEWEST_OF_CLASS && works.any { it.name.endsWith(PROJECT, ignoreCase = true) }
+    }
+
+    private fun hasMain(file: FoundFile): Boolean = file.kind == FoundKind.JAVA &&
+        (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
+
+    private companion object {
+        /** A pupil may leave a program and two versions of a project. */
+        const val FEWEST_OF_CLASS = 3
+        const val PROJECT = ".robotran"
+        val MAIN = Regex("\\bvoid\\s+main\\s*\\(")
+    }
+}

@@ -1,0 +1,93 @@
+package robotran.assignments.collecting
+
+import robotran.assignments.messages.CollectingMessages
+
+/** Finds all files among the collected ones, also in zips and zips inside them, within the [CollectingLimits]. */
+internal class Unpacking(private val messages: CollectingMessages) {
+    private val found = mutableListOf<FoundFile>()
+
+    suspend fun unpack(files: List<CollectedFile>): List<FoundFile> {
+        for (file in files) {
+            val path = pathOf(file.path) ?: continue
+            if (found.size >= CollectingLimits.MAXIMUM_FILES) break
+            when (FoundKind.of(path.last())) {
+                FoundKind.ZIP -> {
+                    found +=
+                        unpacked(file.bytes, path, file.modified, CollectingLimits.MAXIMUM_ZIP_BYTES, 1)
+                }
+
+                FoundKind.OTHER -> {
+                    found += FoundFile(path, file.modified, FoundContent.Ignored)
+                }
+
+                else -> {
+                    found += FoundFile(path, file.modified, FoundContent.Bytes(file.bytes))
+                }
+            }
+        }
+        return found
+    }
+
+    /** The files in [zip]; or the zip itself with a problem, if it cannot be unpacked or becomes too large. */
+    private suspend fun unpacked(
+        zip: ByteArray,
+        path: List<String>,
+        modified: Long?,
+        budget: Int,
+        depth: Int,
+    ): List<FoundFile> {
+        val name = path.last()
+        val problem = { reason: String -> listOf(FoundFile(path, modified, FoundContent.Problem(reason))) }
+        val entries = when (val reading = readZip(zip)) {
+            is ZipReading.Read -> reading.entries
+            ZipReading.Broken -> return problem(messages.brokenZip(name))
+            ZipReading.Zip64 -> return problem(messages.zip64(name))
+            ZipReading.TooManyEntries -> return problem(messages.tooManyEntries(name, CollectingLimits.MAXIMUM_ENTRIES))
+        }
+        val folder = path.dropLast(1) + stemOf(name)
+        val files = mutableListOf<FoundFile>()
+        var left = budget
+        for (entry in entries) {
+            val place = folder + (pathOf(entry.path) ?: continue)
+            val kind = FoundKind.of(place.last())
+            if (kind == FoundKind.OTHER) {
+                files += FoundFile(place, entry.modified, FoundContent.Ignored)
+                continue
+            }
+            val isZip = kind == FoundKind.ZIP
+            if (isZip && depth == CollectingLimits.MAXIMUM_DEPTH) {
+                files +=
+                    FoundFile(place, entry.modified, FoundContent.Problem(messages.zipTooDeep(place.last(), depth)))
+                continue
+            }
+            val limit = if (isZip) CollectingLimits.MAXIMUM_INNER_ZIP_BYTES else CollectingLimits.MAXIMUM_FILE_BYTES
+            val reason = problemOf(entry, place.last(), limit)
+            val content = if (reason == null) entry.content(minOf(limit, left)) else null
+            if (content == null && entry.size > left) return problem(messages.zipTooLarge(name, budget))
+            left -= content?.size ?: 0
+            if (content != null && isZip) {
+                val inner = unpacked(content, place, entry.modified, minOf(left, limit), depth + 1)
+                left -= inner.sumOf { (it.content as? FoundContent.Bytes)?.bytes?.size ?: 0 }
+                files += inner
+            } else {
+                files += FoundFile(
+                    place,
+                    entry.modified,
+                    content?.let(FoundContent::Bytes)
+                        ?: FoundContent.Problem(reason ?: messages.brokenZip(place.last())),
+                )
+            }
+            if (found.size + files.size > CollectingLimits.MAXIMUM_FILES) {
+                return problem(messages.tooManyEntries(name, CollectingLimits.MAXIMUM_FILES))
+            }
+        }
+        return files
+    }
+
+    private fun problemOf(entry: ZippedFile, name: String, limit: Int): String? = when {
+        entry.isEncrypted -> messages.encrypted(name)
+        !entry.isKnownMethod -> messages.unknownCompression(name)
+        entry.size > limit -> messages.tooLarge(name, limit)
+        else -> null
+    }
+}

@@ -1,0 +1,65 @@
+package robotran.assignments.comparing
+
+import robotran.language.ProgramLanguage
+import robotran.projects.ProjectProgram
+import robotran.robolang.SourceTokenKind
+import robotran.robolang.robolangTokens
+
+/**
+ * The words, numbers and signs of [program], at most [MAXIMUM_TOKENS], without comments. All names that a pupil may
+ * choose are the same, so that renaming changes nothing.
+ */
+internal fun normalTokens(program: ProjectProgram): List<String> = when (program.language) {
+    ProgramLanguage.ROBOLANG -> program.files.asSequence().flatMap { robolang(it.text) }
+    ProgramLanguage.JAVA -> program.files.asSequence().sortedBy { it.name }.flatMap { java(it.text) }
+}.take(MAXIMUM_TOKENS).toList()
+
+private fun robolang(text: String): Sequence<String> = text.lineSequence().flatMap { line ->
+    robolangTokens(line).mapNotNull { token ->
+        when (token.kind) {
+            SourceTokenKind.COMMENT -> null
+            SourceTokenKind.NAME -> NAME
+            else -> line.substring(token.start, token.end).lowercase()
+        }
+    }
+}
+
+/** Keeps the words of Java, the names after a dot, and class names before a dot, such as `Motor.A.forward`. */
+private fun java(source: String): Sequence<String> = withoutBlockComments(source).let { text ->
+    JAVA_TOKEN.findAll(text).mapNotNull { match -> javaToken(text, match.range) }
+}
+
+private fun javaToken(text: String, range: IntRange): String? {
+    val word = text.substring(range)
+    return when {
+        word.startsWith("//") -> null
+        !word[0].isLetter() && word[0] != '_' -> word
+        word in JAVA_WORDS || isAfterDot(text, range.first) -> word
+        word[0].isUpperCase() && text.getOrNull(range.last + 1) == '.' -> word
+        else -> NAME
+    }
+}
+
+/** A comment in a text or behind another comment is rare, and its loss does no harm. */
+private fun withoutBlockComments(text: String): String {
+    if ("/*" !in text) return text
+    return text.split("/*").mapIndexed { index, part ->
+        if (index == 0) part else " " + part.substringAfter("*/", "")
+    }.joinToString("")
+}
+
+private fun isAfterDot(text: String, place: Int): Boolean = place > 0 && text[place - 1] == '.'
+
+internal const val MAXIMUM_TOKENS = 5_000
+private const val NAME = "name"
+
+/** A line's comment, a text or character, a name, a number, or any other sign. */
+private val JAVA_TOKEN = Regex(
+    "//[^\\n]*|\"[^\"\\n]*\"|'[^'\\n]*'|[A-Za-z_][A-Za-z_0-9]*|[0-9][0-9A-Za-z_.]*|[^\\s]",
+)
+
+private val JAVA_WORDS = (
+    "abstract boolean break byte case catch char class continue default do double else extends final finally float " +
+        "for if implements import instanceof int interface long native new null package private protected public " +
+        "return short static super switch synchronized this throw throws transient true false try void volatile while"
+).split(' ').toSet()

@@ -1,0 +1,76 @@
+package robotran.assignments.course
+
+import robotran.language.Language
+import robotran.learning.Lesson
+import robotran.learning.Lessons
+import robotran.learning.Strand
+import robotran.learning.WorldGallery
+import robotran.programs.SourceFile
+import robotran.projects.Assignment
+import robotran.projects.AssignmentChecks
+import robotran.projects.AssignmentHint
+import robotran.projects.AssignmentLimits
+import robotran.projects.Course
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+
+/** Courses of the lessons and worlds that come with Robotran, for teachers to read, change and give to pupils. */
+object OwnCourses {
+    /** The name of the course of the gallery's worlds. */
+    const val WORLDS = "worlds"
+
+    /** The names of all courses: the strands in their order, then [WORLDS]. */
+    val names: List<String> get() = Lessons.strands.map { it.name } + WORLDS
+
+    /** The course called [name], with checks and solutions; null if there is none. */
+    fun named(name: String, language: Language): Course? = if (name ==
+        WORLDS
+    ) {
+        worlds(language)
+    } else {
+        Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language) }
+    }
+
+    /** The lessons of [strand]. */
+    fun of(strand: Strand, language: Language): Course = Course(
+        strand.title(language),
+        strand.about(language),
+        strand.lessons.map { assignmentOf(it, language) },
+        "robotran-${strand.name}",
+    )
+
+    /** The worlds that have a task, the easy ones first. */
+    fun worlds(language: Language): Course = Course(
+        CourseMessages.of(language).worlds(),
+        CourseMessages.of(language).aboutWorlds(),
+        WorldGallery.worlds.mapNotNull { it.lesson }.map { assignmentOf(it, language) },
+        "robotran-$WORLDS",
+    )
+
+    /**
+     * [lesson] as an assignment with checks and solution: the hint for what went wrong first, then those that give away
+     * more with each failed try.
+     */
+    fun assignmentOf(lesson: Lesson, language: Language): Project {
+        val text = lesson.text(language)
+        val hints = text.whens.map { AssignmentHint(it.text, it.condition.phrase) } + listOf(
+            AssignmentHint(text.nudge),
+            AssignmentHint(text.part, afterTries = TRIES_BEFORE_PART),
+            AssignmentHint(text.solution, afterTries = TRIES_BEFORE_SOLUTION),
+        )
+        val assignment = Assignment(
+            id = "robotran-${lesson.name.replace('/', '-')}",
+            text = text.paragraphs.joinToString("\n\n"),
+            hints = hints.takeLast(AssignmentLimits.MAXIMUM_HINTS),
+            checks = AssignmentChecks(SEEDS),
+            solution = listOf(programOf(lesson, lesson.solution)),
+        )
+        return lesson.project(language).copy(assignment = assignment)
+    }
+
+    private fun programOf(lesson: Lesson, file: SourceFile) = ProjectProgram(file.name, lesson.code, listOf(file))
+
+    private val SEEDS = 1..20
+    private const val TRIES_BEFORE_PART = 3
+    private const val TRIES_BEFORE_SOLUTION = 5
+}

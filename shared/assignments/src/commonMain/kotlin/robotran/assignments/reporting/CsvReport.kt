@@ -1,0 +1,62 @@
+package robotran.assignments.reporting
+
+import robotran.assignments.collecting.Submission
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.messages.ReportMessages
+import robotran.language.Language
+import robotran.language.choose
+import robotran.language.withComma
+
+/**
+ * [report] as comma-separated values (RFC 4180), one row a hand-in, as spreadsheets in [language] expect it: in German
+ * and Spanish with semicolons, because numbers have a decimal comma. A text that a spreadsheet would take for a formula
+ * begins with an apostrophe.
+ */
+fun csvReport(report: ClassReport, language: Language = Language.ENGLISH): String {
+    val messages = ReportMessages.of(language)
+    val rows = listOf(messages.columns()) + report.results.indices.map { rowOf(report, it, language) }
+    val separator = language.choose(english = ",", spanish = ";", german = ";")
+    return rows.joinToString("") { row ->
+        row.joinToString(separator, postfix = "\r\n") { cellOf(it, separator) }
+    }
+}
+
+/** The same as a file. It begins with a byte order mark, without which some spreadsheets do not take it for UTF-8. */
+fun csvFile(report: ClassReport, language: Language = Language.ENGLISH): ByteArray =
+    "\uFEFF${csvReport(report, language)}".encodeToByteArray()
+
+private fun rowOf(report: ClassReport, index: Int, language: Language): List<String> {
+    val messages = ReportMessages.of(language)
+    val result = report.results[index]
+    val graded = result as? GradedHandIn.Graded
+    val usable = result.submission as? Submission.Usable
+    return listOf(
+        result.submission.name,
+        messages.verdict(result.verdict),
+        graded?.goalsMet?.toString().orEmpty(),
+        graded?.goals?.toString().orEmpty(),
+        graded?.met?.toString().orEmpty(),
+        graded?.runs?.size?.toString().orEmpty(),
+        graded?.seconds?.let { tenths(it, language) }.orEmpty(),
+        usable?.linesOfCode?.toString().orEmpty(),
+        usable?.handIn?.tries?.toString().orEmpty(),
+        remarksOf(report, index, language).joinToString(" "),
+        graded?.goalsMetAlways?.toString().orEmpty(),
+        similarTo(report, index),
+    )
+}
+
+private fun cellOf(text: String, separator: String): String {
+    val safe = if (text.isNotEmpty() && text[0] in FORMULA_STARTS) "'$text" else text
+    return if (safe.any { it in NEED_QUOTES } || separator in safe) "\"" + safe.replace("\"", "\"\"") + "\"" else safe
+}
+
+/** A number of seconds with one digit after the point or comma. */
+internal fun tenths(seconds: Double, language: Language): String {
+    val tenths = (seconds * 10 + 0.5).toLong()
+    val number = "${tenths / 10}.${tenths % 10}"
+    return if (language == Language.ENGLISH) number else withComma(number)
+}
+
+private const val FORMULA_STARTS = "=+-@\t\r\n"
+private const val NEED_QUOTES = "\"\r\n"

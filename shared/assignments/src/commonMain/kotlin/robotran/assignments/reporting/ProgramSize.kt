@@ -1,0 +1,36 @@
+package robotran.assignments.reporting
+
+import robotran.assignments.collecting.Submission
+import robotran.language.ProgramLanguage
+import robotran.projects.ProjectProgram
+import robotran.robolang.SourceTokenKind
+import robotran.robolang.robolangTokens
+
+/** The lines of the programs of a submission, without empty ones and comments; 0 if it is unusable. */
+val Submission.linesOfCode: Int get() = (this as? Submission.Usable)?.robot?.programs.orEmpty().sumOf(::linesOfCode)
+
+private fun linesOfCode(program: ProjectProgram): Int = program.files.sumOf { file ->
+    when (program.language) {
+        ProgramLanguage.ROBOLANG -> file.text.lineSequence().count { line ->
+            robolangTokens(line).any { it.kind != SourceTokenKind.COMMENT }
+        }
+
+        ProgramLanguage.JAVA -> javaLines(file.text)
+    }
+}
+
+private fun javaLines(text: String): Int {
+    var isInComment = false
+    return text.lineSequence().count { line ->
+        var rest = line
+        val code = StringBuilder()
+        while (rest.isNotEmpty()) {
+            val end = if (isInComment) rest.indexOf("*/") else rest.indexOf("/*")
+            if (!isInComment) code.append(if (end < 0) rest else rest.take(end))
+            if (end < 0) break
+            rest = rest.drop(end + 2)
+            isInComment = !isInComment
+        }
+        code.toString().substringBefore("//").isNotBlank()
+    }
+}

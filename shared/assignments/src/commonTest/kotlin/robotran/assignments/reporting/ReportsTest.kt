@@ -1,0 +1,218 @@
+package robotran.assignments.reporting
+
+import kotlinx.coroutines.test.runTest
+import robotran.assignments.ASSIGNMENT
+import robotran.assignments.DRAWS
+import robotran.assignments.collect
+import robotran.assignments.collecting.CollectedFile
+import robotran.assignments.collecting.Submission
+import robotran.assignments.collecting.collectHandIns
+import robotran.assignments.comparing.compareSubmissions
+import robotran.assignments.file
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradingPlan
+import robotran.assignments.grading.HandInGrader
+import robotran.assignments.grading.gradeAll
+import robotran.assignments.handIn
+import robotran.assignments.robolang
+import robotran.language.Language
+import robotran.projects.FeedbackResult
+import robotran.projects.Project
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.picture.NoWorldPictures
+import robotran.simulation.picture.WorldPictures
+import robotran.simulation.state.SessionState
+import robotran.world.World
+import kotlin.test.Test
+import kotlin.test.assertContentEquals
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class ReportsTest {
+    private suspend fun report(language: Language = Language.ENGLISH): ClassReport {
+        val long = DRAWS + "wait 1 seconds\nbeep\n".repeat(3)
+        val submissions = collect(
+            file("a.robotran", handIn("Anna, the \"first\"", tries = 3)),
+            file("b.robotran", handIn("=1+2", listOf(robolang("// <script>alert(1)</script>\n$long")))),
+            file("c.robotran", handIn("+1+2", listOf(robolang(long)))),
+            file("cem.robo", "forwrd\n"),
+            file("dora.pdf", ""),
+        )
+        val plan = GradingPlan.of(ASSIGNMENT)
+        val grader = HandInGrader(ASSIGNMENT, plan, loadPhysicsEngine(), language)
+        val results = gradeAll(grader, submissions) { runs -> runs.map { it.finish() } }
+        val pairs = compareSubmissions(submissions, ASSIGNMENT)
+        return ClassReport(ASSIGNMENT, plan, results, pairs, mapOf(0 to "Well <done>!\nGo on."))
+    }
+
+    @Test
+    fun `the table has a row for each hand-in and no formulas`() = runTest {
+        val lines = csvReport(report()).split("\r\n")
+        val columns = "name,verdict,goals met,goals,seeds met,seeds,seconds,lines,tries,remarks"
+        assertEquals("$columns,goals met in all runs,nearly the same program", lines[0])
+        assertTrue(lines[1].startsWith("\"Anna, the \"\"first\"\"\",solved,1,1,4,4,"), lines[1])
+        assertTrue(lines[1].endsWith(",2,3,,1,"), lines[1])
+        assertTrue(lines[2].startsWith("'=1+2,solved,"), lines[2])
+        assertTrue(lines[3].startsWith("'+1+2,solved,"), lines[3])
+        assertTrue(lines[4].startsWith("cem,has mistakes,,,,,,1,,"), lines[4])
+        assertTrue(lines[2].endsWith(",1,'+1+2 (100 %)") && lines[3].endsWith(",1,'=1+2 (100 %)"), lines[2])
+        assertTrue("cem.robo:1:1: " in lines[4], lines[4])
+        assertEquals("dora,cannot be used,,,,,,,,\"There is no program, no project and no link in it.\",,", lines[5])
+        assertEquals("", lines.drop(6).single())
+    }
+
+    @Test
+    fun `German and Spanish tables have semicolons and decimal commas`() = runTest {
+        for ((language, verdict) in listOf(Language.GERMAN to "gelöst", Language.SPANISH to "resuelta")) {
+            val lines = csvReport(report(language), language).split("\r\n")
+            assertEquals(12, lines.first().split(';').size)
+            assertTrue(
+                Regex("\"Anna, the \"\"first\"\"\";$verdict;1;1;4;4;\\d+,\\d;2;3;;1;") matches lines[1],
+                lines[1],
+            )
+            assertTrue(lines[2].startsWith("'=1+2;$verdict;"), lines[2])
+            assertContentEquals(BYTE_ORDER_MARK, csvFile(report(language), language).take(3).toByteArray())
+        }
+    }
+
+    @Test
+    fun `no name becomes a formula, and separators are quoted`() = runTest {
+        for (name in listOf("=1+2", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1")) {
+            val row = csvReport(reportOn(handIn("x").let { it.copy(handIn = it.handIn?.copy(name = name)) })).lines()[1]
+            assertTrue(row.startsWith("'") || row.startsWith("\"'"), row)
+        }
+        val separators = reportOn(handIn("a;b,c"))
+        assertTrue(csvReport(separators).lines()[1].startsWith("\"a;b,c\","))
+        assertTrue(csvReport(separators, Language.GERMAN).lines()[1].startsWith("\"a;b,c\";"))
+    }
+
+    @Test
+    fun `two pupils of the same name are told apart`() = runTest {
+        val anna = reportOn(handIn("Anna"))
+        val other = anna.results.map { result ->
+            val graded = assertIs<GradedHandIn.Graded>(result)
+            graded.copy(graded.submission.copy(name = "anna", origin = "b.robotran"))
+        }
+        val both = ClassReport(anna.assignment, anna.plan, anna.results + other)
+        assertEquals(
+            "anna: 2 hand-ins have this name. This one is from b.robotran.",
+            remarkLines(both, Language.ENGLISH)[1],
+        )
+        val rows = csvReport(both).lines()
+        assertTrue(",2 hand-ins have this name. This one is from b.robotran.," in rows[2], rows[2])
+        assertFalse("have this name" in csvReport(anna))
+        assertEquals("anna (2) - feedback - Draw.robotran", feedbackFiles(both)[1].name)
+    }
+
+    @Test
+    fun `who succeeds in some runs has met the goals in those`() = runTest {
+        // Sometimes a little more than needed, sometimes a little less.
+        val real = ASSIGNMENT.copy(world = ASSIGNMENT.world.copy(realism = 1.0))
+        val report = (100..115).firstNotNullOf { length ->
+            val program = robolang("pen down\nforward ${length / 10.0}\n")
+            reportOn(handIn("Lea", listOf(program)), 1..14, assignment = real).takeIf { report ->
+                val graded = assertIs<GradedHandIn.Graded>(report.results.single())
+                graded.runsIn("").count { it.grade.passed } in 1..13
+            }
+        }
+        val graded = report.results.single() as GradedHandIn.Graded
+        assertEquals(listOf(1, 0), listOf(graded.goalsMet, graded.goalsMetAlways))
+        val row = csvReport(report).lines()[1]
+        assertTrue(row.startsWith("Lea,partly solved,1,1,${graded.met},28,") && row.endsWith(",0,"), row)
+        assertTrue("<p>Reached all goals in ${graded.met} of 28 runs.</p>" in htmlReport(report, null))
+    }
+
+    @Test
+    fun `text between backticks is shown as program text`() = runTest {
+        val report = reportOn(handIn("Lea"), comment = "Use `turn <left>` and `if`, not ` alone.")
+        val comment = "Use <code>turn &lt;left&gt;</code> and <code>if</code>, not ` alone."
+        assertTrue("<p class=\"comment\">$comment</p>" in htmlReport(report, null))
+    }
+
+    @Test
+    fun `the page tells who has nearly the same program, and what was no hand-in`() = runTest {
+        val page = htmlReport(report(), null)
+        assertTrue("<th>nearly the same program</th>" in page, page)
+        assertTrue("<td>+1+2 (100 %)</td>" in page, page)
+        val given = collectHandIns(listOf(file("draw.robotran", ASSIGNMENT), file("a.robo", DRAWS)), ASSIGNMENT)
+        val report = reportOn(handIn("Lea")).let {
+            ClassReport(it.assignment, it.plan, it.results, notes = given.notes)
+        }
+        assertTrue("<li>draw.robotran is the assignment itself, not a hand-in.</li>" in htmlReport(report, null))
+    }
+
+    private suspend fun reportOn(
+        handIn: Project,
+        seeds: IntRange? = null,
+        comment: String = "",
+        assignment: Project = ASSIGNMENT,
+    ): ClassReport {
+        val plan = GradingPlan.of(assignment, seeds)
+        val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
+        val submission = Submission.Usable(
+            handIn.handIn?.name.orEmpty(),
+            "",
+            handIn.robots.single(),
+            handIn,
+            handIn.handIn,
+        )
+        val results = gradeAll(grader, listOf(submission)) { runs -> runs.map { it.finish() } }
+        return ClassReport(ASSIGNMENT, plan, results, comments = mapOf(0 to comment))
+    }
+
+    @Test
+    fun `the page escapes what pupils write and loads nothing`() = runTest {
+        val page = htmlReport(report(), null)
+        assertFalse("<script" in page || "<img" in page, page)
+        assertTrue("// &lt;script&gt;alert(1)&lt;/script&gt;" in page)
+        assertTrue("Well &lt;done&gt;!\nGo on." in page)
+        assertTrue("<td>1 of 1</td><td>2 of 2</td><td>2 of 2</td>" in page, page)
+        assertTrue("=1+2 and +1+2 have the same program." in page, page)
+        assertFalse("http:" in page || "https:" in page)
+        val drawn = object : WorldPictures by NoWorldPictures {
+            override fun svg(world: World, state: SessionState) = "<svg/>"
+        }
+        assertEquals(
+            3,
+            htmlReport(report(), drawn).split("<img alt=\"\" src=\"data:image/svg+xml;base64,PHN2Zy8+\">").size - 1,
+        )
+    }
+
+    @Test
+    fun `feedback is the hand-in with comment and results`() = runTest {
+        val report = report()
+        val files = feedbackFiles(report)
+        assertEquals(
+            listOf("Anna, the -first-", "=1+2", "+1+2", "cem").map { "$it - feedback - Draw.robotran" },
+            files.map { it.name },
+        )
+        val anna = assertIs<ProjectFileResult.Loaded>(readProject(files.first().bytes)).project
+        assertEquals("Well <done>!\nGo on.", anna.feedback?.comment)
+        assertEquals(listOf(FeedbackResult("", 2, 2), FeedbackResult("other", 2, 2)), anna.feedback?.results)
+        assertEquals("Anna, the \"first\"", anna.handIn?.name)
+        val cem = checkNotNull(feedbackProject(report, 3))
+        assertEquals("draw-1", cem.assignment?.id)
+        assertNull(feedbackProject(report, 4))
+        val zip = collectHandIns(listOf(CollectedFile("all.zip", feedbackZip(report))), ASSIGNMENT)
+        assertEquals(listOf(0, 4), listOf(zip.submissions.size, zip.notes.size))
+        assertEquals("cem - feedback - Draw.robotran is feedback, not a hand-in.", zip.notes.last())
+    }
+
+    @Test
+    fun `lines of code leave out comments and empty lines`() = runTest {
+        val submissions = collect(
+            file("a.robo", "// so\n\nbeep // here\n  \nbuzz\n"),
+            file("B.java", "/* a\n b */ class B {\n // no\n /* x */ int a; /* y\n*/\n}\n"),
+        )
+        assertEquals(listOf(2, 3), submissions.map { it.linesOfCode })
+    }
+
+    private companion object {
+        val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
+    }
+}

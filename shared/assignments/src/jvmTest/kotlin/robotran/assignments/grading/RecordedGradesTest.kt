@@ -1,0 +1,41 @@
+package robotran.assignments.grading
+
+import kotlinx.coroutines.test.runTest
+import robotran.assignments.collecting.CollectedFile
+import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.comparing.compareSubmissions
+import robotran.assignments.reporting.ClassReport
+import robotran.assignments.reporting.csvFile
+import robotran.language.Language
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
+import robotran.simulation.physics.loadPhysicsEngine
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+
+/** The browser tests hold the page against the same record, `grades.csv`; `record-grades.sh` writes it anew. */
+class RecordedGradesTest {
+    @Test
+    fun `a class with hostile hand-ins gets the recorded grades`() = runTest {
+        val folder = File(assertNotNull(javaClass.getResource("/grades")).toURI())
+        val assignment = assertIs<ProjectFileResult.Loaded>(
+            readProject(folder.resolve("parking.robotran").readText()),
+        ).project
+        val files = folder.resolve("class").listFiles().orEmpty().sorted().map {
+            CollectedFile(it.name, it.readBytes())
+        }
+        val plan = GradingPlan.of(assignment)
+        val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
+        val submissions = collectSubmissions(files, assignment)
+        val results = gradeAll(grader, submissions) { runs -> runs.map { it.finish() } }
+        assertEquals(
+            folder.resolve("grades.csv").readText(),
+            csvFile(
+                ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment)),
+            ).decodeToString(),
+        )
+    }
+}

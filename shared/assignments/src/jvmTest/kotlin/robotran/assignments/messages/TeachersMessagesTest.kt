@@ -1,0 +1,58 @@
+package robotran.assignments.messages
+
+import robotran.language.Language
+import java.lang.reflect.Method
+import java.lang.reflect.Modifier
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Tests all messages for teachers in all languages. Reflection finds them, so none is missed. */
+class TeachersMessagesTest {
+    private val tables: Map<Class<*>, (Language) -> Any> = mapOf(
+        CollectingMessages::class.java to CollectingMessages::of,
+        GradingMessages::class.java to GradingMessages::of,
+        ReportMessages::class.java to ReportMessages::of,
+    )
+    private val messages = tables.keys.flatMap { it.methods.toList() }.filter { Modifier.isAbstract(it.modifiers) }
+
+    @Test
+    fun `all languages name the same arguments`() {
+        assertTrue(messages.size > 40, "${messages.size} messages")
+        val wrong = messages.flatMap { message ->
+            val markers = argumentsOf(message).flatMap { if (it is List<*>) it else listOf(it) }.map { "$it" }
+            val english = told(message, Language.ENGLISH)
+            (Language.entries - Language.ENGLISH).flatMap { language ->
+                val other = told(message, language)
+                markers.filter { (it in english) != (it in other) }.map { "${message.name} in $language: $other" }
+            }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    @Test
+    fun `no message is the same in two languages, and all end alike`() {
+        val wrong = messages.filter { message ->
+            val told = Language.entries.map { told(message, it) }
+            told.toSet().size < told.size || told.map { it.endsWith('.') }.toSet().size > 1
+        }.map { it.name }
+        assertEquals(emptyList(), wrong)
+        for (language in Language.entries) assertEquals(12, ReportMessages.of(language).columns().size)
+    }
+
+    private fun told(message: Method, language: Language): String {
+        val table = tables.getValue(message.declaringClass)(language)
+        return message.invoke(table, *argumentsOf(message).toTypedArray()).let {
+            if (it is List<*>) it.joinToString() else "$it"
+        }
+    }
+
+    private fun argumentsOf(message: Method): List<Any> = message.parameterTypes.mapIndexed { number, type ->
+        when (type) {
+            String::class.java -> "marker$number"
+            Int::class.javaPrimitiveType -> 7001 + number
+            List::class.java -> listOf("marker$number-a", "marker$number-b")
+            else -> error("No argument of type $type is known.")
+        }
+    }
+}

@@ -1,0 +1,115 @@
+package robotran.projects
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import robotran.json.JsonCursor
+import robotran.json.JsonReading
+import robotran.json.JsonValidationException
+import robotran.json.jsonObject
+import robotran.json.readJson
+import robotran.json.writeJson
+import robotran.language.Language
+import robotran.projects.messages.told
+import robotran.world.WorldLimits
+import robotran.world.file.MULTILINE_LISTS
+import robotran.world.file.unknownOf
+
+/** The result of reading a course file. */
+sealed interface CourseFileResult {
+    data class Loaded(val course: Course) : CourseFileResult
+
+    /**
+     * The file is invalid.
+     *
+     * @property message one sentence with location and reason.
+     * @property line the line of the error, from 1; null if the error concerns the whole file.
+     * @property path the field of the error, such as `assignments[2].world.title`; empty if none.
+     */
+    data class Rejected(val message: String, val line: Int? = null, val path: String = "") : CourseFileResult
+}
+
+/**
+ * Reads a course file; `docs/assignments.md` describes the format. Returns quickly for any text.
+ *
+ * @param language the language of error messages.
+ * @param beside the bytes of the project file with this name, which lies beside the course file; null if there is none.
+ */
+fun readCourse(
+    text: String,
+    language: Language = Language.ENGLISH,
+    beside: (name: String) -> ByteArray? = { null },
+): CourseFileResult = resultOf(readJson(text, language) { courseIn(it, language, beside) })
+
+/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+fun readCourse(
+    bytes: ByteArray,
+    language: Language = Language.ENGLISH,
+    beside: (name: String) -> ByteArray? = { null },
+): CourseFileResult = resultOf(readJson(bytes, language) { courseIn(it, language, beside) })
+
+/** [course] as one file with all its assignments, readable and easy to merge. [readCourse] restores the same course. */
+fun writeCourse(course: Course): String = writeJson(elementOf(course), MULTILINE_LISTS + TEXT)
+
+/** The names of the files that the course file [text] mentions; empty if it is invalid. */
+fun assignmentFilesOf(text: String): List<String> {
+    val reading = readJson(text) { file ->
+        file.optional(ASSIGNMENTS)?.items(0..Course.MAXIMUM_ASSIGNMENTS).orEmpty().mapNotNull { it.textOrNull() }
+    }
+    return (reading as? JsonReading.Read)?.value.orEmpty()
+}
+
+/** Whether the JSON file [text] claims to be a course. */
+fun isCourseFile(text: String): Boolean = COURSE_MARK in text
+
+internal fun courseIn(file: JsonCursor, language: Language, beside: (String) -> ByteArray?): Course {
+    if (file.optional("format")?.textOrNull() != COURSE_FORMAT) {
+        throw JsonValidationException(null, told { notACourse(COURSE_FORMAT) })
+    }
+    val version = file.member("version").wholeNumber(1..Int.MAX_VALUE)
+    if (version > COURSE_VERSION) throw JsonValidationException(null, told { newerCourse(version, COURSE_VERSION) })
+    val ids = mutableSetOf<String>()
+    return Course(
+        title = file.member("title").text(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
+        text = file.optional(TEXT)?.let { textIn(it, AssignmentLimits.MAXIMUM_TEXT_CHARACTERS) }.orEmpty(),
+        assignments = file.member(ASSIGNMENTS).items(1..Course.MAXIMUM_ASSIGNMENTS).map { place ->
+            val project = assignmentAt(place, language, beside)
+            val assignment = project.assignment
+            if (assignment == null || project.handIn != null) place.refuse(told { mustBeAssignment() })
+            if (!ids.add(assignment.id)) place.refuse(told { assignmentTwice(assignment.id) })
+            project
+        },
+        id = file.optional("id")?.text(AssignmentLimits.MAXIMUM_ID_CHARACTERS).orEmpty(),
+        unknown = unknownOf(file),
+    )
+}
+
+private fun assignmentAt(place: JsonCursor, language: Language, beside: (String) -> ByteArray?): Project {
+    if (place.textOrNull() == null) return projectIn(place)
+    val name = place.text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
+    if (name.any { it in FOLDERS }) place.refuse(told { mustBeFileName() })
+    val bytes = beside(name) ?: place.refuse(told { fileNotBeside(name) })
+    return when (val result = readProject(bytes, language)) {
+        is ProjectFileResult.Loaded -> result.project
+        is ProjectFileResult.Rejected -> throw JsonValidationException(null) { "$name: ${result.message}" }
+    }
+}
+
+internal fun elementOf(course: Course): JsonObject = jsonObject(course.unknown.members) {
+    text("format", COURSE_FORMAT)
+    number("version", COURSE_VERSION)
+    text("id", course.id, default = "")
+    text("title", course.title)
+    put(TEXT, course.text.takeIf { it.isNotEmpty() }?.let(::linesOf))
+    put(ASSIGNMENTS, JsonArray(course.assignments.map(::elementOf)))
+}
+
+internal fun resultOf(reading: JsonReading<Course>): CourseFileResult = when (reading) {
+    is JsonReading.Read -> CourseFileResult.Loaded(reading.value)
+    is JsonReading.Rejected -> CourseFileResult.Rejected(reading.message, reading.line, reading.path)
+}
+
+private const val COURSE_FORMAT = "robotran-course"
+private const val COURSE_MARK = "\"$COURSE_FORMAT\""
+private const val COURSE_VERSION = 1
+private const val ASSIGNMENTS = "assignments"
+private const val FOLDERS = "/\\"

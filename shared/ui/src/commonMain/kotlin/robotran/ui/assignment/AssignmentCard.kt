@@ -1,0 +1,141 @@
+package robotran.ui.assignment
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.messages.wordFor
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.ui.drawer.iconFor
+import robotran.ui.language.LocalLanguage
+import robotran.ui.learning.MarkedText
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_author
+import robotran.ui.resources.assignment_begin_again
+import robotran.ui.resources.assignment_due
+import robotran.ui.resources.assignment_edit
+import robotran.ui.resources.assignment_goals
+import robotran.ui.resources.assignment_hand_in
+import robotran.ui.resources.assignment_hand_in_again
+import robotran.ui.resources.assignment_handed_in
+import robotran.ui.resources.hand_ins_menu
+import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AssignmentState
+
+/** What the card of the task says about an assignment: its text, its goals, and what is not allowed. */
+@Composable
+internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, onEvent: (WorkshopEvent) -> Unit) {
+    Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
+        AssignmentText(state.assignment)
+        if (state.assignment.due.isNotBlank()) {
+            Line(stringResource(Res.string.assignment_due, state.assignment.due), "assignment-due", isStrong = true)
+        }
+        if (goals.isNotEmpty()) {
+            Line(stringResource(Res.string.assignment_goals), "assignment-goals", isStrong = true)
+            Goals(goals)
+        }
+        if (state.isOpenForTries) {
+            NotAllowedLines(state.notAllowed) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
+            HandedInLine(state)
+        }
+        if (state.isAuthor) Line(stringResource(Res.string.assignment_author), "assignment-author")
+    }
+}
+
+/** Whether the pupil has handed in. */
+@Composable
+internal fun HandedInLine(state: AssignmentState) {
+    val name = state.handedInAs?.takeIf { state.isOpenForTries } ?: return
+    Line(stringResource(Res.string.assignment_handed_in, name), "assignment-handed-in", isNews = true)
+}
+
+/** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun AssignmentButtons(
+    state: AssignmentState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    if (!state.isAuthor && !state.isOpenForTries) return
+    Column(modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
+        if (state.isOpenForTries) Line(triesText(state.tries), "assignment-tries", isNews = true)
+        FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+            if (state.isAuthor) {
+                PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
+                    onEvent(AssignmentEvent.MakingRequested)
+                })
+                SecondButton(stringResource(Res.string.hand_ins_menu), "assignment-hand-ins", {
+                    onEvent(HandInsEvent.Requested)
+                })
+            }
+            if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
+            if (state.canBeginAgain) {
+                SecondButton(stringResource(Res.string.assignment_begin_again), "assignment-begin-again", {
+                    onEvent(AssignmentEvent.BegunAgain)
+                })
+            }
+        }
+    }
+}
+
+/** Opens the sheet with which a pupil hands in. Before the first try, Run is the main button. */
+@Composable
+internal fun HandInButton(state: AssignmentState, tag: String, onEvent: (WorkshopEvent) -> Unit) {
+    val words = if (state.handedInAs == null) Res.string.assignment_hand_in else Res.string.assignment_hand_in_again
+    val open = { onEvent(AssignmentEvent.HandInRequested) }
+    if (state.tries.tries > 0) {
+        PrimaryButton(stringResource(words), tag, open)
+    } else {
+        SecondButton(stringResource(words), tag, open)
+    }
+}
+
+/** The goals of the world and their progress in the present run, a line each. */
+@Composable
+internal fun Goals(goals: List<GoalProgress>) {
+    val colours = LocalRobotranColours.current
+    for (goal in goals) {
+        val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
+        Row(
+            Modifier.testTag("assignment-goal").semantics(mergeDescendants = true) { stateDescription = word },
+            Arrangement.spacedBy(8.dp),
+        ) {
+            val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
+            RunIconView(iconFor(goal.status), Modifier.padding(top = 3.dp), side = 18.dp, colour = colour)
+            Text(goal.sentence, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.BODY)
+        }
+    }
+}
+
+/** @param isNews whether screen readers tell it when it changes. */
+@Composable
+internal fun Line(words: String, tag: String, isStrong: Boolean = false, isNews: Boolean = false) = MarkedText(
+    words,
+    Modifier.testTag(tag).semantics { if (isNews) liveRegion = LiveRegionMode.Polite },
+    weight = if (isStrong) FontWeight.SemiBold else FontWeight.Normal,
+)

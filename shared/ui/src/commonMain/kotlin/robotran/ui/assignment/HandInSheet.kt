@@ -1,0 +1,168 @@
+package robotran.ui.assignment
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.window.DialogProperties
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.MainButton
+import robotran.ui.documents.OtherButton
+import robotran.ui.parts.ButtonRows
+import robotran.ui.parts.scrollHint
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_back
+import robotran.ui.resources.hand_in_cancel
+import robotran.ui.resources.hand_in_close
+import robotran.ui.resources.hand_in_go_on
+import robotran.ui.resources.hand_in_mistakes_anyway
+import robotran.ui.resources.hand_in_title
+import robotran.ui.theme.AppDialog
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.HandInStep
+
+/** The sheet with which a pupil hands in. Only its buttons close it, so that no touch outside loses the hand-in. */
+@Composable
+internal fun HandInSheet(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = AppDialog(
+    { onEvent(AssignmentEvent.HandInClosed) },
+    DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
+) { HandInCard(step, hasShareSheet, onEvent, Modifier.padding(16.dp)) }
+
+@Composable
+private fun HandInCard(
+    step: HandInStep,
+    hasShareSheet: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    val title = stringResource(Res.string.hand_in_title)
+    val scale = LocalDensity.current.fontScale
+    Surface(
+        modifier
+            .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
+            .testTag("hand-in-sheet")
+            .semantics { paneTitle = title },
+        Shapes.SHEET,
+        color = colours.pane,
+        contentColor = colours.onPane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
+            val scroll = rememberScrollState()
+            val scrolling = Modifier
+                .fillMaxWidth()
+                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .verticalScroll(scroll)
+            // On a phone in landscape all scrolls, so that a code has all the height.
+            if (maxHeight < LOW) {
+                Column(scrolling, Arrangement.spacedBy(12.dp)) {
+                    Title(title)
+                    Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight - TITLE, onEvent)
+                    Buttons(step, onEvent)
+                }
+            } else {
+                Column(Modifier.fillMaxSize(), Arrangement.spacedBy(12.dp)) {
+                    Title(title)
+                    BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
+                        Column(scrolling.fillMaxHeight(), Arrangement.spacedBy(12.dp)) {
+                            Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight, onEvent)
+                        }
+                    }
+                    Buttons(step, onEvent)
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun Title(words: String) = Text(
+    words,
+    Modifier.semantics { heading() },
+    fontSize = TextSizes.HEADING,
+    fontWeight = FontWeight.Medium,
+    lineHeight = LineHeights.LEAD,
+)
+
+/** @param maxHeight of what is seen at once. */
+@Composable
+private fun Step(step: HandInStep, hasShareSheet: Boolean, maxHeight: Dp, onEvent: (WorkshopEvent) -> Unit) {
+    when (step) {
+        is HandInStep.Asking -> AskingView(step, onEvent)
+        is HandInStep.Running -> RunningView(step)
+        is HandInStep.HasMistakes -> MistakesView(step)
+        is HandInStep.Ready -> ReadyView(step, hasShareSheet, maxHeight, onEvent)
+    }
+}
+
+/** At the left the button that leaves the step, at the right what goes on. */
+@Composable
+private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = ButtonRows(Modifier.fillMaxWidth()) {
+    val close = { onEvent(AssignmentEvent.HandInClosed) }
+    val back = { onEvent(AssignmentEvent.HandInBackRequested) }
+    when (step) {
+        is HandInStep.Asking -> {
+            OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-cancel", close)
+            MainButton(stringResource(Res.string.hand_in_go_on), "hand-in-go-on", step.canGoOn) {
+                onEvent(AssignmentEvent.HandInMade())
+            }
+        }
+
+        is HandInStep.Running -> {
+            OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
+        }
+
+        is HandInStep.HasMistakes -> {
+            OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)
+            MainButton(stringResource(Res.string.hand_in_mistakes_anyway), "hand-in-anyway") {
+                onEvent(AssignmentEvent.HandInMade(withMistakes = true))
+            }
+        }
+
+        is HandInStep.Ready -> {
+            OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)
+            MainButton(stringResource(Res.string.hand_in_close), "hand-in-close", onClick = close)
+        }
+    }
+}
+
+private val WIDTH = 600.dp
+
+/** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
+private const val MAX_WIDENING = 1.4f
+private val HEIGHT = 720.dp
+
+/** Below this height, title and buttons would leave too little room for a code. */
+private val LOW = 400.dp
+
+/** The height of the title at default font size. */
+private val TITLE = 44.dp
+
+/** From this font scale on, the edges are narrower. */
+private const val LARGE = 1.3f

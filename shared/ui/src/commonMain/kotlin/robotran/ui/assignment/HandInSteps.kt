@@ -1,0 +1,158 @@
+package robotran.ui.assignment
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.text.input.KeyboardCapitalization
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.AssignmentLimits
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.RadioMark
+import robotran.ui.parts.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_best
+import robotran.ui.resources.hand_in_best_is
+import robotran.ui.resources.hand_in_decides
+import robotran.ui.resources.hand_in_editor
+import robotran.ui.resources.hand_in_editor_is
+import robotran.ui.resources.hand_in_mistakes
+import robotran.ui.resources.hand_in_name
+import robotran.ui.resources.hand_in_running
+import robotran.ui.resources.hand_in_unchanged
+import robotran.ui.resources.hand_in_what
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.HandInStep
+
+@Composable
+internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Unit) {
+    OutlinedTextField(
+        step.name,
+        { onEvent(AssignmentEvent.NameEntered(it.take(AssignmentLimits.MAXIMUM_NAME_CHARACTERS))) },
+        Modifier.fillMaxWidth().testTag("hand-in-name"),
+        label = { Text(step.wanted.ifBlank { stringResource(Res.string.hand_in_name) }) },
+        singleLine = true,
+        keyboardOptions = KeyboardOptions(
+            capitalization = KeyboardCapitalization.Words,
+            autoCorrectEnabled = false,
+            imeAction = ImeAction.Done,
+        ),
+        keyboardActions = KeyboardActions(onDone = { onEvent(AssignmentEvent.HandInMade()) }),
+        colors = fieldColours(),
+    )
+    val best = step.best
+    when {
+        best == null -> {
+            Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
+            if (step.isUnchanged) {
+                Explanation(stringResource(Res.string.hand_in_unchanged), Modifier.testTag("hand-in-unchanged"))
+            }
+        }
+
+        !step.canChoose -> {
+            Explanation(
+                stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
+                Modifier.testTag("hand-in-what"),
+            )
+        }
+
+        else -> {
+            Column(Modifier.selectableGroup()) {
+                Explanation(stringResource(Res.string.hand_in_what), Modifier.testTag("hand-in-what"))
+                val time = secondsText(best.milliseconds)
+                Choice(
+                    stringResource(Res.string.hand_in_best, best.goalsMet, best.goals, time),
+                    !step.isEditor,
+                    "hand-in-best",
+                ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
+                Choice(stringResource(Res.string.hand_in_editor), step.isEditor, "hand-in-editor") {
+                    onEvent(AssignmentEvent.WorkChosen(isEditor = true))
+                }
+            }
+        }
+    }
+    NotAllowedLines(step.notAllowed)
+    Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
+}
+
+@Composable
+private fun Choice(words: String, isChosen: Boolean, tag: String, onClick: () -> Unit) {
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .heightIn(min = Dimensions.TARGET)
+            .focusRing()
+            .selectable(isChosen, role = Role.RadioButton, onClick = onClick)
+            .testTag(tag)
+            .padding(horizontal = 4.dp),
+        Arrangement.spacedBy(12.dp),
+        Alignment.CenterVertically,
+    ) {
+        RadioMark(isChosen)
+        Text(words, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+    }
+}
+
+@Composable
+internal fun RunningView(step: HandInStep.Running) {
+    Explanation(
+        stringResource(Res.string.hand_in_running),
+        Modifier.testTag("hand-in-running").semantics { liveRegion = LiveRegionMode.Polite },
+    )
+    ProgressBar(step.part, "hand-in-progress")
+}
+
+/** @param part of the work that is done, 0..1. */
+@Composable
+internal fun ProgressBar(part: Float, tag: String) = LinearProgressIndicator(
+    { part },
+    Modifier.fillMaxWidth().height(10.dp).testTag(tag),
+    color = RobotranColours.RUN_GREEN,
+    trackColor = LocalRobotranColours.current.line,
+    gapSize = 0.dp,
+    drawStopIndicator = {},
+)
+
+@Composable
+internal fun MistakesView(step: HandInStep.HasMistakes) {
+    Explanation(stringResource(Res.string.hand_in_mistakes), Modifier.testTag("hand-in-mistakes"), bad = true)
+    for (reason in step.reasons.take(MAX_REASONS)) Explanation(reason)
+}
+
+@Composable
+internal fun Quiet(words: String, tag: String) = Text(
+    words,
+    Modifier.testTag(tag),
+    color = LocalRobotranColours.current.quiet,
+    fontSize = TextSizes.SMALL,
+    lineHeight = LineHeights.SMALL,
+)
+
+private const val MAX_REASONS = 5

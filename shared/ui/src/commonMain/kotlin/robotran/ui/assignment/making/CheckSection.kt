@@ -1,0 +1,122 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.ProgressBar
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_feedback_world
+import robotran.ui.resources.hand_in_cancel
+import robotran.ui.resources.make_check
+import robotran.ui.resources.make_check_all
+import robotran.ui.resources.make_missing_allowed
+import robotran.ui.resources.make_missing_goals
+import robotran.ui.resources.make_missing_solution
+import robotran.ui.resources.make_missing_start
+import robotran.ui.resources.make_missing_task
+import robotran.ui.resources.make_try_failed
+import robotran.ui.resources.make_try_mistakes
+import robotran.ui.resources.make_try_passed
+import robotran.ui.resources.make_try_solution
+import robotran.ui.resources.make_try_start
+import robotran.ui.resources.make_trying
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.MakingState
+import robotran.workshop.state.MissingPart
+import robotran.workshop.state.SolutionCheck
+
+/** What is missing, and whether the solution meets the goals with all seeds and variations. Nothing is forbidden. */
+@Composable
+internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    Section(stringResource(Res.string.make_check), "make-check-section") {
+        if (state.missing.isEmpty()) {
+            Explanation(
+                stringResource(Res.string.make_check_all),
+                Modifier.testTag("make-complete"),
+            )
+        }
+        for (part in state.missing) Explanation("⚠ ${stringResource(part.sentence)}", Modifier.testTag("make-missing"))
+        val check = state.check
+        // While it runs, only its beginning is news.
+        ComesIntoView(check?.newsKey) { CheckOfSolution(state, onEvent) }
+    }
+}
+
+@Composable
+private fun CheckOfSolution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    val check = state.check
+    if (check is SolutionCheck.Running) {
+        Explanation(stringResource(Res.string.make_trying, check.done, check.all), Modifier.testTag("make-trying"))
+        ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
+        SecondButton(stringResource(Res.string.hand_in_cancel), "make-check-stop", {
+            onEvent(AssignmentEvent.CheckRequested(on = false))
+        })
+    } else if (state.assignment.solution.isNotEmpty()) {
+        SecondButton(stringResource(Res.string.make_try_solution), "make-check", {
+            onEvent(AssignmentEvent.CheckRequested(on = true))
+        })
+    }
+    CheckResult(check)
+}
+
+/** Differs between results, but not while the check runs. */
+private val SolutionCheck.newsKey: Any get() = if (this is SolutionCheck.Running) "running" else this
+
+@Composable
+private fun CheckResult(check: SolutionCheck?) {
+    val news = Modifier.testTag("make-checked").semantics { liveRegion = LiveRegionMode.Polite }
+    when (check) {
+        null, is SolutionCheck.Running -> {
+            Unit
+        }
+
+        is SolutionCheck.Passed -> {
+            Explanation(stringResource(Res.string.make_try_passed, check.runs), news)
+            StartPassed(check.startPassed, check.runs)
+        }
+
+        is SolutionCheck.Failed -> {
+            val world = check.world.ifEmpty { stringResource(Res.string.assignment_feedback_world) }
+            Explanation(
+                stringResource(Res.string.make_try_failed, check.failed, check.runs, world, check.seed),
+                news,
+                bad = true,
+            )
+            StartPassed(check.startPassed, check.runs)
+        }
+
+        is SolutionCheck.HasMistakes -> {
+            Explanation(stringResource(Res.string.make_try_mistakes), news, bad = true)
+            for (reason in check.reasons.take(MAX_REASONS)) Explanation(reason)
+        }
+    }
+}
+
+/** The program to begin with should leave something to do. */
+@Composable
+private fun StartPassed(passed: Int, runs: Int) {
+    if (passed == 0) return
+    Explanation(
+        "⚠ ${stringResource(Res.string.make_try_start, passed, runs)}",
+        Modifier.testTag("make-checked-start").semantics { liveRegion = LiveRegionMode.Polite },
+    )
+}
+
+private val MissingPart.sentence: StringResource
+    get() = when (this) {
+        MissingPart.TASK -> Res.string.make_missing_task
+        MissingPart.GOALS -> Res.string.make_missing_goals
+        MissingPart.SOLUTION -> Res.string.make_missing_solution
+        MissingPart.START_IS_SOLUTION -> Res.string.make_missing_start
+        MissingPart.SOLUTION_NOT_ALLOWED -> Res.string.make_missing_allowed
+    }
+
+private const val MAX_REASONS = 5

@@ -1,0 +1,113 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.packaging.ScormVersion
+import robotran.ui.assignment.LinkOrProblem
+import robotran.ui.assignment.Quiet
+import robotran.ui.assignment.SaveResult
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_copied
+import robotran.ui.resources.hand_in_copy
+import robotran.ui.resources.hand_in_share
+import robotran.ui.resources.make_embed_copy
+import robotran.ui.resources.make_give
+import robotran.ui.resources.make_give_help
+import robotran.ui.resources.make_packing
+import robotran.ui.resources.make_platform
+import robotran.ui.resources.make_platform_help
+import robotran.ui.resources.make_pupil_file
+import robotran.ui.resources.make_pupil_link
+import robotran.ui.resources.make_qr_help
+import robotran.ui.resources.make_teacher_file
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.MakingState
+import robotran.workshop.state.PupilLink
+
+/** Files, link and code. */
+@Composable
+internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    Section(stringResource(Res.string.make_give), "make-give-section") {
+        Quiet(stringResource(Res.string.make_give_help), "make-give-help")
+        Chips {
+            PrimaryButton(stringResource(Res.string.make_teacher_file), "make-teacher-file", {
+                onEvent(AssignmentEvent.TeacherFileSaved)
+            })
+            PrimaryButton(stringResource(Res.string.make_pupil_file), "make-pupil-file", {
+                onEvent(AssignmentEvent.PupilFileSaved)
+            })
+            SecondButton(stringResource(Res.string.make_pupil_link), "make-pupil-link", {
+                onEvent(AssignmentEvent.PupilLinkRequested)
+            })
+        }
+        val saved = (state.savedAs ?: state.saveError)?.takeUnless { state.isAboutPackage }
+        ComesIntoView(saved) { if (saved != null) SaveResult(state.savedAs, state.saveError, "make-saved") }
+        ComesIntoView(state.link?.run { link ?: problem }) { state.link?.let { PupilLinkView(it, state, onEvent) } }
+    }
+}
+
+@Composable
+private fun PupilLinkView(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    if (link.link != null) {
+        Chips {
+            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
+            SecondButton(
+                stringResource(copy),
+                "make-link-copy",
+                { onEvent(AssignmentEvent.PupilLinkCopied) },
+                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
+            )
+            if (state.hasShareSheet) {
+                SecondButton(stringResource(Res.string.hand_in_share), "make-link-share", {
+                    onEvent(AssignmentEvent.PupilLinkShared)
+                })
+            }
+        }
+    }
+    LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help, isForClass = true)
+}
+
+/** Packages, and the code for a frame. */
+@Composable
+internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    Section(stringResource(Res.string.make_platform), "make-platform-section") {
+        Quiet(stringResource(Res.string.make_platform_help), "make-platform-help")
+        Chips {
+            if (state.canPack) {
+                for ((version, name) in SCORM) {
+                    SecondButton(name, "make-${name.lowercase().replace(' ', '-')}", {
+                        onEvent(AssignmentEvent.PackageSaved(version))
+                    })
+                }
+            }
+            val copy = if (state.embedCodeCopied) Res.string.hand_in_copied else Res.string.make_embed_copy
+            SecondButton(stringResource(copy), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
+        }
+        val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
+        ComesIntoView(if (state.isPacking) "packing" else packed ?: state.embedProblem) { PlatformResult(state) }
+    }
+}
+
+@Composable
+private fun PlatformResult(state: MakingState) {
+    if (state.isPacking) {
+        Explanation(
+            stringResource(Res.string.make_packing),
+            Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
+        )
+    }
+    if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
+    state.embedProblem?.let { LinkOrProblem(null, it, "make-embed-problem") }
+}
+
+/** The standards are called alike in all languages. */
+private val SCORM = listOf(ScormVersion.SCORM_2004 to "SCORM 2004", ScormVersion.SCORM_1_2 to "SCORM 1.2")

@@ -1,0 +1,146 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.foundation.ScrollState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.input.KeyboardType
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.Assignment
+import robotran.ui.assignment.Quiet
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.Page
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.make_intro
+import robotran.ui.resources.make_remove
+import robotran.ui.resources.make_title
+import robotran.ui.resources.make_undo
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.MakingState
+
+/** The page with which an author makes an assignment of the open project; it opens at [place]. */
+@Composable
+internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
+    val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
+    Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }) {
+        Column(
+            Modifier.testTag("make-form").verticalScroll(place.of(state.assignment.id)).padding(24.dp),
+            Arrangement.spacedBy(32.dp),
+        ) {
+            Column {
+                Explanation(stringResource(Res.string.make_intro))
+                QuietButton(stringResource(Res.string.make_undo), "make-undo", {
+                    onEvent(AssignmentEvent.UndoRequested)
+                }, enabled = state.canUndo)
+            }
+            TaskSection(state, change, onEvent)
+            GoalSection(state, change, onEvent)
+            ProgramSection(state, change, onEvent)
+            HintSection(state.assignment, change)
+            HandInSection(state.assignment, change)
+            GradingSection(state.assignment, change, onEvent)
+            CheckSection(state, onEvent)
+            GiveSection(state, onEvent)
+            PlatformSection(state, onEvent)
+            QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
+        }
+    }
+}
+
+/** How far the page is scrolled, also while the author is in the world editor or tries something out. */
+internal class MakingPlace {
+    private var assignment: String? = null
+    private var scroll = ScrollState(0)
+
+    /** That of the assignment with [id]; another one begins at the top. */
+    fun of(id: String): ScrollState {
+        if (id != assignment) scroll = ScrollState(0)
+        assignment = id
+        return scroll
+    }
+}
+
+/** A part of the form with its [title]. */
+@Composable
+internal fun Section(title: String, tag: String, content: @Composable ColumnScope.() -> Unit) {
+    Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(8.dp)) {
+        Text(
+            title,
+            Modifier.semantics { heading() },
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
+            fontWeight = FontWeight.SemiBold,
+        )
+        content()
+    }
+}
+
+/** A title within a part of the form. */
+@Composable
+internal fun Subtitle(title: String) = Text(
+    title,
+    Modifier.padding(top = 8.dp).semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+    lineHeight = LineHeights.BODY,
+    fontWeight = FontWeight.Medium,
+)
+
+/**
+ * A field with its [label], in large text above it, since a label of several lines would cover the field before.
+ *
+ * @param lines the number of lines to show at least; one for a field of one line.
+ */
+@Composable
+internal fun Field(
+    value: String,
+    label: String,
+    tag: String,
+    limit: Int,
+    lines: Int = 1,
+    modifier: Modifier = Modifier,
+    keyboard: KeyboardType = KeyboardType.Unspecified,
+    onChange: (String) -> Unit,
+) {
+    val isAbove = LocalDensity.current.fontScale > LARGE
+    if (isAbove) Quiet(label, "$tag-label")
+    OutlinedTextField(
+        value,
+        { onChange(it.take(limit)) },
+        modifier.fillMaxWidth().testTag(tag).semantics { if (isAbove) contentDescription = label },
+        label = if (isAbove) null else ({ Text(label) }),
+        keyboardOptions = KeyboardOptions(keyboardType = keyboard),
+        singleLine = lines == 1,
+        minLines = lines,
+        maxLines = if (lines == 1) 1 else MAX_LINES,
+        colors = fieldColours(),
+    )
+}
+
+/** From this font scale on, words get a line of their own. */
+internal const val LARGE = 1.3f
+
+/** The rest scrolls. */
+private const val MAX_LINES = 12

@@ -1,0 +1,103 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.material3.Checkbox
+import androidx.compose.material3.CheckboxDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.Quiet
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.make_solution
+import robotran.ui.resources.make_solution_changed
+import robotran.ui.resources.make_solution_closed
+import robotran.ui.resources.make_solution_first
+import robotran.ui.resources.make_solution_help
+import robotran.ui.resources.make_solution_none
+import robotran.ui.resources.make_solution_show
+import robotran.ui.resources.make_solution_take
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.MakingState
+import robotran.workshop.state.SolutionProgram
+
+/** Which programs are the solution. */
+@Composable
+internal fun Solution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    val hasSolution = state.assignment.solution.isNotEmpty()
+    Subtitle(stringResource(Res.string.make_solution))
+    val words = if (hasSolution) Res.string.make_solution_help else Res.string.make_solution_none
+    Explanation(stringResource(words), Modifier.testTag("make-solution"))
+    Column(Modifier.fillMaxWidth()) {
+        state.solution.forEachIndexed { index, program ->
+            ProgramRow(program, "make-solution-$index") { onEvent(AssignmentEvent.SolutionSwitched(index, it)) }
+        }
+    }
+    if (state.assignment.solution.size > 1) Quiet(stringResource(Res.string.make_solution_first), "make-solution-first")
+    Chips {
+        if (state.canTakeSolution) {
+            SecondButton(stringResource(Res.string.make_solution_take), "make-solution-take", {
+                onEvent(AssignmentEvent.SolutionTaken)
+            })
+        }
+        if (hasSolution) {
+            SecondButton(stringResource(Res.string.make_solution_show), "make-solution-show", {
+                onEvent(AssignmentEvent.SolutionShown)
+            })
+        }
+    }
+}
+
+@Composable
+private fun ProgramRow(program: SolutionProgram, tag: String, onSwitch: (Boolean) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words = when {
+        program.isChanged -> stringResource(Res.string.make_solution_changed, program.name)
+        !program.isOpen -> stringResource(Res.string.make_solution_closed, program.name)
+        else -> program.name
+    }
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .heightIn(min = Dimensions.TARGET)
+            .testTag(tag)
+            .focusRing()
+            .toggleable(program.isTaken, role = Role.Checkbox, onValueChange = onSwitch),
+        Arrangement.spacedBy(12.dp),
+        Alignment.CenterVertically,
+    ) {
+        Checkbox(
+            program.isTaken,
+            onCheckedChange = null,
+            colors = CheckboxDefaults.colors(
+                checkedColor = colours.focus,
+                uncheckedColor = colours.quiet,
+                checkmarkColor = colours.pane,
+            ),
+        )
+        Text(
+            words,
+            Modifier.weight(1f),
+            color = colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
+    }
+}

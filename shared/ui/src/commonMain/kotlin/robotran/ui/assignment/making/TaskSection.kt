@@ -1,0 +1,125 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.Assignment
+import robotran.projects.AssignmentLimits
+import robotran.ui.assignment.AssignmentText
+import robotran.ui.assignment.Quiet
+import robotran.ui.documents.Explanation
+import robotran.ui.learning.MarkedText
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.make_picture
+import robotran.ui.resources.make_picture_large
+import robotran.ui.resources.make_picture_many
+import robotran.ui.resources.make_picture_none
+import robotran.ui.resources.make_picture_remove
+import robotran.ui.resources.make_preview
+import robotran.ui.resources.make_task
+import robotran.ui.resources.make_text
+import robotran.ui.resources.make_text_help
+import robotran.ui.resources.make_title_empty
+import robotran.ui.resources.make_world_task
+import robotran.ui.resources.make_world_title
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.MakingState
+import robotran.workshop.state.PictureError
+import robotran.world.WorldLimits
+
+/** What to do: title, task, text and pictures, and how pupils read it. */
+@Composable
+internal fun TaskSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+    val assignment = state.assignment
+    Section(stringResource(Res.string.make_task), "make-task-section") {
+        Field(
+            state.title,
+            stringResource(Res.string.make_world_title),
+            "make-title",
+            WorldLimits.MAXIMUM_TITLE_CHARACTERS,
+        ) { onEvent(AssignmentEvent.TaskChanged(it, state.task)) }
+        if (state.title.isBlank()) Explanation(stringResource(Res.string.make_title_empty), bad = true)
+        Field(
+            state.task,
+            stringResource(Res.string.make_world_task),
+            "make-task",
+            WorldLimits.MAXIMUM_TASK_CHARACTERS,
+            lines = 2,
+        ) { onEvent(AssignmentEvent.TaskChanged(state.title, it)) }
+        Field(
+            assignment.text,
+            stringResource(Res.string.make_text),
+            "make-text",
+            AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
+            lines = 4,
+        ) { change(assignment.copy(text = it)) }
+        Quiet(stringResource(Res.string.make_text_help), "make-text-help")
+        Pictures(state, change, onEvent)
+        if (assignment.text.isNotBlank()) Preview(state)
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+    val assignment = state.assignment
+    state.pictureError?.let { error ->
+        Explanation(
+            stringResource(error.sentence),
+            Modifier.testTag("make-picture-error").semantics { liveRegion = LiveRegionMode.Polite },
+            bad = true,
+        )
+    }
+    FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+        SecondButton(stringResource(Res.string.make_picture), "make-picture", {
+            onEvent(AssignmentEvent.PictureRequested)
+        })
+        assignment.pictures.forEachIndexed { index, picture ->
+            QuietButton(stringResource(Res.string.make_picture_remove, picture.name), "make-picture-remove-$index", {
+                val marks = assignment.text.lines().filterNot { it.trim().endsWith("](${picture.name})") }
+                change(assignment.copy(pictures = assignment.pictures - picture, text = marks.joinToString("\n")))
+            })
+        }
+    }
+}
+
+@Composable
+private fun Preview(state: MakingState) {
+    Subtitle(stringResource(Res.string.make_preview))
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("make-preview")
+            .border(1.dp, LocalRobotranColours.current.line, Shapes.MEDIUM)
+            .padding(12.dp),
+        Arrangement.spacedBy(8.dp),
+    ) {
+        if (state.task.isNotBlank()) MarkedText(state.task)
+        AssignmentText(state.assignment)
+    }
+}
+
+private val PictureError.sentence: StringResource
+    get() = when (this) {
+        PictureError.TOO_LARGE -> Res.string.make_picture_large
+        PictureError.NOT_A_PICTURE -> Res.string.make_picture_none
+        PictureError.TOO_MANY -> Res.string.make_picture_many
+    }

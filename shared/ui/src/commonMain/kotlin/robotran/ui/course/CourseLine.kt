@@ -1,0 +1,50 @@
+package robotran.ui.course
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.QuietButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.course_back
+import robotran.ui.resources.course_next
+import robotran.ui.resources.course_place
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.OpenCourseTask
+
+/** Where the open assignment is in its course, and the ways on and back. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun CourseLine(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.fillMaxWidth().testTag("course-line")) {
+        Text(
+            stringResource(Res.string.course_place, open.course, open.number, open.count),
+            Modifier.testTag("course-place"),
+            color = colours.quiet,
+            fontSize = TextSizes.COMPACT,
+            lineHeight = LineHeights.LABEL,
+        )
+        FlowRow(Modifier, Arrangement.spacedBy(4.dp)) {
+            QuietButton(stringResource(Res.string.course_back), "course-line-back", {
+                onEvent(CourseEvent.OpenCourseRequested)
+            })
+            open.next?.let { next ->
+                QuietButton(stringResource(Res.string.course_next, next), "course-line-next", {
+                    onEvent(CourseEvent.NextTaskChosen)
+                })
+            }
+        }
+    }
+}

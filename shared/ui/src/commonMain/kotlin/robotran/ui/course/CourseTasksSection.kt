@@ -1,0 +1,172 @@
+package robotran.ui.course
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.course.assignmentId
+import robotran.projects.Project
+import robotran.ui.assignment.Quiet
+import robotran.ui.assignment.making.Chips
+import robotran.ui.assignment.making.ComesIntoView
+import robotran.ui.assignment.making.Section
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.Cross
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.RoundButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.parts.StrokeIcons
+import robotran.ui.resources.Res
+import robotran.ui.resources.course_add
+import robotran.ui.resources.course_add_files
+import robotran.ui.resources.course_add_works
+import robotran.ui.resources.course_down
+import robotran.ui.resources.course_edit
+import robotran.ui.resources.course_take_out
+import robotran.ui.resources.course_tasks
+import robotran.ui.resources.course_tasks_help
+import robotran.ui.resources.course_tasks_none
+import robotran.ui.resources.course_up
+import robotran.ui.resources.course_works_close
+import robotran.ui.resources.course_works_none
+import robotran.ui.resources.make_undo
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.CoursePage
+import robotran.workshop.state.WorkToAdd
+
+/** The assignments of a course in their order, and where to get more. */
+@Composable
+internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
+    val tasks = page.course.assignments
+    Section(stringResource(Res.string.course_tasks), "course-tasks") {
+        if (tasks.isEmpty()) {
+            Explanation(
+                stringResource(Res.string.course_tasks_none),
+                Modifier.testTag("course-tasks-none"),
+            )
+        }
+        tasks.forEachIndexed { index, task ->
+            // The focus goes with a row that moves.
+            key(task.assignmentId) { TaskRow(task, index, tasks.size, onEvent) }
+        }
+        ComesIntoView(page.problem) { page.problem?.let { CourseProblemText(it) } }
+        Chips {
+            SecondButton(stringResource(Res.string.course_add_files), "course-add-files", {
+                onEvent(CourseEvent.FilesRequested)
+            })
+            if (page.works == null) {
+                SecondButton(stringResource(Res.string.course_add_works), "course-add-works", {
+                    onEvent(CourseEvent.WorksShown(true))
+                })
+            }
+            QuietButton(stringResource(Res.string.make_undo), "course-undo", {
+                onEvent(CourseEvent.UndoRequested)
+            }, enabled = page.canUndo)
+        }
+        page.works?.let { Works(it, onEvent) }
+        Quiet(stringResource(Res.string.course_tasks_help), "course-tasks-help")
+    }
+}
+
+@Composable
+private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val title = task.world.title
+    Surface(
+        Modifier.fillMaxWidth().testTag("course-row-$index"),
+        shape = Shapes.MEDIUM,
+        color = colours.pane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        BoxWithConstraints(Modifier.padding(start = 16.dp, end = 4.dp)) {
+            // A title beside the buttons needs room for some words.
+            val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
+            val words = @Composable { modifier: Modifier ->
+                Text(
+                    "${index + 1}  $title",
+                    modifier.padding(vertical = 12.dp),
+                    color = colours.onPane,
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.BODY,
+                )
+            }
+            if (isBroad) {
+                Row(verticalAlignment = Alignment.CenterVertically) {
+                    words(Modifier.weight(1f))
+                    TaskButtons(title, index, count, onEvent)
+                }
+            } else {
+                Column {
+                    words(Modifier)
+                    TaskButtons(title, index, count, onEvent)
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) = Row {
+    RoundButton(
+        StrokeIcons.UP,
+        stringResource(Res.string.course_up, title),
+        "course-up-$index",
+        enabled = index > 0,
+    ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
+    RoundButton(
+        StrokeIcons.DOWN,
+        stringResource(Res.string.course_down, title),
+        "course-down-$index",
+        enabled = index < count - 1,
+    ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
+    IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.course_edit, title), "course-edit-$index", {
+        onEvent(CourseEvent.TaskOpened(index))
+    })
+    RoundButton(Cross, stringResource(Res.string.course_take_out, title), "course-take-out-$index") {
+        onEvent(CourseEvent.TaskRemoved(index))
+    }
+}
+
+@Composable
+private fun Works(works: List<WorkToAdd>, onEvent: (WorkshopEvent) -> Unit) {
+    Column(Modifier.testTag("course-works")) {
+        if (works.isEmpty()) {
+            Explanation(
+                stringResource(Res.string.course_works_none),
+                Modifier.testTag("course-works-none"),
+            )
+        }
+        Chips {
+            for (work in works) {
+                val name = if (work.name == work.title) work.name else "${work.title} (${work.name})"
+                SecondButton(stringResource(Res.string.course_add, name), "course-work-${work.id}", {
+                    onEvent(CourseEvent.WorkAdded(work.id))
+                })
+            }
+        }
+        QuietButton(stringResource(Res.string.course_works_close), "course-works-close", {
+            onEvent(CourseEvent.WorksShown(false))
+        })
+    }
+}
+
+private val BROAD = 440.dp

@@ -1,0 +1,139 @@
+package robotran.ui.course
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.AssignmentLimits
+import robotran.ui.assignment.LinkOrProblem
+import robotran.ui.assignment.Quiet
+import robotran.ui.assignment.SaveResult
+import robotran.ui.assignment.making.Chips
+import robotran.ui.assignment.making.ComesIntoView
+import robotran.ui.assignment.making.Field
+import robotran.ui.assignment.making.Section
+import robotran.ui.documents.Explanation
+import robotran.ui.documents.wordsFor
+import robotran.ui.parts.Page
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.course_about
+import robotran.ui.resources.course_incomplete
+import robotran.ui.resources.course_make
+import robotran.ui.resources.course_make_intro
+import robotran.ui.resources.course_problem_kept
+import robotran.ui.resources.course_problem_long
+import robotran.ui.resources.course_problem_many
+import robotran.ui.resources.course_problem_other
+import robotran.ui.resources.course_qr_help
+import robotran.ui.resources.course_text_label
+import robotran.ui.resources.course_title_label
+import robotran.ui.resources.hand_in_copied
+import robotran.ui.resources.hand_in_copy
+import robotran.ui.resources.hand_in_not_saved
+import robotran.ui.resources.hand_in_share
+import robotran.ui.resources.make_give
+import robotran.ui.resources.make_give_help
+import robotran.ui.resources.make_pupil_file
+import robotran.ui.resources.make_pupil_link
+import robotran.ui.resources.make_teacher_file
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.CoursePage
+import robotran.workshop.state.CourseProblem
+import robotran.workshop.state.PupilLink
+import robotran.world.WorldLimits
+
+/** The page on which a teacher makes a course. */
+@Composable
+internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
+    Page(stringResource(Res.string.course_make), "course-make", { onEvent(CourseEvent.PageClosed) }) {
+        Column(
+            Modifier.testTag("course-form").verticalScroll(rememberScrollState()).padding(24.dp),
+            Arrangement.spacedBy(32.dp),
+        ) {
+            Explanation(stringResource(Res.string.course_make_intro))
+            Section(stringResource(Res.string.course_about), "course-about") {
+                Field(
+                    page.course.title,
+                    stringResource(Res.string.course_title_label),
+                    "course-title",
+                    WorldLimits.MAXIMUM_TITLE_CHARACTERS,
+                ) { onEvent(CourseEvent.TitleChanged(it)) }
+                Field(
+                    page.course.text,
+                    stringResource(Res.string.course_text_label),
+                    "course-text",
+                    AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
+                    lines = 3,
+                ) { onEvent(CourseEvent.TextChanged(it)) }
+            }
+            CourseTasksSection(page, onEvent)
+            GiveSection(page, onEvent)
+        }
+    }
+}
+
+@Composable
+private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
+    Section(stringResource(Res.string.make_give), "course-give") {
+        if (!page.isComplete) {
+            Explanation(stringResource(Res.string.course_incomplete), Modifier.testTag("course-incomplete"))
+            return@Section
+        }
+        Quiet(stringResource(Res.string.make_give_help), "course-give-help")
+        Chips {
+            PrimaryButton(stringResource(Res.string.make_teacher_file), "course-teacher-file", {
+                onEvent(CourseEvent.TeacherFileSaved)
+            })
+            PrimaryButton(stringResource(Res.string.make_pupil_file), "course-pupil-file", {
+                onEvent(CourseEvent.PupilFileSaved)
+            })
+            SecondButton(stringResource(Res.string.make_pupil_link), "course-link", {
+                onEvent(CourseEvent.LinkRequested)
+            })
+        }
+        ComesIntoView(page.savedAs) { SaveResult(page.savedAs, null, "course-saved") }
+        ComesIntoView(page.link?.run { link ?: problem }) { page.link?.let { CourseLink(it, page, onEvent) } }
+    }
+}
+
+@Composable
+private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
+    if (link.link != null) {
+        Chips {
+            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
+            SecondButton(stringResource(copy), "course-link-copy", { onEvent(CourseEvent.LinkCopied) })
+            if (page.hasShareSheet) {
+                SecondButton(stringResource(Res.string.hand_in_share), "course-link-share", {
+                    onEvent(CourseEvent.LinkShared)
+                })
+            }
+        }
+    }
+    LinkOrProblem(link.link, link.problem, "course-qr", Res.string.course_qr_help, isForClass = true)
+}
+
+/** Why the last action did nothing. */
+@Composable
+internal fun CourseProblemText(problem: CourseProblem) {
+    val words = when (problem) {
+        is CourseProblem.NotAnAssignment -> stringResource(Res.string.course_problem_other, problem.name)
+        is CourseProblem.NotOpened -> wordsFor(problem.error)
+        is CourseProblem.TooMany -> stringResource(Res.string.course_problem_many, problem.max)
+        CourseProblem.TooLong -> stringResource(Res.string.course_problem_long)
+        CourseProblem.NotKept -> stringResource(Res.string.course_problem_kept)
+        is CourseProblem.NotSaved -> stringResource(Res.string.hand_in_not_saved, problem.reason).trim()
+    }
+    Explanation(words, Modifier.testTag("course-problem").semantics { liveRegion = LiveRegionMode.Polite }, bad = true)
+}

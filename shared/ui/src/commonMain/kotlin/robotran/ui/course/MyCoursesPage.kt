@@ -1,0 +1,177 @@
+package robotran.ui.course
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.DialogFrame
+import robotran.ui.documents.Explanation
+import robotran.ui.documents.MainButton
+import robotran.ui.documents.OtherButton
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.Page
+import robotran.ui.parts.SecondButton
+import robotran.ui.parts.scrolledByReaders
+import robotran.ui.resources.Res
+import robotran.ui.resources.course_done
+import robotran.ui.resources.course_for_teachers
+import robotran.ui.resources.course_list
+import robotran.ui.resources.course_list_none
+import robotran.ui.resources.course_make
+import robotran.ui.resources.course_open
+import robotran.ui.resources.course_open_link
+import robotran.ui.resources.course_remove
+import robotran.ui.resources.course_remove_teachers
+import robotran.ui.resources.course_remove_text
+import robotran.ui.resources.course_remove_title
+import robotran.ui.resources.course_remove_yes
+import robotran.ui.resources.documents_cancel
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.CourseEntry
+import robotran.workshop.state.CoursePage
+
+/** The courses on this device. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) -> Unit) {
+    Page(stringResource(Res.string.course_list), "courses-page", { onEvent(CourseEvent.PageClosed) }) {
+        val list = rememberLazyListState()
+        LazyColumn(
+            Modifier.fillMaxSize().testTag("courses").scrolledByReaders(list) { list.layoutInfo.viewportSize.height },
+            list,
+            PaddingValues(20.dp),
+            verticalArrangement = Arrangement.spacedBy(12.dp),
+        ) {
+            if (page.courses.isEmpty()) {
+                item(key = "none") {
+                    Explanation(stringResource(Res.string.course_list_none), Modifier.testTag("courses-none"))
+                }
+            }
+            items(page.courses, key = { it.key }) { CourseRow(it, onEvent) }
+            item(key = "actions") {
+                FlowRow(
+                    Modifier.padding(top = 12.dp),
+                    Arrangement.spacedBy(8.dp),
+                    Arrangement.spacedBy(8.dp),
+                ) {
+                    SecondButton(stringResource(Res.string.course_open), "courses-open", {
+                        onEvent(DocumentEvent.OpenRequested)
+                    })
+                    SecondButton(stringResource(Res.string.course_open_link), "courses-open-link", {
+                        onEvent(DocumentEvent.LinkPastingRequested)
+                    })
+                    SecondButton(stringResource(Res.string.course_make), "courses-make", {
+                        onEvent(CourseEvent.MakingRequested(null))
+                    })
+                }
+            }
+        }
+    }
+    page.courses.firstOrNull { it.key == page.removing }?.let { RemovalDialog(it, onEvent) }
+}
+
+@Composable
+private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Surface(
+        Modifier.fillMaxWidth(),
+        shape = Shapes.MEDIUM,
+        color = colours.pane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            Column(
+                Modifier
+                    .weight(1f)
+                    .testTag("course-${course.key}")
+                    .heightIn(min = Dimensions.TARGET)
+                    .focusRing()
+                    .clip(Shapes.MEDIUM)
+                    .clickable(role = Role.Button) { onEvent(CourseEvent.CourseChosen(course.key)) }
+                    .padding(16.dp),
+                Arrangement.spacedBy(4.dp),
+            ) {
+                Text(
+                    course.title,
+                    color = colours.onPane,
+                    fontSize = TextSizes.LEAD,
+                    lineHeight = LineHeights.LEAD,
+                    fontWeight = FontWeight.SemiBold,
+                )
+                Text(
+                    stringResource(Res.string.course_done, course.done, course.count),
+                    color = colours.quiet,
+                    fontSize = TextSizes.BODY,
+                )
+                if (course.isForTeachers) {
+                    Text(
+                        stringResource(Res.string.course_for_teachers),
+                        color = colours.quiet,
+                        fontSize = TextSizes.BODY,
+                        lineHeight = LineHeights.BODY,
+                    )
+                }
+            }
+            IconTouch(
+                Icon.CLOSE,
+                stringResource(
+                    Res.string.course_remove,
+                    course.title,
+                ),
+                "course-remove-${course.key}",
+                {
+                    onEvent(CourseEvent.RemovalRequested(course.key))
+                },
+            )
+        }
+    }
+}
+
+@Composable
+private fun RemovalDialog(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
+    val keep = { onEvent(CourseEvent.RemovalRequested(null)) }
+    DialogFrame(
+        stringResource(Res.string.course_remove_title),
+        keep,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "course-remove-no", keep)
+            MainButton(stringResource(Res.string.course_remove_yes), "course-remove-yes") {
+                onEvent(CourseEvent.Removed)
+            }
+        },
+    ) {
+        Explanation(stringResource(Res.string.course_remove_text, course.title))
+        if (course.isForTeachers) Explanation(stringResource(Res.string.course_remove_teachers))
+    }
+}

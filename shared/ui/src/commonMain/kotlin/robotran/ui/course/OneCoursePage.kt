@@ -1,0 +1,92 @@
+package robotran.ui.course
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.Explanation
+import robotran.ui.learning.MarkedText
+import robotran.ui.learning.StationPath
+import robotran.ui.learning.Stop
+import robotran.ui.parts.Page
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.course_all_done
+import robotran.ui.resources.course_begin
+import robotran.ui.resources.course_change
+import robotran.ui.resources.course_done
+import robotran.ui.resources.course_go_on
+import robotran.ui.resources.course_task_begun
+import robotran.ui.resources.course_task_best
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.CoursePage
+import robotran.workshop.state.CourseTask
+
+/** A course: what it is about, and the path of its assignments. A touch begins one or goes on with it. */
+@Composable
+internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) {
+    val next = page.next
+    Page(page.title, "course-page", { onEvent(CourseEvent.PageClosed) }, maxWidth = 960.dp) {
+        Column(
+            Modifier.fillMaxWidth().testTag("course").verticalScroll(rememberScrollState()).padding(20.dp),
+            Arrangement.spacedBy(12.dp),
+        ) {
+            for (paragraph in page.text.split(PARAGRAPH).filter { it.isNotBlank() }) {
+                MarkedText(paragraph.trim(), Modifier.widthIn(max = TEXT_WIDTH))
+            }
+            Text(
+                stringResource(Res.string.course_done, page.done, page.tasks.size),
+                Modifier.testTag("course-done"),
+                color = LocalRobotranColours.current.quiet,
+                fontSize = TextSizes.COMPACT,
+            )
+            if (next == null) {
+                Explanation(stringResource(Res.string.course_all_done), Modifier.testTag("course-all-done"))
+            } else {
+                val words = if (page.tasks.none { it.isBegun }) Res.string.course_begin else Res.string.course_go_on
+                PrimaryButton(stringResource(words, page.tasks[next].title), "course-go-on", {
+                    onEvent(CourseEvent.TaskChosen(next))
+                })
+            }
+            StationPath(
+                page.tasks.mapIndexed { index, task ->
+                    Stop("course-task-$index", task.title, task.isDone, index == next, noteOf(task)) {
+                        onEvent(CourseEvent.TaskChosen(index))
+                    }
+                },
+            )
+            if (page.canBeChanged) {
+                SecondButton(stringResource(Res.string.course_change), "course-change", {
+                    onEvent(CourseEvent.MakingRequested(page.key))
+                })
+            }
+        }
+    }
+}
+
+@Composable
+private fun noteOf(task: CourseTask): String? {
+    val best = task.best
+    return when {
+        task.isDone -> null
+        best != null && best.goals > 0 -> stringResource(Res.string.course_task_best, best.goalsMet, best.goals)
+        task.isBegun -> stringResource(Res.string.course_task_begun)
+        else -> null
+    }
+}
+
+private val PARAGRAPH = Regex("\\n\\s*\\n")
+private val TEXT_WIDTH = 720.dp

@@ -1,0 +1,49 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.input.TextFieldValue
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.AssignmentLimits
+import robotran.ui.parts.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_comment
+import robotran.ui.resources.hand_in_comment_help
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+
+/** What the teacher writes to the pupil. */
+@Composable
+internal fun CommentField(row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
+    // The field keeps its caret while the state follows.
+    var text by remember(row.id) { mutableStateOf(TextFieldValue(row.comment)) }
+    OutlinedTextField(
+        text,
+        { changed ->
+            if (changed.text.length > AssignmentLimits.MAXIMUM_TEXT_CHARACTERS) return@OutlinedTextField
+            if (changed.text != text.text) onEvent(HandInsEvent.CommentChanged(row.id, changed.text))
+            text = changed
+        },
+        Modifier.fillMaxWidth().tabLeaves().testTag("hand-in-comment"),
+        textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
+        label = { Text(stringResource(Res.string.hand_in_comment, row.name)) },
+        supportingText = { Text(stringResource(Res.string.hand_in_comment_help), fontSize = TextSizes.SMALL) },
+        minLines = MIN_LINES,
+        shape = Shapes.MEDIUM,
+        colors = fieldColours(),
+    )
+}
+
+private const val MIN_LINES = 3

@@ -1,0 +1,129 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.aspectRatio
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.grading.GradingPlan
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_ins_lines
+import robotran.ui.resources.hand_ins_seconds
+import robotran.ui.resources.hand_ins_tries
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+
+/** A hand-in where there is no room for a table. A touch opens it. */
+@Composable
+internal fun HandInCard(
+    row: HandInRow,
+    index: Int,
+    plan: GradingPlan,
+    onEvent: (HandInsEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier.fillMaxWidth().border(1.dp, colours.line, Shapes.MEDIUM).background(colours.pane, Shapes.MEDIUM),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        val words = spokenRow(row, plan)
+        val aspect = plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
+        // Beside a picture there is no room for large words, and beside words none for a wide picture.
+        val isStacked = LocalDensity.current.fontScale >= LARGE || aspect >= WIDE
+        Opening(
+            isStacked,
+            Modifier
+                .weight(1f)
+                .heightIn(min = Dimensions.TARGET)
+                .testTag("hand-in-row-$index")
+                .then(modifier)
+                .focusRing()
+                .clip(Shapes.MEDIUM)
+                .clickable(role = Role.Button) { onEvent(HandInsEvent.HandInChosen(row.id)) }
+                .clearAndSetSemantics { contentDescription = words }
+                .padding(Space.MEDIUM),
+        ) { room ->
+            if (!isStacked || row.results != null) {
+                val size = if (aspect >= WIDE) {
+                    Modifier.widthIn(max = WIDE_WIDTH).fillMaxWidth().aspectRatio(aspect)
+                } else {
+                    Modifier.size(pictureSize(plan, PICTURE_WIDTH))
+                }
+                HandInPicture(row.results, plan, size)
+            }
+            Column(room, Arrangement.spacedBy(6.dp)) { CardWords(row, plan) }
+        }
+        Column {
+            ReplayOfRow(row, index, onEvent)
+            RemoveRow(row, index, onEvent)
+        }
+    }
+}
+
+/** The picture beside or, if [isStacked], above the words. [content] gets what the words need to fill the room. */
+@Composable
+private fun Opening(isStacked: Boolean, modifier: Modifier, content: @Composable (Modifier) -> Unit) = if (isStacked) {
+    Column(modifier, Arrangement.spacedBy(Space.SMALL)) { content(Modifier.fillMaxWidth()) }
+} else {
+    Row(modifier, Arrangement.spacedBy(Space.MEDIUM)) { content(Modifier.weight(1f)) }
+}
+
+@Composable
+private fun CardWords(row: HandInRow, plan: GradingPlan) {
+    val colours = LocalRobotranColours.current
+    NameLines(row)
+    VerdictMark(row.verdict)
+    row.results?.let { graded ->
+        if (graded.runs.size > 1) RunMarks(graded, plan)
+        Text(runsText(graded), color = colours.onPane, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+    }
+    val figures = listOfNotNull(
+        row.lines.takeIf { it > 0 }?.let { stringResource(Res.string.hand_ins_lines, it) },
+        triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
+        row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
+    )
+    if (figures.isNotEmpty()) {
+        Text(
+            figures.joinToString(" · "),
+            color = colours.quiet,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.TIGHT,
+        )
+    }
+    for (remark in remarksOf(row)) RemarkLine(remark)
+    CommentLine(row)
+}
+
+private val PICTURE_WIDTH = 110.dp
+private val WIDE_WIDTH = 320.dp
+private const val LARGE = 1.5f
+
+/** From this ratio of width to height on. */
+private const val WIDE = 2f

@@ -1,0 +1,129 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradedRun
+import robotran.assignments.grading.GradingPlan
+import robotran.simulation.GoalReport
+import robotran.ui.learning.DONE_ICON
+import robotran.ui.learning.PLAY_ICON
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SmallIcon
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_goals
+import robotran.ui.resources.hand_in_more_runs
+import robotran.ui.resources.hand_in_replay_seed
+import robotran.ui.resources.hand_in_runs_help
+import robotran.ui.resources.hand_in_seed
+import robotran.ui.resources.hand_in_world_runs
+import robotran.ui.resources.run_mark_goal
+import robotran.ui.resources.run_mark_goal_lost
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInRun
+
+/** The goals by world and seed, and what the runs lacked. */
+@Composable
+internal fun HandInRuns(
+    row: HandInRow,
+    graded: GradedHandIn.Graded,
+    plan: GradingPlan,
+    onEvent: (HandInsEvent) -> Unit,
+) = Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM)) {
+    PartTitle(Res.string.hand_in_goals)
+    Text(
+        stringResource(Res.string.hand_in_runs_help),
+        color = LocalRobotranColours.current.quiet,
+        fontSize = TextSizes.SMALL,
+        lineHeight = LineHeights.SMALL,
+    )
+    for (world in plan.worlds) {
+        RunsInWorld(row, nameOf(world), graded.runsIn(world.name), onEvent)
+    }
+}
+
+@Composable
+private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, onEvent: (HandInsEvent) -> Unit) =
+    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
+        val (met, unmet) = runs.partition { it.grade.passed }
+        Text(
+            stringResource(Res.string.hand_in_world_runs, world, met.size, runs.size),
+            Modifier.semantics { heading() },
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.LABEL,
+            fontWeight = FontWeight.SemiBold,
+        )
+        RunTouches(row, world, runs, onEvent)
+        var areAllShown by remember(row.id) { mutableStateOf(false) }
+        for (run in if (areAllShown) unmet else unmet.take(FEW)) UnmetRun(row, run, onEvent)
+        val more = unmet.size - FEW
+        if (more > 0 && !areAllShown) {
+            QuietButton(stringResource(Res.string.hand_in_more_runs, more), "hand-in-more-runs", {
+                areAllShown = true
+            })
+        }
+    }
+
+/** The goals of a run in which one was not met, with what it lacked, and the way to look at it. */
+@Composable
+private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> Unit) =
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
+        val grade = run.grade
+        Column(Modifier.weight(1f).padding(top = Space.SMALL), Arrangement.spacedBy(Space.TINY)) {
+            Text(
+                stringResource(Res.string.hand_in_seed, grade.seed),
+                color = LocalRobotranColours.current.quiet,
+                fontSize = TextSizes.SMALL,
+                fontWeight = FontWeight.Medium,
+            )
+            for (goal in grade.report.goals) GoalLine(goal)
+            grade.report.error?.let { Reason(isMet = false, it) }
+        }
+        val replay = stringResource(Res.string.hand_in_replay_seed, grade.seed)
+        IconTouch(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}", {
+            onEvent(HandInsEvent.ReplayRequested(row.id, HandInRun(run.world.name, grade.seed)))
+        })
+    }
+
+@Composable
+private fun GoalLine(goal: GoalReport) {
+    val words = listOfNotNull(goal.goal, goal.shortfall?.takeIf { !goal.met }?.sentence).joinToString(" ")
+    val spoken = stringResource(if (goal.met) Res.string.run_mark_goal else Res.string.run_mark_goal_lost, words)
+    Reason(goal.met, words, Modifier.clearAndSetSemantics { contentDescription = spoken })
+}
+
+/** @param isMet whether a tick or a cross stands before [words]. */
+@Composable
+private fun Reason(isMet: Boolean, words: String, modifier: Modifier = Modifier) =
+    Row(modifier, horizontalArrangement = Arrangement.spacedBy(Space.SMALL), verticalAlignment = Alignment.Top) {
+        val colours = LocalRobotranColours.current
+        SmallIcon(if (isMet) DONE_ICON else Icon.CLOSE, if (isMet) colours.good else colours.error)
+        Words(words, Modifier.weight(1f))
+    }
+
+private const val FEW = 4

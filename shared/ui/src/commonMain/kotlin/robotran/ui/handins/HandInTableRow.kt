@@ -1,0 +1,241 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.RowScope
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.grading.GradingPlan
+import robotran.ui.learning.PLAY_ICON
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.SmallIcon
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_ins_column_lines
+import robotran.ui.resources.hand_ins_column_name
+import robotran.ui.resources.hand_ins_column_remarks
+import robotran.ui.resources.hand_ins_column_result
+import robotran.ui.resources.hand_ins_column_runs
+import robotran.ui.resources.hand_ins_column_seconds
+import robotran.ui.resources.hand_ins_column_tries
+import robotran.ui.resources.hand_ins_remove_one
+import robotran.ui.resources.hand_ins_replay_of
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.ui.worldedit.EditIcons
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+
+/** The titles of the columns; each row tells screen readers itself what its figures mean. */
+@Composable
+internal fun ColumnTitles(plan: GradingPlan) = Row(Modifier.fillMaxWidth().clearAndSetSemantics { }) {
+    Row(
+        Modifier.weight(1f).padding(horizontal = Space.SMALL),
+        Arrangement.spacedBy(Space.MEDIUM),
+        Alignment.Bottom,
+    ) {
+        Spacer(Modifier.width(pictureSize(plan).width))
+        Title(Res.string.hand_ins_column_name, Modifier.weight(NAME_WEIGHT))
+        Title(Res.string.hand_ins_column_result, Modifier.width(scaled(RESULT_WIDTH)))
+        Title(Res.string.hand_ins_column_runs, Modifier.width(scaled(RUNS_WIDTH)))
+        Title(Res.string.hand_ins_column_lines, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(Res.string.hand_ins_column_tries, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(Res.string.hand_ins_column_seconds, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(Res.string.hand_ins_column_remarks, Modifier.weight(REMARKS_WEIGHT))
+    }
+    Spacer(Modifier.width(Dimensions.TARGET * 2))
+}
+
+/** A hand-in as a row of the table. A touch opens it. */
+@Composable
+internal fun HandInTableRow(
+    row: HandInRow,
+    index: Int,
+    plan: GradingPlan,
+    onEvent: (HandInsEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier.fillMaxWidth().border(1.dp, colours.line, Shapes.MEDIUM).background(colours.pane, Shapes.MEDIUM),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        val words = spokenRow(row, plan)
+        Row(
+            Modifier
+                .weight(1f)
+                .heightIn(min = Dimensions.TARGET)
+                .testTag("hand-in-row-$index")
+                .then(modifier)
+                .focusRing()
+                .clip(Shapes.MEDIUM)
+                .clickable(role = Role.Button) { onEvent(HandInsEvent.HandInChosen(row.id)) }
+                .clearAndSetSemantics { contentDescription = words }
+                .padding(Space.SMALL),
+            Arrangement.spacedBy(Space.MEDIUM),
+            Alignment.CenterVertically,
+        ) {
+            HandInPicture(row.results, plan, Modifier.size(pictureSize(plan)))
+            NameCell(row)
+            Box(Modifier.width(scaled(RESULT_WIDTH))) { VerdictMark(row.verdict) }
+            RunsCell(row, plan)
+            Figure(row.lines.takeIf { it > 0 }?.toString().orEmpty())
+            Figure(triesOf(row)?.toString().orEmpty())
+            Figure(row.results?.seconds?.let { secondsText(it) }.orEmpty())
+            Column(Modifier.weight(REMARKS_WEIGHT), Arrangement.spacedBy(Space.HAIR)) {
+                for (remark in remarksOf(row)) RemarkLine(remark)
+                CommentLine(row)
+            }
+        }
+        ReplayOfRow(row, index, onEvent)
+        RemoveRow(row, index, onEvent)
+    }
+}
+
+/** Removes a hand-in, which can be undone. */
+@Composable
+internal fun RemoveRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
+    val words = stringResource(Res.string.hand_ins_remove_one, row.name)
+    IconTouch(EditIcons.DELETE, words, "hand-in-row-remove-$index", { onEvent(HandInsEvent.HandInRemoved(row.id)) })
+}
+
+/** The beginning of the teacher's comment, with a sign. */
+@Composable
+internal fun CommentLine(row: HandInRow) {
+    val words = commentOf(row) ?: return
+    Row(horizontalArrangement = Arrangement.spacedBy(Space.TINY), verticalAlignment = Alignment.CenterVertically) {
+        val colours = LocalRobotranColours.current
+        SmallIcon(COMMENT_ICON, colours.onPane, size = 16.dp)
+        Text(
+            words,
+            color = colours.onPane,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.TIGHT,
+            fontWeight = FontWeight.Medium,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+    }
+}
+
+/** Replays a hand-in that can run; otherwise leaves its place free. */
+@Composable
+internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
+    val graded = row.results ?: return Spacer(Modifier.width(Dimensions.TARGET))
+    IconTouch(PLAY_ICON, stringResource(Res.string.hand_ins_replay_of, row.name), "hand-in-row-replay-$index", {
+        onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
+    })
+}
+
+@Composable
+private fun RowScope.NameCell(row: HandInRow) = Column(Modifier.weight(NAME_WEIGHT)) { NameLines(row) }
+
+/** The name, and where it comes from. */
+@Composable
+internal fun NameLines(row: HandInRow) {
+    val colours = LocalRobotranColours.current
+    val style = TextStyle(
+        colours.onPane,
+        TextSizes.BODY,
+        FontWeight.SemiBold,
+        lineHeight = LineHeights.COMPACT,
+    )
+    ShortenedText(row.name, style, maxLines = 2)
+    // The name of the file says nothing more if it is the pupil's.
+    val origin = row.submission.origin
+    if (!row.hasNamesake && (origin == row.name || origin.substringBeforeLast('.') == row.name)) return
+    val small = TextStyle(colours.quiet, TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+    ShortenedText(origin, small, maxLines = 1)
+}
+
+@Composable
+private fun RunsCell(row: HandInRow, plan: GradingPlan) =
+    Column(Modifier.width(scaled(RUNS_WIDTH)), Arrangement.spacedBy(Space.TINY)) {
+        val graded = row.results ?: return@Column
+        if (graded.runs.size > 1) RunMarks(graded, plan)
+        Text(
+            shortRunsText(graded),
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.TIGHT,
+        )
+    }
+
+@Composable
+internal fun RemarkLine(words: String) = Text(
+    words,
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.SMALL,
+    lineHeight = LineHeights.TIGHT,
+    maxLines = MAX_REMARK_LINES,
+    overflow = TextOverflow.Ellipsis,
+)
+
+@Composable
+private fun Figure(words: String) = Text(
+    words,
+    Modifier.width(scaled(FIGURE_WIDTH)),
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.COMPACT,
+    textAlign = TextAlign.End,
+    maxLines = 1,
+)
+
+@Composable
+private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = TextAlign.Start) = Text(
+    stringResource(words),
+    modifier,
+    color = LocalRobotranColours.current.quiet,
+    fontSize = TextSizes.SMALL,
+    fontWeight = FontWeight.Medium,
+    textAlign = align,
+    maxLines = 1,
+    overflow = TextOverflow.Ellipsis,
+)
+
+/** Columns grow with the text, but not as much as it: a line more in a cell is better than no remarks. */
+@Composable
+private fun scaled(width: Dp): Dp = width * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+
+/** A bubble with words. */
+private val COMMENT_ICON = Icon.strokes("M4 5H20V16H12L7 20V16H4V5", "M8 9H16", "M8 12H13")
+private val RESULT_WIDTH = 180.dp
+private val RUNS_WIDTH = 164.dp
+private val FIGURE_WIDTH = 68.dp
+private const val NAME_WEIGHT = 1f
+private const val REMARKS_WEIGHT = 1.4f
+private const val MAX_SCALE = 1.5f
+private const val MAX_REMARK_LINES = 3

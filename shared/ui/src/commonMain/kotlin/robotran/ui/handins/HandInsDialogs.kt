@@ -1,0 +1,157 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.input.TextFieldValue
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.DialogFrame
+import robotran.ui.documents.Explanation
+import robotran.ui.documents.MainButton
+import robotran.ui.documents.OtherButton
+import robotran.ui.parts.RadioMark
+import robotran.ui.parts.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_cancel
+import robotran.ui.resources.hand_in_beside_alike
+import robotran.ui.resources.hand_in_beside_equal
+import robotran.ui.resources.hand_in_beside_title
+import robotran.ui.resources.hand_ins_paste_done
+import robotran.ui.resources.hand_ins_paste_help
+import robotran.ui.resources.hand_ins_paste_label
+import robotran.ui.resources.hand_ins_paste_title
+import robotran.ui.resources.hand_ins_remove
+import robotran.ui.resources.hand_ins_remove_help
+import robotran.ui.resources.hand_ins_remove_title
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInsDialog
+import robotran.workshop.state.HandInsState
+
+/** The open dialog over the hand-ins, if any. */
+@Composable
+internal fun HandInsDialogs(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
+    when (val dialog = state.dialog) {
+        null -> Unit
+        HandInsDialog.Comparing -> CompareDialog(state, onEvent)
+        HandInsDialog.PastingLinks -> PasteLinksDialog(onEvent)
+        is HandInsDialog.Removing -> RemoveDialog(dialog.count, onEvent)
+    }
+}
+
+@Composable
+private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
+    var text by remember { mutableStateOf(TextFieldValue()) }
+    val close = { onEvent(HandInsEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.hand_ins_paste_title),
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "hand-ins-paste-cancel", close)
+            MainButton(stringResource(Res.string.hand_ins_paste_done), "hand-ins-paste-done", text.text.isNotBlank()) {
+                onEvent(HandInsEvent.LinksPasted(text.text))
+            }
+        },
+    ) {
+        val focus = remember { FocusRequester() }
+        LaunchedEffect(Unit) { focus.requestFocus() }
+        Explanation(stringResource(Res.string.hand_ins_paste_help))
+        OutlinedTextField(
+            text,
+            { text = it },
+            Modifier.fillMaxWidth()
+                .heightIn(max = MAX_HEIGHT)
+                .tabLeaves()
+                .focusRequester(focus)
+                .testTag("hand-ins-links"),
+            textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
+            label = { Text(stringResource(Res.string.hand_ins_paste_label)) },
+            minLines = LINES,
+            colors = fieldColours(),
+        )
+    }
+}
+
+@Composable
+private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
+    val close = { onEvent(HandInsEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.hand_ins_remove_title),
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "hand-ins-remove-cancel", close)
+            MainButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove-done") {
+                onEvent(HandInsEvent.RemovalConfirmed)
+            }
+        },
+    ) { Explanation(stringResource(Res.string.hand_ins_remove_help, count)) }
+}
+
+/** Asks which hand-in to put beside the open one. */
+@Composable
+private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
+    val close = { onEvent(HandInsEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.hand_in_beside_title),
+        close,
+        buttons = { OtherButton(stringResource(Res.string.documents_cancel), "hand-in-beside-cancel", close) },
+    ) {
+        Column(Modifier.fillMaxWidth().selectableGroup()) {
+            val alike = state.openedRow?.alike.orEmpty().associate { it.id to it.isEqual }
+            state.comparable.forEachIndexed { index, row ->
+                val isChosen = row.id == state.opened?.beside
+                Row(
+                    Modifier
+                        .fillMaxWidth()
+                        .testTag("hand-in-beside-choice-$index")
+                        .defaultMinSize(minHeight = Dimensions.TARGET)
+                        .focusRing()
+                        .selectable(isChosen, role = Role.RadioButton) {
+                            onEvent(HandInsEvent.ComparisonChosen(row.id))
+                        },
+                    verticalAlignment = Alignment.CenterVertically,
+                ) {
+                    RadioMark(isChosen, Modifier.padding(Space.MEDIUM))
+                    Column {
+                        NameLines(row)
+                        alike[row.id]?.let { isEqual ->
+                            RemarkLine(
+                                stringResource(
+                                    if (isEqual) Res.string.hand_in_beside_equal else Res.string.hand_in_beside_alike,
+                                ),
+                            )
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+private const val LINES = 4
+private val MAX_HEIGHT = 260.dp

@@ -1,0 +1,134 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.PrimaryButton
+import robotran.ui.parts.QuietButton
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_ins_choose
+import robotran.ui.resources.hand_ins_csv
+import robotran.ui.resources.hand_ins_feedback
+import robotran.ui.resources.hand_ins_html
+import robotran.ui.resources.hand_ins_local
+import robotran.ui.resources.hand_ins_no_checks
+import robotran.ui.resources.hand_ins_paste
+import robotran.ui.resources.hand_ins_remove
+import robotran.ui.resources.hand_ins_undo
+import robotran.ui.resources.hand_ins_world
+import robotran.ui.resources.notice_close
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInsKind
+import robotran.workshop.state.HandInsMessage
+import robotran.workshop.state.HandInsState
+
+/** What the hand-ins are graded with, and what can be done with all of them. */
+@Composable
+internal fun HandInsHead(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
+    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
+        when (state.kind) {
+            HandInsKind.WITH_CHECKS -> Unit
+            HandInsKind.WITHOUT_CHECKS -> Remark(stringResource(Res.string.hand_ins_no_checks))
+            HandInsKind.WORLD -> Remark(stringResource(Res.string.hand_ins_world))
+        }
+        Actions(state, onEvent)
+        Text(
+            stringResource(Res.string.hand_ins_local),
+            color = LocalRobotranColours.current.quiet,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.SMALL,
+        )
+    }
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) = FlowRow(
+    horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+    verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+) {
+    PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
+        onEvent(HandInsEvent.FilesRequested)
+    })
+    SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
+        onEvent(HandInsEvent.PastingRequested)
+    })
+    for (kind in state.scanners) ScanButton(kind, onEvent)
+    if (state.rows.isEmpty()) return@FlowRow
+    SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
+    SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
+        onEvent(HandInsEvent.PageRequested)
+    })
+    SecondButton(stringResource(Res.string.hand_ins_feedback), "hand-ins-feedback", {
+        onEvent(HandInsEvent.FeedbackRequested)
+    })
+    QuietButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove", {
+        onEvent(HandInsEvent.RemovalRequested)
+    })
+}
+
+@Composable
+private fun Remark(words: String) = Text(
+    words,
+    Modifier
+        .fillMaxWidth()
+        .background(LocalRobotranColours.current.invite, Shapes.MEDIUM)
+        .padding(Space.MEDIUM)
+        .testTag("hand-ins-remark"),
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+    lineHeight = LineHeights.LABEL,
+)
+
+/** What came of the last action, until it is dismissed. Screen readers announce it. */
+@Composable
+internal fun Told(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .padding(Space.SMALL)
+            .background(if (message.isError) colours.errorPane else colours.goodPane, Shapes.MEDIUM)
+            .padding(start = Space.MEDIUM),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            wordsFor(message),
+            Modifier.weight(1f).padding(vertical = Space.SMALL).testTag("hand-ins-told").semantics {
+                liveRegion = LiveRegionMode.Polite
+            },
+            color = if (message.isError) colours.error else colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.LABEL,
+        )
+        if (message is HandInsMessage.Removed) {
+            QuietButton(stringResource(Res.string.hand_ins_undo), "hand-ins-undo", {
+                onEvent(HandInsEvent.RemovalUndone)
+            })
+        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "hand-ins-told-close", {
+            onEvent(HandInsEvent.MessageDismissed)
+        })
+    }
+}

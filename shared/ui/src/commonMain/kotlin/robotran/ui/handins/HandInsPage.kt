@@ -1,0 +1,42 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.lazy.grid.rememberLazyGridState
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Page
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_ins_of
+import robotran.ui.resources.hand_ins_title
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInsState
+
+/** What pupils have handed in for an assignment: a table, or one hand-in at a time. */
+@Composable
+internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
+    val row = state.openedRow
+    val title = if (row == null) {
+        stringResource(Res.string.hand_ins_title, state.title)
+    } else {
+        stringResource(Res.string.hand_ins_of, row.name, state.title)
+    }
+    val close = { onEvent(if (row == null) HandInsEvent.Closed else HandInsEvent.HandInChosen(null)) }
+    val list = rememberLazyGridState()
+    Page(title, "hand-ins", close, maxWidth = MAX_WIDTH) {
+        state.told?.let { Told(it, onEvent) }
+        BoxWithConstraints(Modifier.weight(1f)) {
+            val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)
+            if (row == null) {
+                HandInsTable(state, list, form, onEvent)
+            } else {
+                HandInView(state, row, isWide = form != TableForm.CARDS, onEvent)
+            }
+        }
+    }
+    HandInsDialogs(state, onEvent)
+}
+
+private val MAX_WIDTH = 1400.dp

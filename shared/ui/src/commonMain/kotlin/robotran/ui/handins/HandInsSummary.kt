@@ -1,0 +1,175 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.RadioMark
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_cancel
+import robotran.ui.resources.hand_ins_go_on
+import robotran.ui.resources.hand_ins_order
+import robotran.ui.resources.hand_ins_order_name
+import robotran.ui.resources.hand_ins_order_verdict
+import robotran.ui.resources.hand_ins_progress
+import robotran.ui.resources.hand_ins_progress_minutes
+import robotran.ui.resources.hand_ins_progress_seconds
+import robotran.ui.resources.hand_ins_reading
+import robotran.ui.resources.hand_ins_stopped
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.GradingProgress
+import robotran.workshop.state.HandInOrder
+import robotran.workshop.state.HandInVerdict
+import robotran.workshop.state.HandInsState
+
+/** How far grading is, how many hand-ins have each verdict, and the order of the table. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun HandInsSummary(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
+    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
+        val progress = state.progress
+        when {
+            state.isReading -> Line(stringResource(Res.string.hand_ins_reading))
+            progress != null -> Progress(progress, onEvent)
+            state.isStopped -> Stopped(state, onEvent)
+        }
+        FlowRow(
+            Modifier.testTag("hand-ins-counts"),
+            Arrangement.spacedBy(Space.SMALL),
+            Arrangement.spacedBy(Space.SMALL),
+        ) {
+            // The good news first, as in a heading; the table has those who need help first.
+            for ((verdict, count) in state.counts.entries.sortedBy { SUMMARY_ORDER.indexOf(it.key) }) {
+                VerdictMark(verdict, Modifier.semantics(mergeDescendants = true) { }, count)
+            }
+        }
+        if (state.rows.size > 1) Order(state.order) { onEvent(HandInsEvent.OrderChosen(it)) }
+    }
+
+@Composable
+private fun Progress(progress: GradingProgress, onEvent: (HandInsEvent) -> Unit) =
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM), Alignment.CenterVertically) {
+        Column(Modifier.weight(1f), Arrangement.spacedBy(Space.TINY)) {
+            val left = progress.secondsLeft
+            Line(
+                when {
+                    left == null -> stringResource(Res.string.hand_ins_progress, progress.handIns, progress.of)
+
+                    left < SECONDS_SHOWN -> stringResource(
+                        Res.string.hand_ins_progress_seconds,
+                        progress.handIns,
+                        progress.of,
+                        rounded(left),
+                    )
+
+                    else -> stringResource(
+                        Res.string.hand_ins_progress_minutes,
+                        progress.handIns,
+                        progress.of,
+                        (left + SECONDS_PER_MINUTE / 2) / SECONDS_PER_MINUTE,
+                    )
+                },
+            )
+            val colours = LocalRobotranColours.current
+            LinearProgressIndicator(
+                { progress.part },
+                Modifier.fillMaxWidth().testTag("hand-ins-progress"),
+                color = colours.good,
+                trackColor = colours.line,
+            )
+        }
+        SecondButton(stringResource(Res.string.documents_cancel), "hand-ins-cancel", {
+            onEvent(HandInsEvent.GradingCancelled)
+        })
+    }
+
+/** Nobody wants to watch seconds jump to and fro. */
+private fun rounded(seconds: Int): Int = if (seconds <=
+    STEP
+) {
+    seconds.coerceAtLeast(1)
+} else {
+    (seconds + STEP / 2) / STEP * STEP
+}
+
+@Composable
+private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM), Alignment.CenterVertically) {
+        val waiting = state.counts[HandInVerdict.WAITING] ?: 0
+        val words = stringResource(Res.string.hand_ins_stopped, state.rows.size - waiting, state.rows.size)
+        Line(words, Modifier.weight(1f))
+        SecondButton(stringResource(Res.string.hand_ins_go_on), "hand-ins-go-on", {
+            onEvent(HandInsEvent.GradingResumed)
+        })
+    }
+
+@Composable
+private fun Line(words: String, modifier: Modifier = Modifier) = Text(
+    words,
+    modifier.testTag("hand-ins-status").semantics { liveRegion = LiveRegionMode.Polite },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+)
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow(
+    Modifier.selectableGroup(),
+    Arrangement.spacedBy(Space.SMALL),
+) {
+    val colours = LocalRobotranColours.current
+    val choices = listOf(
+        HandInOrder.NAME to Res.string.hand_ins_order_name,
+        HandInOrder.VERDICT to Res.string.hand_ins_order_verdict,
+    )
+    Text(
+        stringResource(Res.string.hand_ins_order),
+        Modifier.align(Alignment.CenterVertically),
+        color = colours.quiet,
+        fontSize = TextSizes.COMPACT,
+        fontWeight = FontWeight.Medium,
+    )
+    for ((value, words) in choices) {
+        Row(
+            Modifier
+                .testTag("hand-ins-order-${value.name.lowercase()}")
+                .defaultMinSize(minHeight = Dimensions.TARGET)
+                .focusRing()
+                .selectable(value == order, role = Role.RadioButton) { onChoose(value) }
+                .padding(end = Space.MEDIUM),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            RadioMark(value == order, Modifier.padding(Space.MEDIUM))
+            Text(stringResource(words), color = colours.onPane, fontSize = TextSizes.COMPACT)
+        }
+    }
+}
+
+private val SUMMARY_ORDER = HandInVerdict.entries.reversed().sortedBy { it == HandInVerdict.WAITING }
+private const val SECONDS_PER_MINUTE = 60
+private const val SECONDS_SHOWN = 100
+private const val STEP = 5

@@ -1,0 +1,89 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.size
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.onClick
+import androidx.compose.ui.semantics.role
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.grading.GradedRun
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_run_met
+import robotran.ui.resources.hand_in_run_missed
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInRun
+
+/** A mark for each of [runs] in [world] with its seed below. A touch replays the run. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun RunTouches(row: HandInRow, world: String, runs: List<GradedRun>, onEvent: (HandInsEvent) -> Unit) =
+    FlowRow(Modifier.fillMaxWidth()) {
+        for (run in runs) {
+            RunTouch(run, world) {
+                onEvent(HandInsEvent.ReplayRequested(row.id, HandInRun(run.world.name, run.grade.seed)))
+            }
+        }
+    }
+
+@Composable
+private fun RunTouch(run: GradedRun, world: String, onReplay: () -> Unit) {
+    val grade = run.grade
+    val words = stringResource(
+        if (grade.passed) Res.string.hand_in_run_met else Res.string.hand_in_run_missed,
+        world,
+        grade.seed,
+    )
+    val colours = LocalRobotranColours.current
+    Column(
+        Modifier
+            .testTag("hand-in-run-${run.world.name}-${grade.seed}")
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
+            .focusRing()
+            .clip(Shapes.SMALL)
+            .clickable(role = Role.Button, onClick = onReplay)
+            .clearAndSetSemantics {
+                contentDescription = words
+                role = Role.Button
+                onClick {
+                    onReplay()
+                    true
+                }
+            },
+        Arrangement.Center,
+        Alignment.CenterHorizontally,
+    ) {
+        Canvas(Modifier.size(MARK)) { drawMark(grade.passed, size.width, colours) }
+        Text(
+            "${grade.seed}",
+            color = colours.onPane,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.TIGHT,
+            maxLines = 1,
+        )
+    }
+}
+
+private val MARK = 22.dp

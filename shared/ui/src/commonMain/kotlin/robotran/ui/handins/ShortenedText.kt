@@ -1,0 +1,55 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.material3.LocalTextStyle
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.text
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Constraints
+
+/**
+ * Text that is shortened in its middle where there is no room, since names of files often end with the pupil's. Screen
+ * readers hear all of it.
+ */
+@Composable
+internal fun ShortenedText(words: String, style: TextStyle, maxLines: Int, modifier: Modifier = Modifier) =
+    BoxWithConstraints(modifier.clearAndSetSemantics { text = AnnotatedString(words) }) {
+        val whole = LocalTextStyle.current.merge(style)
+        val measurer = rememberTextMeasurer()
+        val width = constraints.maxWidth
+        val shown = remember(words, whole, maxLines, width, measurer) {
+            shortenedInMiddle(words) { part ->
+                val room = Constraints(maxWidth = width)
+                !measurer.measure(part, whole, TextOverflow.Clip, maxLines = maxLines, constraints = room)
+                    .hasVisualOverflow
+            }
+        }
+        Text(shown, style = whole, maxLines = maxLines, overflow = TextOverflow.Ellipsis)
+    }
+
+/** [words] with as few letters left out of the middle as it takes until it [fits]. More is left of the end. */
+internal fun shortenedInMiddle(words: String, fits: (String) -> Boolean): String {
+    if (fits(words)) return words
+    var least = 0
+    var most = words.length - 1
+    while (least < most) {
+        val middle = (least + most + 1) / 2
+        if (fits(withLetters(words, middle))) least = middle else most = middle - 1
+    }
+    return withLetters(words, least)
+}
+
+private fun withLetters(words: String, count: Int): String {
+    val head = words.take(count * HEAD_PERCENT / 100).dropLastWhile { it.isHighSurrogate() }
+    val tail = words.takeLast(count - count * HEAD_PERCENT / 100).dropWhile { it.isLowSurrogate() }
+    return "${head.trimEnd()}…${tail.trimStart()}"
+}
+
+private const val HEAD_PERCENT = 40

@@ -1,0 +1,41 @@
+package robotran.ui.learning
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.QuietButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.course_save_own
+import robotran.ui.resources.course_save_own_of
+import robotran.ui.resources.hand_in_not_saved
+import robotran.ui.resources.hand_in_saved
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.SavedOwnCourse
+
+/** Saves the course [name], which comes with Robotran and is called [title] here, as a file. */
+@Composable
+internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
+    // Several such buttons on a page sound alike otherwise.
+    val words = stringResource(Res.string.course_save_own_of, title)
+    QuietButton(
+        stringResource(Res.string.course_save_own),
+        "course-save-$name",
+        { onEvent(CourseEvent.OwnCourseSaved(name)) },
+        modifier = Modifier.semantics { contentDescription = words },
+    )
+    if (saved?.name != name) return
+    val error = saved.error
+    val news = Modifier.testTag("course-saved-$name").semantics { liveRegion = LiveRegionMode.Polite }
+    if (error == null) {
+        Explanation(stringResource(Res.string.hand_in_saved, saved.file.orEmpty()), news)
+    } else {
+        Explanation(stringResource(Res.string.hand_in_not_saved, error).trim(), news, bad = true)
+    }
+}

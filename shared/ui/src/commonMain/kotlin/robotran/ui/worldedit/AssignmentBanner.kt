@@ -1,0 +1,61 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.SecondButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_of_assignment
+import robotran.ui.resources.worldedit_of_variation
+import robotran.ui.resources.worldedit_to_assignment
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.EditOrigin
+
+/** What is edited for an assignment, and the way back to it. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words = origin.variation?.let { stringResource(Res.string.worldedit_of_variation, it, origin.assignment) }
+        ?: stringResource(Res.string.worldedit_of_assignment, origin.assignment)
+    FlowRow(
+        Modifier
+            .fillMaxWidth()
+            .background(colours.runningLine)
+            .testTag("edit-of-assignment")
+            .padding(horizontal = 12.dp, vertical = 4.dp),
+        Arrangement.spacedBy(12.dp),
+        Arrangement.spacedBy(4.dp),
+    ) {
+        Text(
+            words,
+            Modifier
+                .align(Alignment.CenterVertically)
+                .testTag("edit-of-assignment-words")
+                .semantics { liveRegion = LiveRegionMode.Polite },
+            color = colours.onPane,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.SMALL,
+        )
+        SecondButton(stringResource(Res.string.worldedit_to_assignment), "edit-to-assignment", {
+            onEvent(WorldEditEvent.EditorClosed)
+        })
+    }
+}

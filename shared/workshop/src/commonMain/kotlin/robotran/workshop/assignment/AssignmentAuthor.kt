@@ -1,0 +1,310 @@
+package robotran.workshop.assignment
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import robotran.assignments.doing.firstPrograms
+import robotran.assignments.doing.ordinaryText
+import robotran.assignments.packaging.ScormVersion
+import robotran.projects.Assignment
+import robotran.projects.AssignmentChecks
+import robotran.projects.AssignmentLimits
+import robotran.projects.WorldVariation
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
+import robotran.workshop.programs.asPupil
+import robotran.workshop.run.EndedTry
+import robotran.workshop.service.AssignmentEditor
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.state.MakingState
+import robotran.workshop.state.PictureError
+import robotran.workshop.state.SolutionCheck
+import robotran.world.WorldLimits
+
+/** The page with which an author makes an assignment of the open project. */
+internal class AssignmentAuthor(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val assignments: AssignmentEditor,
+    private val tabs: ProgramTabs,
+    private val runs: AssignmentRuns,
+    preferences: Preferences,
+    private val lastTry: () -> EndedTry?,
+    private val openWorldEditor: (variation: Int?) -> Unit,
+) {
+    /** Null while the page is closed. */
+    var state: MakingState? by mutableStateOf(null)
+        private set
+
+    /** Whether the world editor leads back to the page. */
+    private var isAway = false
+
+    /** Whether the world that robots drive in has another title or task. */
+    private var isTaskChanged = false
+    private val history = MakingHistory(platform.clock)
+    private val sharing = AssignmentSharing(platform, current, preferences)
+    private var checking: Job? = null
+
+    fun handle(event: AssignmentEvent.OfAuthor) {
+        if (event == AssignmentEvent.MakingRequested) return open()
+        val now = state ?: return
+        when (event) {
+            AssignmentEvent.MakingRequested -> Unit
+            AssignmentEvent.MakingClosed -> close()
+            is AssignmentEvent.Changed -> change(event.assignment)
+            is AssignmentEvent.TaskChanged -> changeTask(event.title, event.task)
+            AssignmentEvent.UndoRequested -> undo()
+            AssignmentEvent.Removed -> remove()
+            AssignmentEvent.PictureRequested -> scope.launch { addPicture() }
+            is AssignmentEvent.StartSwitched -> switchStart(now.assignment, event.index, event.on)
+            AssignmentEvent.SolutionTaken -> change(now.assignment.copy(solution = solutionNow(now.assignment)))
+            is AssignmentEvent.SolutionSwitched -> switchSolution(now, event.index, event.on)
+            AssignmentEvent.SolutionShown -> showSolution(now.assignment)
+            AssignmentEvent.WorldRequested -> leaveFor(variation = null)
+            is AssignmentEvent.VariationAdded -> addVariation(now.assignment, event.name)
+            is AssignmentEvent.VariationOpened -> leaveFor(event.index)
+            is AssignmentEvent.CheckRequested -> check(event.on)
+            AssignmentEvent.TeacherFileSaved -> share { sharing.saveForTeacher(it) }
+            AssignmentEvent.PupilFileSaved -> share { sharing.saveForPupils(it) }
+            AssignmentEvent.PupilLinkRequested -> share { sharing.makeLink(it) }
+            AssignmentEvent.PupilLinkCopied -> share { sharing.copyLink(it) }
+            AssignmentEvent.PupilLinkShared -> share { sharing.shareLink(it) }
+            AssignmentEvent.PupilLinkClosed -> state = now.copy(link = null)
+            AssignmentEvent.EmbedCodeCopied -> share { sharing.copyEmbedCode(it) }
+            is AssignmentEvent.PackageSaved -> pack(now, event.version)
+        }
+    }
+
+    /** Called when the world editor was closed; [leadsBack] is false if its world is tried out now. */
+    fun worldEditorClosed(leadsBack: Boolean) {
+        if (!isAway) return
+        isAway = false
+        if (leadsBack) state = stateNow()
+    }
+
+    /** Called after another project was opened. */
+    fun leave() {
+        checking?.cancel()
+        isAway = false
+        isTaskChanged = false
+        state = null
+        history.clear()
+    }
+
+    private fun open() {
+        if (state != null) return
+        val before = current.project.assignment
+        val made = before?.let(::completed)
+            ?: newAssignment(current.project, platform.clock.now, solvingProgram(current.project, lastTry()))
+        if (made != before) assignments.changeAssignment(made)
+        state = stateNow()
+    }
+
+    /** [before] with what the author has written meanwhile, beside what pupils begin with, as the solution. */
+    private fun completed(before: Assignment): Assignment {
+        val start = before.start.ifEmpty { plainPrograms() }
+        val made = before.copy(start = start, checks = before.checks ?: AssignmentChecks(FIRST_SEEDS))
+        if (made.solution.isNotEmpty()) return made
+        val given = start.map(::textsOf)
+        return made.copy(solution = solutionNow(made).filter { textsOf(it) !in given })
+    }
+
+    private fun close() {
+        checking?.cancel()
+        state = null
+        useTask()
+    }
+
+    /** Puts the robots into the world with the new title and task. */
+    private fun useTask() {
+        if (isTaskChanged) editor.changeWorld(current.project.world)
+        isTaskChanged = false
+    }
+
+    private fun stateNow(): MakingState? {
+        val project = current.project
+        val assignment = project.assignment ?: return null
+        val before = state
+        return MakingState(
+            assignment,
+            before?.title?.takeIf { it.isBlank() } ?: project.world.title,
+            project.world.task,
+            startPrograms(project.firstPrograms, assignment),
+            solutionPrograms(project.firstPrograms, assignment),
+            solutionNow(assignment) != assignment.solution,
+            project.world.goals.size,
+            history.canUndo,
+            missingParts(project, assignment),
+            // It is about what has just been changed.
+            check = before?.check?.takeIf { before.assignment == assignment },
+            hasShareSheet = platform.sharing.hasShareSheet,
+            canPack = platform.webSite != null,
+            isPacking = before?.isPacking == true,
+            isAboutPackage = before?.isAboutPackage == true,
+        )
+    }
+
+    private fun refresh() {
+        state = stateNow()
+    }
+
+    private fun change(typed: Assignment) {
+        val assignment = ordinary(typed)
+        val before = current.project
+        if (assignment == before.assignment) return
+        checking?.cancel()
+        history.add(before, assignment)
+        assignments.changeAssignment(assignment)
+        refresh()
+    }
+
+    private fun changeTask(title: String, task: String) {
+        val before = current.project
+        val world = before.world.copy(
+            title = ordinaryText(title, WorldLimits.MAXIMUM_TITLE_CHARACTERS, severalLines = false)
+                .ifBlank { before.world.title },
+            task = ordinaryText(task, WorldLimits.MAXIMUM_TASK_CHARACTERS, severalLines = true),
+        )
+        state = state?.copy(title = title)
+        if (world == before.world) return
+        history.add(before, before.assignment)
+        editor.saveWorld(world)
+        isTaskChanged = true
+        refresh()
+    }
+
+    private fun undo() {
+        val before = history.takeLast() ?: return
+        checking?.cancel()
+        assignments.changeAssignment(before.assignment)
+        if (before.title != current.project.world.title || before.task != current.project.world.task) {
+            editor.saveWorld(current.project.world.copy(title = before.title, task = before.task))
+            isTaskChanged = true
+        }
+        refresh()
+    }
+
+    private fun remove() {
+        assignments.changeAssignment(null)
+        history.clear()
+        close()
+    }
+
+    private fun plainPrograms() = current.project.firstPrograms.map { it.copy(view = null) }
+
+    private fun switchStart(assignment: Assignment, index: Int, on: Boolean) {
+        val program = plainPrograms().getOrNull(index) ?: return
+        val others = assignment.start.filter { it.name != program.name }
+        change(assignment.copy(start = if (on) others + program else others))
+    }
+
+    private fun solutionNow(assignment: Assignment) = solutionNow(current.project, plainPrograms(), assignment)
+
+    private fun switchSolution(now: MakingState, index: Int, on: Boolean) {
+        val name = now.solution.getOrNull(index)?.name ?: return
+        val open = plainPrograms()
+        val others = now.assignment.solution.filter { it.name != name }
+        val all = others + listOfNotNull(open.firstOrNull { it.name == name }.takeIf { on })
+        // Grading starts the first one, so they stay in the order of the editor.
+        change(
+            now.assignment.copy(
+                solution = all.sortedBy { program ->
+                    open.indexOfFirst { it.name == program.name }
+                },
+            ),
+        )
+    }
+
+    private fun showSolution(assignment: Assignment) {
+        assignment.solution.forEach { tabs.addProgram(it.asPupil(), replacing = true) }
+        close()
+    }
+
+    private fun addVariation(assignment: Assignment, name: String) {
+        val checks = assignment.checks ?: return
+        if (checks.variations.size >= AssignmentLimits.MAXIMUM_VARIATIONS) return
+        val variation = WorldVariation(name.take(WorldLimits.MAXIMUM_TITLE_CHARACTERS), current.project.world)
+        change(assignment.copy(checks = checks.copy(variations = checks.variations + variation)))
+        leaveFor(checks.variations.size)
+    }
+
+    private fun leaveFor(variation: Int?) {
+        checking?.cancel()
+        state = null
+        useTask()
+        isAway = true
+        openWorldEditor(variation)
+    }
+
+    private suspend fun addPicture() {
+        val file = platform.files.open(listOf(FileKind.PNG, FileKind.JPEG, FileKind.LONG_JPEG)).firstOrNull() ?: return
+        val assignment = state?.assignment ?: return
+        when (val result = withPicture(assignment, file.name, file.bytes)) {
+            is PictureResult.Added -> change(result.assignment)
+            is PictureResult.Refused -> tell(result.error)
+        }
+    }
+
+    private fun tell(error: PictureError) {
+        state = state?.copy(pictureError = error)
+    }
+
+    private fun check(on: Boolean) {
+        checking?.cancel()
+        state = state?.copy(check = null)
+        if (!on) return
+        checking = scope.launch {
+            val project = current.project
+            val solution = project.assignment?.solution.orEmpty()
+            val checked = runs.check(project, solution) { done, all -> tell(SolutionCheck.Running(done, all)) }
+            tell(resultOf(checked))
+        }
+    }
+
+    private fun tell(check: SolutionCheck) {
+        state = state?.copy(check = check)
+    }
+
+    private fun resultOf(checked: CheckedSolution): SolutionCheck = when (checked) {
+        is CheckedSolution.HasMistakes -> SolutionCheck.HasMistakes(checked.reasons)
+
+        is CheckedSolution.Checked -> if (checked.failed == 0) {
+            SolutionCheck.Passed(checked.runs, checked.startPassed)
+        } else {
+            val world = checked.world.orEmpty()
+            SolutionCheck.Failed(checked.failed, checked.runs, world, checked.seed ?: 0, checked.startPassed)
+        }
+    }
+
+    private fun share(what: suspend (MakingState) -> MakingState) {
+        scope.launch {
+            val now = state ?: return@launch
+            val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false, embedProblem = null))
+            // The author may have gone on meanwhile.
+            state = state?.copy(
+                link = then.link,
+                savedAs = then.savedAs,
+                saveError = then.saveError,
+                embedCodeCopied = then.embedCodeCopied,
+                embedProblem = then.embedProblem,
+                isPacking = false,
+                isAboutPackage = now.isPacking,
+            )
+        }
+    }
+
+    private fun pack(page: MakingState, version: ScormVersion) {
+        if (page.isPacking) return
+        state = page.copy(isPacking = true)
+        share { sharing.savePackage(it, version) }
+    }
+}

@@ -1,0 +1,91 @@
+package robotran.workshop.assignment
+
+import kotlinx.coroutines.withContext
+import robotran.assignments.doing.pupilCopy
+import robotran.assignments.doing.teacherCopy
+import robotran.assignments.packaging.PackageResult
+import robotran.assignments.packaging.ScormVersion
+import robotran.assignments.packaging.learningPackage
+import robotran.assignments.reporting.packageFileName
+import robotran.documents.fileNameFor
+import robotran.documents.projectFile
+import robotran.projects.LinkCreation
+import robotran.projects.Project
+import robotran.projects.linkOf
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Saving
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.MakingState
+import robotran.workshop.state.PupilLink
+
+/** Files and links of an assignment, for its author and for pupils. Each function returns the state of the page then. */
+internal class AssignmentSharing(
+    private val platform: Platform,
+    private val current: CurrentProject,
+    private val preferences: Preferences,
+) {
+    private val title: String get() = current.project.world.title
+
+    suspend fun saveForTeacher(page: MakingState): MakingState =
+        save(page, teacherCopy(current.project), title + preferences.language.teacherSuffix)
+
+    suspend fun saveForPupils(page: MakingState): MakingState = save(page, pupilCopy(current.project), title)
+
+    suspend fun makeLink(page: MakingState): MakingState {
+        val address = platform.pageAddress.ifEmpty { preferences.settings.site }
+        if (address.isEmpty()) return page.copy(link = PupilLink(problem = LinkProblem.NoSite))
+        val copy = pupilCopy(current.project)
+        return when (val link = withContext(platform.background) { linkOf(copy, preferences.language) }) {
+            is LinkCreation.Made -> page.copy(link = PupilLink(address + link.fragment))
+            is LinkCreation.TooLong -> page.copy(link = PupilLink(problem = LinkProblem.TooLong(link.message)))
+        }
+    }
+
+    suspend fun copyLink(page: MakingState): MakingState {
+        val shown = page.link ?: return page
+        return page.copy(link = shown.copy(isCopied = shown.link?.let { platform.sharing.copy(it) } == true))
+    }
+
+    suspend fun shareLink(page: MakingState): MakingState {
+        page.link?.link?.let { platform.sharing.share(it) }
+        return page
+    }
+
+    /** Copies the HTML that shows the assignment in a frame, or says why there is none. */
+    suspend fun copyEmbedCode(page: MakingState): MakingState {
+        val made = makeLink(page)
+        val link = made.link?.link ?: return page.copy(embedProblem = made.link?.problem)
+        val code = "<iframe src=\"${link.replaceFirst("#", "?embed=assignment#")}\" title=\"${escaped(title)}\" " +
+            "width=\"100%\" height=\"600\" allow=\"clipboard-write\"></iframe>"
+        return page.copy(embedCodeCopied = platform.sharing.copy(code))
+    }
+
+    suspend fun savePackage(page: MakingState, version: ScormVersion): MakingState {
+        val site = platform.webSite?.files() ?: return page.copy(saveError = "")
+        val copy = pupilCopy(current.project)
+        val made = withContext(platform.background) {
+            learningPackage(title, listOf(copy), version, site, preferences.language)
+        }
+        return when (made) {
+            is PackageResult.TooLong -> page.copy(saveError = made.message)
+            is PackageResult.Made -> save(page, packageFileName(title, version), FileKind.ZIP, made.bytes)
+        }
+    }
+
+    private fun escaped(text: String) = text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;")
+
+    private suspend fun save(page: MakingState, project: Project, name: String): MakingState {
+        val bytes = withContext(platform.background) { projectFile(project) } ?: return page.copy(saveError = "")
+        return save(page, name, FileKind.PROJECT, bytes)
+    }
+
+    private suspend fun save(page: MakingState, name: String, kind: FileKind, bytes: ByteArray): MakingState =
+        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
+            is Saving.Saved -> page.copy(savedAs = saving.name)
+            is Saving.Failed -> page.copy(saveError = saving.reason)
+            Saving.Cancelled -> page
+        }
+}

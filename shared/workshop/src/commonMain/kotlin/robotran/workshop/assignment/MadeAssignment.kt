@@ -1,0 +1,107 @@
+package robotran.workshop.assignment
+
+import robotran.assignments.doing.canBeShown
+import robotran.assignments.doing.firstPrograms
+import robotran.assignments.doing.notAllowedIn
+import robotran.assignments.doing.ordinaryText
+import robotran.documents.FileStamp
+import robotran.projects.Assignment
+import robotran.projects.AssignmentChecks
+import robotran.projects.AssignmentLimits
+import robotran.projects.AssignmentPicture
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.writeProject
+import robotran.workshop.state.MissingPart
+import robotran.workshop.state.PictureError
+import robotran.workshop.state.StartProgram
+import robotran.world.WorldLimits
+import kotlin.io.encoding.Base64
+
+/**
+ * A new assignment about [project]: pupils begin with its programs.
+ *
+ * @param now in milliseconds since 1970.
+ * @param solution the program that has met all goals; null if none has.
+ */
+internal fun newAssignment(project: Project, now: Long, solution: ProjectProgram? = null): Assignment {
+    val stamp = FileStamp.of(writeProject(project)).text.take(STAMP_DIGITS)
+    return Assignment(
+        id = "${now.coerceAtLeast(0).toString(radix = 36)}-$stamp",
+        start = proposedStart(project.firstPrograms.map { it.copy(view = null) }),
+        checks = AssignmentChecks(FIRST_SEEDS),
+        solution = listOfNotNull(solution),
+    )
+}
+
+/** [typed] without what a file cannot hold. */
+internal fun ordinary(typed: Assignment): Assignment {
+    val note = { text: String -> ordinaryText(text, AssignmentLimits.MAXIMUM_NAME_CHARACTERS, severalLines = false) }
+    return typed.copy(
+        text = ordinaryText(typed.text, AssignmentLimits.MAXIMUM_TEXT_CHARACTERS, severalLines = true),
+        due = note(typed.due),
+        nameWanted = note(typed.nameWanted),
+        hints = typed.hints.filter { it.text.isNotBlank() }.map { hint ->
+            val text = ordinaryText(hint.text, WorldLimits.MAXIMUM_TASK_CHARACTERS, severalLines = true)
+            hint.copy(text = text, condition = hint.condition?.let(note))
+        },
+        checks = typed.checks?.let { checks ->
+            checks.copy(
+                variations = checks.variations.map {
+                    it.copy(name = ordinaryText(it.name, WorldLimits.MAXIMUM_TITLE_CHARACTERS, severalLines = false))
+                },
+            )
+        },
+    )
+}
+
+/** What [assignment], about [project], lacks. */
+internal fun missingParts(project: Project, assignment: Assignment): List<MissingPart> = buildList {
+    val solution = assignment.solution.map(::textsOf)
+    if (project.world.task.isBlank() && assignment.text.isBlank()) add(MissingPart.TASK)
+    if (project.world.goals.isEmpty()) add(MissingPart.GOALS)
+    if (solution.isEmpty()) add(MissingPart.SOLUTION)
+    if (assignment.start.isNotEmpty() && assignment.start.all { textsOf(it) in solution }) {
+        add(MissingPart.START_IS_SOLUTION)
+    }
+    if (notAllowedIn(assignment, assignment.solution).isNotEmpty()) add(MissingPart.SOLUTION_NOT_ALLOWED)
+}
+
+/** The open programs, and what pupils begin with. */
+internal fun startPrograms(open: List<ProjectProgram>, assignment: Assignment): List<StartProgram> =
+    open.map { program ->
+        val start = assignment.start.firstOrNull { it.name == program.name }
+        StartProgram(program.name, start != null, isChanged = start != null && textsOf(start) != textsOf(program))
+    }
+
+/** [assignment] with the picture in [bytes] and its mark at the end of the text, or why that is impossible. */
+internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray): PictureResult {
+    if (assignment.pictures.size >=
+        AssignmentLimits.MAXIMUM_PICTURES
+    ) {
+        return PictureResult.Refused(PictureError.TOO_MANY)
+    }
+    if (!canBeShown(bytes)) return PictureResult.Refused(PictureError.NOT_A_PICTURE)
+    val data = Base64.encode(bytes)
+    if (data.length > AssignmentLimits.MAXIMUM_PICTURE_CHARACTERS) return PictureResult.Refused(PictureError.TOO_LARGE)
+    val plain = file.substringBeforeLast('.').filter { it.isLetterOrDigit() || it in " -_" }.trim()
+        .take(MAX_PICTURE_NAME).ifEmpty { "picture" }
+    val names = assignment.pictures.map { it.name }
+    val name = generateSequence(1) { it + 1 }.map { if (it == 1) plain else "$plain $it" }.first { it !in names }
+    val text = "${assignment.text.trimEnd()}\n\n![$name]($name)\n".trimStart()
+    return PictureResult.Added(
+        assignment.copy(pictures = assignment.pictures + AssignmentPicture(name, data), text = text),
+    )
+}
+
+internal sealed interface PictureResult {
+    data class Added(val assignment: Assignment) : PictureResult
+
+    data class Refused(val error: PictureError) : PictureResult
+}
+
+private const val STAMP_DIGITS = 8
+private const val MAX_PICTURE_NAME = 40
+
+/** With so many, a program that works by luck is found out. */
+internal val FIRST_SEEDS = 1..20

@@ -1,0 +1,90 @@
+package robotran.workshop.assignment
+
+import robotran.assignments.doing.firstPrograms
+import robotran.learning.WorldGallery
+import robotran.projects.Assignment
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.workshop.examples.firstProgram
+import robotran.workshop.programs.asProject
+import robotran.workshop.run.EndedTry
+import robotran.workshop.state.SolutionProgram
+
+/**
+ * The open programs, and those of the solution that are not open. A program with the name of one of the solution that is
+ * as pupils begin with it takes the place of that in the editor only.
+ */
+internal fun solutionPrograms(open: List<ProjectProgram>, assignment: Assignment): List<SolutionProgram> {
+    val ofOpen = open.map { program ->
+        val taken = assignment.solution.firstOrNull { it.name == program.name }
+        val isSame = taken != null && textsOf(taken) == textsOf(program)
+        val isOther = taken != null && !isSame && isGiven(program, assignment)
+        SolutionProgram(
+            program.name,
+            taken != null,
+            isChanged = taken != null && !isSame && !isOther,
+            isOpen = !isOther,
+        )
+    }
+    val names = open.map { it.name }
+    return ofOpen + assignment.solution.filter { it.name !in names }
+        .map { SolutionProgram(it.name, isTaken = true, isChanged = false, isOpen = false) }
+}
+
+/** The solution with its programs as they are now in [open]; what [proposedSolution] says if there is none yet. */
+internal fun solutionNow(project: Project, open: List<ProjectProgram>, assignment: Assignment): List<ProjectProgram> =
+    if (assignment.solution.isEmpty()) {
+        proposedSolution(project, open, assignment.start)
+    } else {
+        assignment.solution.map { taken ->
+            open.firstOrNull { it.name == taken.name && !isGiven(it, assignment) } ?: taken
+        }
+    }
+
+private fun isGiven(program: ProjectProgram, assignment: Assignment): Boolean =
+    assignment.start.any { textsOf(it) == textsOf(program) }
+
+/**
+ * The program of [open] that is most likely the solution: that which Run starts, or else the first one. Neither what
+ * pupils begin with, [start], nor a program that came with the app and is unchanged.
+ */
+internal fun proposedSolution(
+    project: Project,
+    open: List<ProjectProgram>,
+    start: List<ProjectProgram>,
+): List<ProjectProgram> {
+    val given = start.map(::textsOf)
+    val written = open.filterNot { isBlank(it) || isOfApp(it) }
+    val possible = written.filter { textsOf(it) !in given }.ifEmpty { written }
+    val robot = project.world.robots.first().name
+    val first = open.getOrNull(project.robots.firstOrNull { it.name == robot }?.firstProgram ?: 0)
+    return listOfNotNull(first?.takeIf { it in possible } ?: possible.firstOrNull())
+}
+
+/** Programs of [open] with which pupils may begin; "Show me" has not put them there. */
+internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> =
+    open.filterNot { textsOf(it) in shownSolutions }.ifEmpty { open }
+
+/** The program that has just met all goals of the open world, as long as it is as it was then. */
+internal fun solvingProgram(project: Project, ended: EndedTry?): ProjectProgram? {
+    if (ended == null || !ended.result.isSolved || ended.result.goals != project.world.goals.size) return null
+    val ran = ended.programs.getOrNull(ended.firstProgram)?.asProject() ?: return null
+    return project.firstPrograms.firstOrNull { textsOf(it) == textsOf(ran) }
+        ?.takeUnless { isOfApp(it) }?.copy(view = null)
+}
+
+internal fun textsOf(program: ProjectProgram): List<String> = program.files.map { it.text.trim() }
+
+internal fun isBlank(program: ProjectProgram): Boolean = program.files.all { it.text.isBlank() }
+
+private fun isOfApp(program: ProjectProgram): Boolean = textsOf(program) in appPrograms
+
+private val lessons by lazy {
+    (WorldGallery.worlds + WorldGallery.worlds.flatMap { it.harder }).mapNotNull { it.lesson }
+}
+
+private val shownSolutions by lazy { lessons.mapTo(mutableSetOf()) { listOf(it.solution.text.trim()) } }
+
+private val appPrograms by lazy {
+    lessons.mapTo(mutableSetOf(textsOf(firstProgram().asProject()))) { listOf(it.program.text.trim()) } + shownSolutions
+}

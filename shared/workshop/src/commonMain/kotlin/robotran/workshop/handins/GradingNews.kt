@@ -1,0 +1,41 @@
+package robotran.workshop.handins
+
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradingRow
+import robotran.assignments.grading.GradingState
+import robotran.workshop.platform.WallClock
+
+/**
+ * Passes on each result once, in whatever order they come, and now and then the progress.
+ *
+ * @param ids of the rows.
+ */
+internal class GradingNews(
+    private val ids: List<String>,
+    private val clock: WallClock,
+    private val onGraded: (String, GradedHandIn) -> Unit,
+    private val onProgress: (GradingState, millisecondsLeft: Long?) -> Unit,
+) {
+    private val began = clock.now
+    private var toldAt = began
+    private val told = mutableSetOf<Int>()
+
+    fun tell(state: GradingState) {
+        state.rows.forEachIndexed { index, row ->
+            if (row is GradingRow.Graded && told.add(index)) onGraded(ids[index], row.result)
+        }
+        val now = clock.now
+        if (now - toldAt < PROGRESS_MILLISECONDS && told.size < ids.size) return
+        toldAt = now
+        val elapsed = now - began
+        onProgress(state, if (elapsed < SURE_MILLISECONDS) null else state.millisecondsLeft(elapsed))
+    }
+
+    private companion object {
+        /** Real time between two reports. */
+        const val PROGRESS_MILLISECONDS = 200L
+
+        /** Real time before which nobody can tell how long it will take. */
+        const val SURE_MILLISECONDS = 1_500L
+    }
+}

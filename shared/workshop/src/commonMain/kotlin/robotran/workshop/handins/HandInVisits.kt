@@ -1,0 +1,47 @@
+package robotran.workshop.handins
+
+import robotran.assignments.collecting.Submission
+import robotran.documents.validProjectName
+import robotran.workshop.service.Notices
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.SwitchResult
+import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInRun
+import robotran.workshop.state.Notice
+
+/** Opens hand-ins in the workshop, and the assignment again. */
+internal class HandInVisits(
+    private val switcher: ProjectSwitcher,
+    private val run: RunControls,
+    private val notices: Notices,
+) {
+    /** The ID of the project that was opened from a hand-in. */
+    private var visited: String? = null
+
+    /** The ID of the assignment's project; null if it had none. */
+    private var left: String? = null
+
+    /** Whether the open project was opened from a hand-in. */
+    val isVisiting: Boolean get() = visited != null && visited == switcher.openId
+
+    /** Opens [row] and runs it, see [replayProject]. Returns whether it is open. */
+    suspend fun visit(open: OpenAssignment, row: HandInRow, run: HandInRun?): Boolean {
+        val submission = row.submission as? Submission.Usable ?: return false
+        val project = replayProject(open.project, open.plan, submission, run) ?: return false
+        val name = validProjectName(row.name) ?: open.name
+        val result = switcher.visitProject(name, project) as? SwitchResult.Switched ?: return false
+        left = result.left
+        visited = result.opened
+        notices.show(Notice.HandInOpened(row.name))
+        if (run == null) this.run.playInputs() else this.run.run()
+        return true
+    }
+
+    /** Opens the assignment again. Returns whether it is open. */
+    suspend fun returnTo(open: OpenAssignment): Boolean {
+        if (switcher.returnTo(left, open.name, open.project) !is SwitchResult.Switched) return false
+        visited = null
+        return true
+    }
+}

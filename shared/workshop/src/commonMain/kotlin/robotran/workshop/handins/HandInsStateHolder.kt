@@ -1,0 +1,322 @@
+package robotran.workshop.handins
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
+import kotlinx.coroutines.withContext
+import robotran.assignments.collecting.CollectedFile
+import robotran.assignments.collecting.CollectedHandIns
+import robotran.assignments.collecting.collectHandIns
+import robotran.assignments.comparing.compareSubmissions
+import robotran.documents.StoreResult
+import robotran.simulation.physics.PhysicsEngine
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.state.AlikeHandIn
+import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInsDialog
+import robotran.workshop.state.HandInsMessage
+import robotran.workshop.state.HandInsState
+import robotran.workshop.state.OpenedHandIn
+
+/**
+ * The page on which a teacher looks at what pupils have handed in for the open project. Everything happens on this
+ * device. Not thread-safe.
+ *
+ * @param title the project's name.
+ */
+class HandInsStateHolder internal constructor(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    physics: PhysicsEngine,
+    private val visits: HandInVisits,
+    private val title: () -> String,
+) {
+    /** Null while the page is closed. */
+    var state: HandInsState? by mutableStateOf(null)
+        private set
+
+    /** What the page showed last; it is shown again after a replay. */
+    private var resting: HandInsState? = null
+    private var open: OpenAssignment? = null
+    private var reading: Job? = null
+    private val bringing = Mutex()
+    private val scanning = HandInScan(platform.qrScanner, scope, ::show, ::bringLinks)
+    private val grading = GradingRounds(platform, scope, physics, ::state, ::show)
+    private val comments = CommentWriter(scope, ::tell)
+    private var removed: HandInRow? = null
+    private val exports = HandInExports(platform, scope, ::tell)
+
+    fun handle(event: HandInsEvent) {
+        if (event == HandInsEvent.Requested) return request()
+        val now = state ?: return
+        val open = open ?: return
+        when (event) {
+            HandInsEvent.Requested -> Unit
+
+            HandInsEvent.Closed -> close()
+
+            HandInsEvent.FilesRequested -> scope.launch { bring(platform.files.open(KINDS)) }
+
+            HandInsEvent.PastingRequested -> show { copy(dialog = HandInsDialog.PastingLinks) }
+
+            is HandInsEvent.LinksPasted -> bringLinks(event.text)
+
+            is HandInsEvent.ScanRequested -> scanning.begin(event.kind, event.words)
+
+            HandInsEvent.ScanEnded -> scanning.end()
+
+            is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted() }
+
+            HandInsEvent.GradingCancelled -> stopGrading()
+
+            HandInsEvent.GradingResumed -> grading.begin(open)
+
+            is HandInsEvent.HandInChosen -> choose(event.id)
+
+            HandInsEvent.ComparisonsRequested -> show { copy(dialog = HandInsDialog.Comparing) }
+
+            is HandInsEvent.ComparisonChosen -> show {
+                copy(opened = opened?.copy(beside = event.other), dialog = null)
+            }
+
+            is HandInsEvent.CommentChanged -> comment(open, event.id, event.comment)
+
+            is HandInsEvent.ReplayRequested -> replay(open, now, event)
+
+            HandInsEvent.CsvRequested -> exports.saveCsv(open, now)
+
+            HandInsEvent.PageRequested -> exports.savePage(open, now)
+
+            HandInsEvent.FeedbackRequested -> exports.saveFeedback(open, now)
+
+            is HandInsEvent.FeedbackFileRequested -> exports.saveFeedback(open, now, event.id)
+
+            is HandInsEvent.HandInRemoved -> removeOne(open, event.id)
+
+            HandInsEvent.RemovalUndone -> undoRemoval(open)
+
+            HandInsEvent.RemovalRequested -> show { copy(dialog = HandInsDialog.Removing(rows.size)) }
+
+            HandInsEvent.RemovalConfirmed -> remove(open)
+
+            HandInsEvent.DialogClosed -> show { copy(dialog = null) }
+
+            HandInsEvent.MessageDismissed -> show { copy(told = null) }
+        }
+    }
+
+    /** Brings in what was dropped on the page or sent to the app, if the page is open. Returns whether it is. */
+    fun takes(arrival: OpenRequest): Boolean {
+        if (state == null) return false
+        when (arrival) {
+            is OpenRequest.OfFiles -> scope.launch { bring(arrival.files) }
+            is OpenRequest.OfLink -> bringLinks(arrival.link)
+            is OpenRequest.Unreadable -> tell(HandInsMessage.Unreadable(arrival.sentence))
+        }
+        return true
+    }
+
+    /** Opens the assignment again after a replay, and the page as it was. */
+    fun goBack() {
+        val open = open ?: return
+        scope.launch { if (visits.returnTo(open)) showAgain() }
+    }
+
+    /** Closes the page and stops all work. */
+    fun close() {
+        reading?.cancel()
+        grading.stop()
+        scanning.end()
+        resting = state?.copy(progress = null, isReading = false, dialog = null, told = null) ?: resting
+        state = null
+        comments.flush()
+    }
+
+    /** Waits until all comments are kept. */
+    suspend fun saveNow() = comments.saveNow()
+
+    private fun request() {
+        if (visits.isVisiting) return goBack()
+        if (state != null) return
+        val known = open
+        if (known != null && known.isFor(current.project, preferences.language)) return showAgain()
+        val opened = OpenAssignment(title(), current.project, preferences.language, platform.store)
+        open = opened
+        resting = null
+        state = opened.firstState(scanning.kinds).copy(isReading = true)
+        reading = scope.launch {
+            val batches = opened.kept.read()
+            for (batch in batches) opened.take(collect(opened, batch))
+            opened.submissions.removeAll(opened.kept.removed)
+            opened.lastLink = PastedLinks.last(batches.flatten())
+            show { copy(isReading = false) }
+            update(opened)
+        }
+    }
+
+    private fun showAgain() {
+        state = resting
+        val open = open
+        when {
+            // Reading was cut short.
+            state == null || open == null -> {
+                this.open = null
+                request()
+            }
+
+            state?.isStopped == false -> {
+                grading.begin(open)
+            }
+        }
+    }
+
+    private fun choose(id: String?) =
+        show { copy(opened = id?.let { OpenedHandIn(it) }, last = id ?: last, told = null) }
+
+    private fun bringLinks(text: String) {
+        val open = open ?: return
+        val files = PastedLinks.filesFor(text, first = open.lastLink + 1)
+        open.lastLink += files.size
+        show { copy(dialog = null, told = if (files.isEmpty()) HandInsMessage.NothingFound() else told) }
+        scope.launch { bring(files) }
+    }
+
+    /** Everything that was brought together belongs together, such as the files of a program. */
+    private suspend fun bring(files: List<OpenedFile>) = bringing.withLock {
+        reading?.join()
+        val open = open
+        if (open == null || files.isEmpty() || state == null) return@withLock
+        show { copy(isReading = true, told = null) }
+        val collected = files.map { CollectedFile(it.path, it.bytes) }
+        val hasRoom = open.kept.size + collected.size <= KeptHandIns.MAXIMUM_FILES &&
+            open.kept.bytes + collected.sumOf { it.bytes.size.toLong() } <= KeptHandIns.MAXIMUM_BYTES
+        val message = if (hasRoom) take(open, collected) else TOO_MUCH
+        show { copy(isReading = false, told = message) }
+        update(open)
+    }
+
+    private suspend fun take(open: OpenAssignment, files: List<CollectedFile>): HandInsMessage {
+        val collected = collect(open, files)
+        val found = collected.submissions
+        if (found.isEmpty()) return HandInsMessage.NothingFound(collected.notes)
+        val known = open.take(collected)
+        open.kept.writeRemoved(open.submissions.removed)
+        val kept = if (known == found.size) StoreResult.Done else open.kept.add(files)
+        return notKept(kept) ?: HandInsMessage.Brought(found.size - known, known, collected.notes)
+    }
+
+    private suspend fun collect(open: OpenAssignment, files: List<CollectedFile>): CollectedHandIns =
+        withContext(platform.background) { collectHandIns(files, open.project, open.language) }
+
+    /** Shows what is there now, and grades what is not graded. */
+    private suspend fun update(open: OpenAssignment) {
+        val all = open.submissions.all.mapValues { PastedLinks.named(it.value, open.language) }
+        show { copy(rows = rowsFor(all, rows, open.kept.comments)).sorted() }
+        grading.begin(open)
+        compare(open)
+    }
+
+    private suspend fun compare(open: OpenAssignment) {
+        val all = state?.rows.orEmpty()
+        val pairs =
+            withContext(platform.background) { compareSubmissions(all.map { it.submission }, open.project) }
+        val alike = mutableMapOf<String, MutableList<AlikeHandIn>>()
+        for (pair in pairs.filter { it.isMarked }) {
+            val (one, other) = all[pair.first] to all[pair.second]
+            alike.getOrPut(one.id) { mutableListOf() } += AlikeHandIn(other.id, other.name, pair.isEqual)
+            alike.getOrPut(other.id) { mutableListOf() } += AlikeHandIn(one.id, one.name, pair.isEqual)
+        }
+        show { copy(rows = rows.map { it.copy(alike = alike[it.id].orEmpty()) }) }
+    }
+
+    private fun stopGrading() {
+        grading.stop()
+        show { copy(isStopped = true) }
+    }
+
+    private fun comment(open: OpenAssignment, id: String, comment: String) {
+        show { copy(rows = rows.map { if (it.id == id) it.copy(comment = comment) else it }) }
+        keepComments(open)
+    }
+
+    private fun keepComments(open: OpenAssignment) {
+        val all = state?.rows.orEmpty().filter { it.comment.isNotEmpty() }.associate { it.id to it.comment }
+        comments.write(open.kept, all)
+    }
+
+    private fun replay(open: OpenAssignment, now: HandInsState, event: HandInsEvent.ReplayRequested) {
+        val row = now.rows.firstOrNull { it.id == event.id } ?: return
+        show { copy(last = row.id) }
+        scope.launch { if (visits.visit(open, row, event.run)) close() }
+    }
+
+    private fun removeOne(open: OpenAssignment, id: String) {
+        val row = state?.rows?.firstOrNull { it.id == id } ?: return
+        removed = row
+        open.submissions.remove(id)
+        show {
+            copy(
+                rows = rows.filter { it.id != id },
+                opened = opened?.takeIf { it.id != id },
+                told = HandInsMessage.Removed(row.name),
+            )
+        }
+        afterRemoval(open)
+    }
+
+    private fun undoRemoval(open: OpenAssignment) {
+        val row = removed?.takeIf { state?.told is HandInsMessage.Removed } ?: return
+        removed = null
+        open.submissions.remove(row.id, isRemoved = false)
+        show { copy(rows = rows + row, last = row.id, told = null).sorted() }
+        afterRemoval(open)
+    }
+
+    private fun afterRemoval(open: OpenAssignment) {
+        show { copy(rows = withNamesakes(rows)) }
+        keepComments(open)
+        if (state?.isStopped == false) grading.begin(open)
+        scope.launch {
+            notKept(open.kept.writeRemoved(open.submissions.removed))?.let(::tell)
+            compare(open)
+        }
+    }
+
+    private fun remove(open: OpenAssignment) {
+        grading.stop()
+        comments.forget()
+        show { open.firstState(scanning.kinds) }
+        this.open = open.emptied()
+        reading = scope.launch { open.kept.clear() }
+    }
+
+    private fun tell(message: HandInsMessage) = show { copy(told = message) }
+
+    private fun show(change: HandInsState.() -> HandInsState) {
+        state = state?.change()
+    }
+
+    private companion object {
+        val KINDS = listOf(FileKind.PROJECT, FileKind.ZIP, FileKind.ROBOLANG, FileKind.JAVA, FileKind.TEXT)
+        val TOO_MUCH = HandInsMessage.TooMany(KeptHandIns.MAXIMUM_FILES, KeptHandIns.MAXIMUM_MEGABYTES)
+    }
+}
+
+internal fun notKept(result: StoreResult): HandInsMessage? = when (result) {
+    StoreResult.Done -> null
+    StoreResult.Full -> HandInsMessage.NotKept("")
+    is StoreResult.Failed -> HandInsMessage.NotKept(result.reason)
+}

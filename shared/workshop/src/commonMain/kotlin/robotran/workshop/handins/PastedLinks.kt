@@ -1,0 +1,37 @@
+package robotran.workshop.handins
+
+import robotran.assignments.collecting.CollectedFile
+import robotran.assignments.collecting.Submission
+import robotran.assignments.messages.CollectingMessages
+import robotran.language.Language
+import robotran.workshop.platform.OpenedFile
+
+/** Links that were pasted or scanned, as files, so that each has a number by which the teacher finds it. */
+internal object PastedLinks {
+    /** One file for each link in [text], numbered from [first]. */
+    fun filesFor(text: String, first: Int): List<OpenedFile> = LINK.findAll(text).mapIndexed { index, link ->
+        OpenedFile("$NAME${first + index}$EXTENSION", link.value.encodeToByteArray())
+    }.toList()
+
+    /** The highest number of a link in [files]; 0 if there is none. */
+    fun last(files: List<CollectedFile>): Int = files.maxOfOrNull { numberIn(it.path) ?: 0 } ?: 0
+
+    /** [submission] with words in place of the names that [filesFor] gave it. */
+    fun named(submission: Submission, language: Language): Submission {
+        val number = numberIn(submission.origin) ?: return submission
+        val words = CollectingMessages.of(language).pastedLink(number)
+        val name = if (submission.name == "$NAME$number") words else submission.name
+        return when (submission) {
+            is Submission.Usable -> submission.copy(name = name, origin = words)
+            is Submission.Unusable -> submission.copy(name = name, origin = words)
+        }
+    }
+
+    private fun numberIn(path: String): Int? = FILE.matchEntire(path)?.groupValues?.get(1)?.toIntOrNull()
+
+    /** The part of a link that matters. */
+    private val LINK = Regex("#[wpch]=[A-Za-z0-9_-]+")
+    private const val NAME = "pasted-link-"
+    private const val EXTENSION = ".txt"
+    private val FILE = Regex("$NAME(\\d+)\\$EXTENSION")
+}
