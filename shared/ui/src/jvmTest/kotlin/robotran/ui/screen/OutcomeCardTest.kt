@@ -84,7 +84,7 @@ class OutcomeCardTest {
     @Test
     fun `when the time is up the run pauses and the card says so, and the clock has the comma of the language`() =
         onPhone { workshop ->
-            workshop.runToFlag("repeat forever\n  turn left\nend\n", timeLimit = 5)
+            workshop.runToFlag("repeat forever\n  wait 1 second\nend\n", timeLimit = 5)
             pass(300)
             assertTrue(workshop.state.run.isPaused)
             assertEquals(WorkshopStatus.TimeUp(5), workshop.state.status)
