@@ -84,6 +84,7 @@ private fun BoxWithConstraintsScope.Messages(
     val tall = maxHeight * TALL
     val most = if (isSmall) maxHeight * MOST else max
     val hasRoom = maxHeight >= LOW
+    val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)
     val isFolded = isTaskFolded(state)
     val tellsTries = !cardTellsTries(state, withNotice)
     Column(
@@ -95,7 +96,7 @@ private fun BoxWithConstraintsScope.Messages(
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
-        if (!isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)) {
+        if (isOutcomeHere) {
             OutcomeCard(
                 state,
                 onEvent,
