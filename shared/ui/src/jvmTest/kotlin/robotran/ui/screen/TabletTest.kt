@@ -44,7 +44,7 @@ class TabletTest {
             onNodeWithTag(tag).assertIsDisplayed()
         }
         onNodeWithTag("program").assertTextContains("forward 20", substring = true)
-        onNodeWithTag("status").assertTextEquals("Ready. Press Run (▶).")
+        onNodeWithTag("status").assertTextEquals("Ready. Press Run.")
         onNodeWithTag("stop").assertIsNotEnabled()
         onNodeWithTag("lcd").assertContentDescriptionContains("Display: 9.0 0, standing man")
     }
