@@ -97,7 +97,7 @@ class HandInsStateHolderTest {
         )
         assertEquals(expected, workshop.page.rows.associate { it.name to it.verdict })
         assertNull(workshop.page.progress)
-        assertEquals(HandInsMessage.Brought(6, 0), workshop.page.told)
+        assertEquals(HandInsMessage.Brought(5, 0, unusable = 1), workshop.page.told)
         val ada = workshop.row("Ada")
         assertEquals(listOf(2, 2), listOf(ada.lines, (ada.submission as Submission.Usable).handIn?.tries))
     }
@@ -623,6 +623,10 @@ class HandInsStateHolderTest {
         workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved), teachers))
         assertEquals(HandInsMessage.Brought(1, 0, listOf(note)), workshop.page.told)
         assertEquals(listOf("Ada"), workshop.page.rows.map { it.name })
+        workshop.handle(HandInsEvent.LinksPasted(link(AnyClass.teachers)))
+        advanceUntilIdle()
+        val ofLink = "Pasted link 1 is the assignment itself, not a hand-in."
+        assertEquals(HandInsMessage.NothingFound(listOf(ofLink)), workshop.page.told)
     }
 
     @Test
