@@ -222,7 +222,7 @@ private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = 
     fontSize = TextSizes.SMALL,
     fontWeight = FontWeight.Medium,
     textAlign = align,
-    maxLines = 1,
+    maxLines = 2,
     overflow = TextOverflow.Ellipsis,
 )
 

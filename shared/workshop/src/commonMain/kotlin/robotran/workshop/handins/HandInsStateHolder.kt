@@ -49,6 +49,9 @@ class HandInsStateHolder internal constructor(
     var state: HandInsState? by mutableStateOf(null)
         private set
 
+    /** Whether the open project was opened from a hand-in. */
+    val isVisiting: Boolean get() = visits.isVisiting
+
     /** What the page showed last; it is shown again after a replay. */
     private var resting: HandInsState? = null
     private var open: OpenAssignment? = null
