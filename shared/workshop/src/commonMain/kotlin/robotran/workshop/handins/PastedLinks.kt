@@ -28,6 +28,7 @@ internal object PastedLinks {
         val name = if (submission.name == "$NAME$number") words else submission.name
         return when (submission) {
             is Submission.Usable -> submission.copy(name = name, origin = words)
+
             is Submission.Unusable -> submission.copy(
                 name = name,
                 origin = words,
