@@ -95,7 +95,7 @@ private fun BoxWithConstraintsScope.Messages(
     ) {
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
-        if (withNotice) notice?.let { NoticeBar(it, onEvent) }
+        if (withNotice) notice?.let { NoticeBar(it, onEvent, Modifier.align(Alignment.End)) }
         if (isOutcomeHere) {
             OutcomeCard(
                 state,
