@@ -74,9 +74,17 @@ async function showText(page, finger) {
   await appears(page, 'program');
 }
 
-/** Shows the card of the task, which is hidden after a reload. */
+/** Shows the card of the task, which may be hidden after a reload, with the tries. */
 async function showTask(page, finger) {
-  if ((await words(page, 'task-card').count()) === 0) await finger.press('task-chip');
+  for (let attempt = 0; attempt < 5; attempt++) {
+    try {
+      await words(page, 'assignment-tries').waitFor({ state: 'attached', timeout: 6_000 });
+      return;
+    } catch {
+      await finger.press('task-chip');
+    }
+  }
+  await appears(page, 'assignment-tries');
 }
 
 /** Opens the menu of the project and chooses `item`, which may have to be scrolled to. A menu that has just opened may miss a touch. */

@@ -59,7 +59,7 @@ test("the page shows how far it is, in the reader's language, until the app is t
   assert.equal(await words(page), 'Robotran macht sich bereit.');
   assert.equal(await page.getAttribute('html', 'lang'), 'de');
   const progress = () => page.evaluate(() => document.getElementById('loading-progress').value);
-  await page.waitForFunction(() => document.getElementById('loading-progress').value > 0.3, null, { timeout: PATIENCE });
+  await page.waitForFunction(() => document.getElementById('loading-progress').value > 0.2, null, { timeout: PATIENCE });
   assert.ok((await progress()) < 0.9, `${await progress()}`);
   await photograph(page, 'loading');
   goOn();

@@ -28,7 +28,7 @@ class RecordedRun internal constructor(
             while (player.time < length) {
                 val next = minOf(player.time + step, length)
                 while (player.time < next) {
-                    // A player pauses where the task is completed, but this run went on.
+                    // A player pauses where the task is completed or its time is up, but this run went on.
                     if (player.playback == PlaybackState.Paused) player.play()
                     player.pass((next - player.time).toInt())
                 }

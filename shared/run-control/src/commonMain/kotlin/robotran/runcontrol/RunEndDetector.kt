@@ -25,8 +25,11 @@ internal class RunEndDetector(private val world: World) {
         val isQuiet = hasEnded(state) && state.robots.none { it.brick.sounding }
         quiet =
             if (last != null && isQuiet && !moves(last, state)) quiet + state.milliseconds - last.milliseconds else 0
-        return quiet >= QUIET_MILLISECONDS || state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
+        return quiet >= QUIET_MILLISECONDS || isTimeUp(state)
     }
+
+    /** Whether the time limit is reached. */
+    fun isTimeUp(state: SessionState): Boolean = state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
 
     /** Whether the task is completed, although the program may still run. */
     fun isCompleted(state: SessionState): Boolean {

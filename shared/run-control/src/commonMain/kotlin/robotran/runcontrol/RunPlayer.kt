@@ -18,8 +18,8 @@ import robotran.simulation.state.SessionState
  * part of the run, which ends at [length]. To seek backwards, the player starts a new session and repeats the inputs up
  * to the target, which gives the same run to the last bit; meanwhile [state] is a recorded state of that time. An input
  * in the past starts a new branch and discards the old future. The player has no clock and no thread: the caller
- * reports each frame, see [frame]. When the task of the world is completed, the player pauses, even if the program
- * would go on. Not thread-safe.
+ * reports each frame, see [frame]. When the task of the world is completed or its time is up, the player pauses, even if
+ * the program would go on. Not thread-safe.
  *
  * @param recording the inputs from the start of the run, as in a project saved with its inputs.
  */
@@ -36,7 +36,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     private val waiting = mutableListOf<SessionInput>()
     private var isStepBegun = false
 
-    /** Whether the task has just been completed, so that time stops. */
+    /** Whether the task has just been completed or its time is just up, so that time stops. */
     private var pausesNow = false
 
     var playback: PlaybackState = PlaybackState.Playing()
@@ -328,7 +328,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
             take.applyDueInputs(whole, record.finished)
             record.observeGoals(session.state)
             record.traceHash = session.traceHash
-            pausesNow = record.isCompleted && playback !is PlaybackState.Seeking
+            pausesNow = record.isCutShort && playback !is PlaybackState.Seeking
         }
     }
 

@@ -24,8 +24,10 @@ internal class RunRecord(world: World) {
     /** The hash of the session when the run ended; null before that. */
     var traceHash: String? = null
 
-    /** Whether the run ended because its task was completed, although a program may still have run. */
-    var isCompleted = false
+    /**
+     * Whether the run ended because its task was completed or its time was up, although a program may still have run.
+     */
+    var isCutShort = false
         private set
 
     /** The goals at the end of the recorded run. */
@@ -45,7 +47,7 @@ internal class RunRecord(world: World) {
         goals = now.goals
         if (finished == null && ending.isOver(now)) {
             finished = time
-            isCompleted = ending.isCompleted(now)
+            isCutShort = ending.isCompleted(now) || ending.isTimeUp(now)
         }
     }
 
@@ -64,7 +66,7 @@ internal class RunRecord(world: World) {
         end = time
         finished = finished?.takeIf { it <= time }
         if (finished == null) traceHash = null
-        isCompleted = isCompleted && finished != null
+        isCutShort = isCutShort && finished != null
         goals = state.goals
         states.cutAt(time)
         chart.cutAt(time)

@@ -74,6 +74,23 @@ class RunRecordTest {
     }
 
     @Test
+    fun `time stops when the task's time is up, goes on if wanted, and does not stop again`() = runTest {
+        val flag = Shape.Circle(Point(90.0, 30.0), 5.0)
+        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(Reach(flag))), timeLimit = 2)
+        val player = started("repeat forever\n  wait 1 second\nend", world)
+        player.pass(5_000)
+        assertEquals(PlaybackState.Paused, player.playback)
+        assertEquals(2_000, player.time)
+        assertFalse(player.outcome.isSolved)
+        player.play()
+        player.pass(3_000)
+        assertEquals(5_000, player.time)
+        val free = started("repeat forever\n  wait 1 second\nend", BuiltInWorlds.plain.copy(timeLimit = 2))
+        free.pass(5_000)
+        assertEquals(5_000, free.time)
+    }
+
+    @Test
     fun `a goal that is a minimum or must hold until the end lets the run go on`() = runTest {
         for (goal in listOf(InkLength(atLeast = 5.0, atMost = null), NeverTouch())) {
             val player = started("pen down\nforward 20", BuiltInWorlds.plain.copy(goals = listOf(Goal(goal))))

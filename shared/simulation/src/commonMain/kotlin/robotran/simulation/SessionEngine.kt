@@ -30,6 +30,9 @@ internal class SessionEngine(
     private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
     private val tonesJudged = LongArray(world.robots.size)
     private var nextToTick = 0
+
+    /** Whether the sensors have been read in the present millisecond, which a paused program may cut into several calls. */
+    private var hasSensed = false
     private var latest: SessionState? = null
 
     /** In the world's order. */
@@ -52,8 +55,9 @@ internal class SessionEngine(
     /** Advances by one millisecond or the rest of one. It is not over if a program is paused in the middle of it. */
     fun tick() {
         latest = null
-        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) {
+        if (!hasSensed && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) {
             robots.forEach(RobotInSession::sense)
+            hasSensed = true
         }
         while (nextToTick < robots.size) {
             val brick = robots[nextToTick].brick
@@ -62,6 +66,7 @@ internal class SessionEngine(
             nextToTick++
         }
         nextToTick = 0
+        hasSensed = false
         milliseconds++
         move()
         for (robot in robots) robot.addCallsTo(hash)

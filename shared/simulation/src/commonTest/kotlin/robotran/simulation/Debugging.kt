@@ -8,15 +8,16 @@ import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
+import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 /** A session that has just started the Robolang program [source], named `test`. */
-internal suspend fun startedForDebugging(source: String): Session {
+internal suspend fun startedForDebugging(source: String, world: World = BuiltInWorlds.plain): Session {
     val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
     val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
-    return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
+    return Session(world, listOf(program), loadPhysicsEngine()).apply {
         apply(SessionInput.Press(BrickButton.RUN))
         apply(SessionInput.Release(BrickButton.RUN))
     }

@@ -39,6 +39,18 @@ class SteppingTest {
     }
 
     @Test
+    fun `sensors read the same, with all their noise, whether a run is stepped or not`() = runTest {
+        val noisy = BuiltInWorlds.plain.copy(realism = 1.0, seed = 7)
+        val source = "repeat 200 times\n  show light\n  show light\n  wait 1 milliseconds\nend"
+        val stepped = startedForDebugging(source, noisy)
+        val whole = startedForDebugging(source, noisy)
+        while (stepped.stepStatement(StepKind.INTO) != StopReason.Ended) assertTrue(stepped.state.milliseconds < 60_000)
+        assertEquals(StopReason.Ended, whole.runUntilStop(60_000))
+        assertEquals(whole.state.romCalls, stepped.state.romCalls)
+        assertEquals(whole.traceHash, stepped.traceHash)
+    }
+
+    @Test
     fun `a step over a drive takes the time of the drive`() = runTest {
         val session = started("forward 10\nbeep")
         session.lines(StepKind.OVER)

@@ -94,6 +94,7 @@ class Workshop(
     private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
+    private val shownNotice: Notice? get() = notice ?: Notice.HandInOpen.takeIf { handIns.isVisiting }
 
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
     private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this)
@@ -146,7 +147,7 @@ class Workshop(
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
             taskShown = taskShown,
-            notice = notice,
+            notice = shownNotice,
             settingsShown = settingsHolder.shown,
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
@@ -488,7 +489,7 @@ class Workshop(
     }
 
     private fun takeNotice() {
-        val taken = notice ?: return
+        val taken = shownNotice ?: return
         notice = null
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> {

@@ -3,20 +3,23 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object EnglishReportMessages : ReportMessages {
-    override fun columns() = listOf(
+    override fun columns(worlds: Int) = listOf(
         "name",
         "verdict",
         "goals met",
         "goals",
-        "seeds met",
-        "seeds",
+        if (worlds == 1) "seeds met" else "seeds met (all worlds)",
+        if (worlds == 1) "seeds" else "seeds (all worlds)",
         "seconds",
         "lines",
         "tries",
         "remarks",
         "goals met in all runs",
         "nearly the same program",
+        "comment",
     )
+
+    override fun meanSeconds() = "seconds (mean)"
 
     override fun solved() = "solved"
 
@@ -45,7 +48,7 @@ internal object EnglishReportMessages : ReportMessages {
         return if (worlds == 1) "Each was run with $seeds." else "Each was run in $worlds worlds with $seeds."
     }
 
-    override fun ownWorld() = "the assignment's world"
+    override fun ownWorld() = "As given"
 
     override fun goal() = "goal"
 

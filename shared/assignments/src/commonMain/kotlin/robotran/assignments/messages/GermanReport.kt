@@ -3,20 +3,23 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object GermanReportMessages : ReportMessages {
-    override fun columns() = listOf(
+    override fun columns(worlds: Int) = listOf(
         "Name",
         "Ergebnis",
         "Ziele erreicht",
         "Ziele",
-        "Seeds erreicht",
-        "Seeds",
+        if (worlds == 1) "Seeds erreicht" else "Seeds erreicht (alle Welten)",
+        if (worlds == 1) "Seeds" else "Seeds (alle Welten)",
         "Sekunden",
         "Zeilen",
         "Versuche",
         "Hinweise",
         "in allen Läufen erreichte Ziele",
         "fast das gleiche Programm",
+        "Rückmeldung",
     )
+
+    override fun meanSeconds() = "Sekunden (Mittel)"
 
     override fun solved() = "gelöst"
 
@@ -45,7 +48,7 @@ internal object GermanReportMessages : ReportMessages {
         return if (worlds == 1) "Jede lief mit $seeds." else "Jede lief in $worlds Welten mit $seeds."
     }
 
-    override fun ownWorld() = "die Welt der Aufgabe"
+    override fun ownWorld() = "Wie gegeben"
 
     override fun goal() = "Ziel"
 

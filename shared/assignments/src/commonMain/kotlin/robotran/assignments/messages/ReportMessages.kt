@@ -7,9 +7,14 @@ import robotran.language.choose
 interface ReportMessages {
     /**
      * The headings of a table: name, verdict, goals met in the best run, goals, seeds met, seeds, seconds, lines,
-     * tries, remarks, goals met in all runs, similar programs.
+     * tries, remarks, goals met in all runs, similar programs, comment.
+     *
+     * @param worlds how often each seed counts.
      */
-    fun columns(): List<String>
+    fun columns(worlds: Int): List<String>
+
+    /** The heading of the mean of the seconds. */
+    fun meanSeconds(): String
 
     /** All runs met all goals. From here on, the functions are verdicts in a word or two. */
     fun solved(): String

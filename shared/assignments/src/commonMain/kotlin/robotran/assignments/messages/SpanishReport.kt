@@ -3,20 +3,23 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object SpanishReportMessages : ReportMessages {
-    override fun columns() = listOf(
+    override fun columns(worlds: Int) = listOf(
         "nombre",
         "resultado",
         "metas cumplidas",
         "metas",
-        "semillas cumplidas",
-        "semillas",
+        if (worlds == 1) "semillas cumplidas" else "semillas cumplidas (todos los mundos)",
+        if (worlds == 1) "semillas" else "semillas (todos los mundos)",
         "segundos",
         "líneas",
         "intentos",
         "observaciones",
         "metas cumplidas en todas las pruebas",
         "casi el mismo programa",
+        "comentarios",
     )
+
+    override fun meanSeconds() = "segundos (media)"
 
     override fun solved() = "resuelta"
 
@@ -49,7 +52,7 @@ internal object SpanishReportMessages : ReportMessages {
         }
     }
 
-    override fun ownWorld() = "el mundo de la tarea"
+    override fun ownWorld() = "Como se dio"
 
     override fun goal() = "meta"
 

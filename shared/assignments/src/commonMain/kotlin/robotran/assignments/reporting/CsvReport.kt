@@ -14,7 +14,8 @@ import robotran.language.withComma
  */
 fun csvReport(report: ClassReport, language: Language = Language.ENGLISH): String {
     val messages = ReportMessages.of(language)
-    val rows = listOf(messages.columns()) + report.results.indices.map { rowOf(report, it, language) }
+    val titles = messages.columns(report.plan.worlds.size)
+    val rows = listOf(titles) + report.results.indices.map { rowOf(report, it, language) }
     val separator = language.choose(english = ",", spanish = ";", german = ";")
     return rows.joinToString("") { row ->
         row.joinToString(separator, postfix = "\r\n") { cellOf(it, separator) }
@@ -43,6 +44,7 @@ private fun rowOf(report: ClassReport, index: Int, language: Language): List<Str
         remarksOf(report, index, language).joinToString(" "),
         graded?.goalsMetAlways?.toString().orEmpty(),
         similarTo(report, index),
+        report.comments[index].orEmpty(),
     )
 }
 

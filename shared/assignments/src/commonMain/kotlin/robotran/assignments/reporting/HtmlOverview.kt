@@ -8,13 +8,11 @@ import robotran.language.Language
 /** Writes a table with a row for each hand-in of [report] to [html]. What no hand-in has is left out. */
 internal fun writeOverview(report: ClassReport, html: HtmlWriter, language: Language) {
     val columns = overviewColumns(report, language)
-    html.raw("<table class=\"all\"><colgroup>")
-    columns.forEach { html.raw(if (it.width == null) "<col>" else "<col style=\"width: ${it.width}%\">") }
-    html.raw("</colgroup><thead><tr>")
-    columns.forEach { html.element("th", it.title) }
+    html.raw("<table class=\"all\"><thead><tr>")
+    columns.forEach { html.element("th", it.title, WORDS.takeIf { _ -> it.isWide }) }
     html.raw("</tr></thead>\n<tbody>\n")
     report.results.forEachIndexed { index, result ->
-        html.raw("<tr><td><a href=\"#p$index\">")
+        html.raw("<tr><td class=\"$WORDS\"><a href=\"#p$index\">")
         html.text(result.submission.name)
         html.raw("</a></td>")
         columns.drop(1).forEach { html.element("td", it.text(index), it.style(result)) }
@@ -23,46 +21,44 @@ internal fun writeOverview(report: ClassReport, html: HtmlWriter, language: Lang
     html.raw("</tbody></table>\n")
 }
 
-/** @property width in percent of the page; null for the rest of it. */
+/** @property isWide whether it has sentences or names; another column is as narrow as its longest word. */
 private class OverviewColumn(
     val title: String,
-    val width: Int?,
-    val style: (GradedHandIn) -> String? = { null },
+    val isWide: Boolean = false,
+    val style: (GradedHandIn) -> String? = { WORDS.takeIf { isWide } },
     val text: (index: Int) -> String,
 )
 
 private fun overviewColumns(report: ClassReport, language: Language): List<OverviewColumn> {
     val messages = ReportMessages.of(language)
-    val titles = messages.columns()
+    val titles = messages.columns(report.plan.worlds.size)
     val result = { index: Int -> report.results[index] }
     val graded = { index: Int -> result(index) as? GradedHandIn.Graded }
     val tries = { index: Int -> (result(index).submission as? Submission.Usable)?.handIn?.tries?.toString().orEmpty() }
     val seconds = { index: Int -> graded(index)?.seconds?.let { tenths(it, language) }.orEmpty() }
     val lines = { index: Int -> result(index).submission.linesOfCode.takeIf { it > 0 }?.toString().orEmpty() }
-    val numbers = listOf(SECONDS to seconds, LINES to lines, TRIES to tries)
+    val numbers = listOf(messages.meanSeconds() to seconds, titles[LINES] to lines, titles[TRIES] to tries)
         .filter { (_, text) -> report.results.indices.any { text(it).isNotEmpty() } }
-    val all = OverviewColumn(titles[SEEDS_MET], NUMBER_WIDTH) { index ->
+    val all = OverviewColumn(titles[SEEDS_MET]) { index ->
         graded(index)?.let { messages.countOf(it.met, it.runs.size) }.orEmpty()
     }
     val worlds = report.plan.worlds.map { world ->
-        OverviewColumn(shortened(world.name).ifEmpty { messages.ownWorld() }, NUMBER_WIDTH) { index ->
+        OverviewColumn(shortened(world.name).ifEmpty { messages.ownWorld() }) { index ->
             val runs = graded(index)?.runsIn(world.name)
             runs?.let { messages.countOf(it.count { run -> run.grade.passed }, it.size) }.orEmpty()
         }
     }
-    val similar = OverviewColumn(titles[SIMILAR], null) { similarTo(report, it, MOST_NAMES) }
+    val similar = OverviewColumn(titles[SIMILAR], isWide = true) { similarTo(report, it, MOST_NAMES) }
     return listOf(
-        OverviewColumn(titles[0], NAME_WIDTH) { result(it).submission.name },
-        OverviewColumn(titles[1], VERDICT_WIDTH, {
-            it.verdict.name.lowercase()
-        }) { messages.verdict(result(it).verdict) },
-        OverviewColumn(titles[GOALS_MET], NUMBER_WIDTH) { index ->
+        OverviewColumn(titles[0], isWide = true) { result(it).submission.name },
+        OverviewColumn(titles[1], style = { it.verdict.name.lowercase() }) { messages.verdict(result(it).verdict) },
+        OverviewColumn(titles[GOALS_MET]) { index ->
             graded(index)?.let { messages.countOf(it.goalsMet, it.goals) }.orEmpty()
         },
     ) + (if (worlds.size in 2..MOST_WORLDS) worlds else listOf(all)) +
-        numbers.map { (column, text) -> OverviewColumn(titles[column], NUMBER_WIDTH, text = text) } +
+        numbers.map { (title, text) -> OverviewColumn(title, text = text) } +
         listOfNotNull(similar.takeIf { report.pairs.any { it.isMarked } }) +
-        OverviewColumn(titles[REMARKS], null) { index ->
+        OverviewColumn(titles[REMARKS], isWide = true) { index ->
             remarksOf(report, index, language).take(MOST_REMARKS).joinToString(" ")
         }
 }
@@ -72,19 +68,18 @@ private fun shortened(name: String): String =
     if (name.length <= LONGEST_WORLD) name else "${name.take(LONGEST_WORLD).substringBeforeLast(' ')} …"
 
 private const val LONGEST_WORLD = 40
-private const val NAME_WIDTH = 17
-private const val VERDICT_WIDTH = 11
-private const val NUMBER_WIDTH = 9
+
+/** The style of columns with sentences and names. */
+private const val WORDS = "words"
 
 /** More worlds would leave no room for names and remarks; each hand-in has them further down. */
-private const val MOST_WORLDS = 2
+private const val MOST_WORLDS = 3
 private const val MOST_REMARKS = 3
 private const val MOST_NAMES = 2
 
 // Of [ReportMessages.columns].
 private const val GOALS_MET = 2
 private const val SEEDS_MET = 4
-private const val SECONDS = 6
 private const val LINES = 7
 private const val TRIES = 8
 private const val REMARKS = 9

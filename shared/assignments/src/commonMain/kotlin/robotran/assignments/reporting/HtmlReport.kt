@@ -100,7 +100,7 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        val remarks = messages.columns()[REMARKS].takeIf { runs.any { run -> !run.grade.passed } }
+        val remarks = messages.columns(worlds = 1)[REMARKS].takeIf { runs.any { run -> !run.grade.passed } }
         listOfNotNull(messages.goal(), messages.seedsMet(), remarks).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->

@@ -71,9 +71,11 @@ internal val REPORT_STYLE = """
     table { border-collapse: collapse; width: 100%; margin: .6em 0 }
     th, td { border-bottom: 1px solid #ccc; padding: .25em .5em; text-align: left; vertical-align: top }
     th { background: #f2f2f2 } caption { text-align: left; font-weight: 600; padding: .2em 0 }
-    table.all { table-layout: fixed; font-size: .9em } table.all td, table.all th { padding: .25em .35em }
-    table.all th { font-size: .8em; padding-right: 0 }
-    th, td, h1, h2, caption { overflow-wrap: anywhere; hyphens: auto }
+    table.all { font-size: .9em } table.all td, table.all th { padding: .25em .35em }
+    table.all th { font-size: .8em }
+    h1, h2, caption { overflow-wrap: anywhere; hyphens: auto }
+    table.all td:not(.words), table.all th:not(.words) { width: 1% }
+    table.all td:not([class]) { white-space: nowrap } table.all .words { min-width: 7em }
     .words { overflow-wrap: anywhere }
     .passed { color: #14632a; font-weight: 600 } .partly { color: #7a4d00; font-weight: 600 }
     .missed, .mistakes, .failed, .unusable { color: #9c1c1c; font-weight: 600 }

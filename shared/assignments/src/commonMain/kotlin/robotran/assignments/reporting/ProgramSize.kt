@@ -6,8 +6,9 @@ import robotran.projects.ProjectProgram
 import robotran.robolang.SourceTokenKind
 import robotran.robolang.robolangTokens
 
-/** The lines of the programs of a submission, without empty ones and comments; 0 if it is unusable. */
-val Submission.linesOfCode: Int get() = (this as? Submission.Usable)?.robot?.programs.orEmpty().sumOf(::linesOfCode)
+/** The lines of the program of a submission that Run starts, without empty ones and comments; 0 if it is unusable. */
+val Submission.linesOfCode: Int
+    get() = (this as? Submission.Usable)?.robot?.let { it.programs.getOrNull(it.firstProgram) }?.let(::linesOfCode) ?: 0
 
 private fun linesOfCode(program: ProjectProgram): Int = program.files.sumOf { file ->
     when (program.language) {

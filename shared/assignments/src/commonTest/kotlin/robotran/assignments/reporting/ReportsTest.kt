@@ -53,16 +53,17 @@ class ReportsTest {
     @Test
     fun `the table has a row for each hand-in and no formulas`() = runTest {
         val lines = csvReport(report()).split("\r\n")
-        val columns = "name,verdict,goals met,goals,seeds met,seeds,seconds,lines,tries,remarks"
-        assertEquals("$columns,goals met in all runs,nearly the same program", lines[0])
+        val seeds = "seeds met (all worlds),seeds (all worlds)"
+        val columns = "name,verdict,goals met,goals,$seeds,seconds,lines,tries,remarks"
+        assertEquals("$columns,goals met in all runs,nearly the same program,comment", lines[0])
         assertTrue(lines[1].startsWith("\"Anna, the \"\"first\"\"\",solved,1,1,4,4,"), lines[1])
-        assertTrue(lines[1].endsWith(",2,3,,1,"), lines[1])
+        assertTrue(lines[1].endsWith(",2,3,,1,,\"Well <done>!\nGo on.\""), lines[1])
         assertTrue(lines[2].startsWith("'=1+2,solved,"), lines[2])
         assertTrue(lines[3].startsWith("'+1+2,solved,"), lines[3])
         assertTrue(lines[4].startsWith("cem,has mistakes,,,,,,1,,"), lines[4])
-        assertTrue(lines[2].endsWith(",1,'+1+2 (100 %)") && lines[3].endsWith(",1,'=1+2 (100 %)"), lines[2])
+        assertTrue(lines[2].endsWith(",1,'+1+2 (100 %),") && lines[3].endsWith(",1,'=1+2 (100 %),"), lines[2])
         assertTrue("cem.robo:1:1: " in lines[4], lines[4])
-        assertEquals("dora,cannot be used,,,,,,,,\"There is no program, no project and no link in it.\",,", lines[5])
+        assertEquals("dora,cannot be used,,,,,,,,\"There is no program, no project and no link in it.\",,,", lines[5])
         assertEquals("", lines.drop(6).single())
     }
 
@@ -70,9 +71,10 @@ class ReportsTest {
     fun `German and Spanish tables have semicolons and decimal commas`() = runTest {
         for ((language, verdict) in listOf(Language.GERMAN to "gelöst", Language.SPANISH to "resuelta")) {
             val lines = csvReport(report(language), language).split("\r\n")
-            assertEquals(12, lines.first().split(';').size)
+            assertEquals(13, lines.first().split(';').size)
+            val row = "\"Anna, the \"\"first\"\"\";$verdict;1;1;4;4;\\d+,\\d;2;3;;1;;\"Well <done>!\nGo on.\""
             assertTrue(
-                Regex("\"Anna, the \"\"first\"\"\";$verdict;1;1;4;4;\\d+,\\d;2;3;;1;") matches lines[1],
+                Regex(row) matches lines[1],
                 lines[1],
             )
             assertTrue(lines[2].startsWith("'=1+2;$verdict;"), lines[2])
@@ -123,7 +125,7 @@ class ReportsTest {
         val graded = report.results.single() as GradedHandIn.Graded
         assertEquals(listOf(1, 0), listOf(graded.goalsMet, graded.goalsMetAlways))
         val row = csvReport(report).lines()[1]
-        assertTrue(row.startsWith("Lea,partly solved,1,1,${graded.met},28,") && row.endsWith(",0,"), row)
+        assertTrue(row.startsWith("Lea,partly solved,1,1,${graded.met},28,") && row.endsWith(",0,,"), row)
         assertTrue("<p>Reached all goals in ${graded.met} of 28 runs.</p>" in htmlReport(report, null))
     }
 
@@ -137,8 +139,8 @@ class ReportsTest {
     @Test
     fun `the page tells who has nearly the same program, and what was no hand-in`() = runTest {
         val page = htmlReport(report(), null)
-        assertTrue("<th>nearly the same program</th>" in page, page)
-        assertTrue("<td>+1+2 (100 %)</td>" in page, page)
+        assertTrue("<th class=\"words\">nearly the same program</th>" in page, page)
+        assertTrue("<td class=\"words\">+1+2 (100 %)</td>" in page, page)
         val given = collectHandIns(listOf(file("draw.robotran", ASSIGNMENT), file("a.robo", DRAWS)), ASSIGNMENT)
         val report = reportOn(handIn("Lea")).let {
             ClassReport(it.assignment, it.plan, it.results, notes = given.notes)
@@ -172,6 +174,7 @@ class ReportsTest {
         assertTrue("// &lt;script&gt;alert(1)&lt;/script&gt;" in page)
         assertTrue("Well &lt;done&gt;!\nGo on." in page)
         assertTrue("<td>1 of 1</td><td>2 of 2</td><td>2 of 2</td>" in page, page)
+        assertTrue("<th>As given</th><th>other</th><th>seconds (mean)</th>" in page, page)
         assertTrue("=1+2 and +1+2 have the same program." in page, page)
         assertFalse("http:" in page || "https:" in page)
         val drawn = object : WorldPictures by NoWorldPictures {
@@ -210,6 +213,16 @@ class ReportsTest {
             file("B.java", "/* a\n b */ class B {\n // no\n /* x */ int a; /* y\n*/\n}\n"),
         )
         assertEquals(listOf(2, 3), submissions.map { it.linesOfCode })
+    }
+
+    @Test
+    fun `lines of code are those of the program that Run starts`() = runTest {
+        val usable = assertIs<Submission.Usable>(collect(file("a.robo", "beep\n")).single())
+        val programs = usable.robot.programs + listOf("buzz\nbeep\nbeep\n").map { text ->
+            usable.robot.programs.single().run { copy(files = files.map { it.copy(text = text) }) }
+        }
+        val lines = listOf(0, 1).map { usable.copy(robot = usable.robot.copy(programs = programs, firstProgram = it)) }
+        assertEquals(listOf(1, 3), lines.map { it.linesOfCode })
     }
 
     private companion object {

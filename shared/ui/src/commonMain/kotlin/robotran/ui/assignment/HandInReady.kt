@@ -37,6 +37,7 @@ import robotran.ui.resources.hand_in_ready
 import robotran.ui.resources.hand_in_ready_plain
 import robotran.ui.resources.hand_in_saved
 import robotran.ui.resources.hand_in_share
+import robotran.ui.runbar.secondsText
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep

@@ -41,6 +41,7 @@ import robotran.ui.resources.hand_in_name
 import robotran.ui.resources.hand_in_running
 import robotran.ui.resources.hand_in_unchanged
 import robotran.ui.resources.hand_in_what
+import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

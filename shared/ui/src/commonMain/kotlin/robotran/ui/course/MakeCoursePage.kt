@@ -57,9 +57,10 @@ import robotran.world.WorldLimits
 /** The page on which a teacher makes a course. */
 @Composable
 internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
-    Page(stringResource(Res.string.course_make), "course-make", { onEvent(CourseEvent.PageClosed) }) {
+    val scroll = rememberScrollState()
+    Page(stringResource(Res.string.course_make), "course-make", { onEvent(CourseEvent.PageClosed) }, scroll) {
         Column(
-            Modifier.testTag("course-form").verticalScroll(rememberScrollState()).padding(24.dp),
+            Modifier.testTag("course-form").verticalScroll(scroll).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
             Explanation(stringResource(Res.string.course_make_intro))

@@ -65,8 +65,8 @@ import robotran.workshop.state.CoursePage
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) -> Unit) {
-    Page(stringResource(Res.string.course_list), "courses-page", { onEvent(CourseEvent.PageClosed) }) {
-        val list = rememberLazyListState()
+    val list = rememberLazyListState()
+    Page(stringResource(Res.string.course_list), "courses-page", { onEvent(CourseEvent.PageClosed) }, list) {
         LazyColumn(
             Modifier.fillMaxSize().testTag("courses").scrolledByReaders(list) { list.layoutInfo.viewportSize.height },
             list,

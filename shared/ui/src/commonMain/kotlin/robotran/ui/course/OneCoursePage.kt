@@ -39,9 +39,10 @@ import robotran.workshop.state.CourseTask
 @Composable
 internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) {
     val next = page.next
-    Page(page.title, "course-page", { onEvent(CourseEvent.PageClosed) }, maxWidth = 960.dp) {
+    val scroll = rememberScrollState()
+    Page(page.title, "course-page", { onEvent(CourseEvent.PageClosed) }, scroll, maxWidth = 960.dp) {
         Column(
-            Modifier.fillMaxWidth().testTag("course").verticalScroll(rememberScrollState()).padding(20.dp),
+            Modifier.fillMaxWidth().testTag("course").verticalScroll(scroll).padding(20.dp),
             Arrangement.spacedBy(12.dp),
         ) {
             for (paragraph in page.text.split(PARAGRAPH).filter { it.isNotBlank() }) {

@@ -33,7 +33,7 @@ import robotran.ui.resources.run_chart_sensor
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
-import robotran.ui.runbar.seconds
+import robotran.ui.runbar.secondsText
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.RunEvent
@@ -92,7 +92,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
             Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
                 for (time in listOf(window.from, touched, window.until)) {
                     Text(
-                        time?.let { "${seconds(it)} s" }.orEmpty(),
+                        time?.let { "${secondsText(it)} s" }.orEmpty(),
                         Modifier.testTag("chart-time"),
                         color = LocalRobotranColours.current.quiet,
                         fontSize = TextSizes.SMALL,

@@ -222,7 +222,8 @@ private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = 
     fontSize = TextSizes.SMALL,
     fontWeight = FontWeight.Medium,
     textAlign = align,
-    maxLines = 1,
+    lineHeight = LineHeights.TIGHT,
+    maxLines = 2,
     overflow = TextOverflow.Ellipsis,
 )
 
@@ -234,7 +235,7 @@ private fun scaled(width: Dp): Dp = width * LocalDensity.current.fontScale.coerc
 private val COMMENT_ICON = Icon.strokes("M4 5H20V16H12L7 20V16H4V5", "M8 9H16", "M8 12H13")
 private val RESULT_WIDTH = 180.dp
 private val RUNS_WIDTH = 164.dp
-private val FIGURE_WIDTH = 68.dp
+private val FIGURE_WIDTH = 80.dp
 private const val NAME_WEIGHT = 1f
 private const val REMARKS_WEIGHT = 1.4f
 private const val MAX_SCALE = 1.5f

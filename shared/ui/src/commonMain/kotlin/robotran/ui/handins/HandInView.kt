@@ -1,5 +1,6 @@
 package robotran.ui.handins
 
+import androidx.compose.foundation.ScrollState
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
@@ -10,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -45,8 +45,13 @@ import robotran.workshop.state.HandInsState
 
 /** One hand-in: its picture, what the runs lacked, its programs, and what the teacher writes to the pupil. */
 @Composable
-internal fun HandInView(state: HandInsState, row: HandInRow, isWide: Boolean, onEvent: (HandInsEvent) -> Unit) {
-    val scroll = rememberScrollState()
+internal fun HandInView(
+    state: HandInsState,
+    row: HandInRow,
+    isWide: Boolean,
+    scroll: ScrollState,
+    onEvent: (HandInsEvent) -> Unit,
+) {
     LaunchedEffect(row.id) { scroll.scrollTo(0) }
     val padding = if (isWide) Space.PAGE else Space.LARGE
     Column(

@@ -20,6 +20,7 @@ import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.hand_ins_alike
 import robotran.ui.resources.hand_ins_brought
 import robotran.ui.resources.hand_ins_brought_known
+import robotran.ui.resources.hand_ins_brought_unusable
 import robotran.ui.resources.hand_ins_camera_not_allowed
 import robotran.ui.resources.hand_ins_commented
 import robotran.ui.resources.hand_ins_equal
@@ -124,12 +125,12 @@ internal fun secondsText(seconds: Double): String {
 @Composable
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
     is HandInsMessage.Brought -> {
-        val brought = if (message.others == 0) {
-            stringResource(Res.string.hand_ins_brought, message.count)
-        } else {
-            stringResource(Res.string.hand_ins_brought_known, message.count, message.others)
-        }
-        (listOf(brought) + message.notes).joinToString(" ")
+        val counts = listOf(
+            Res.string.hand_ins_brought to message.count,
+            Res.string.hand_ins_brought_unusable to message.unusable,
+            Res.string.hand_ins_brought_known to message.others,
+        ).filterIndexed { index, (_, count) -> index == 0 || count > 0 }
+        (counts.map { (words, count) -> stringResource(words, count) } + message.notes).joinToString(" ")
     }
 
     is HandInsMessage.NothingFound -> {

@@ -2,6 +2,7 @@ package robotran.ui.handins
 
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
+import androidx.compose.foundation.rememberScrollState
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -9,8 +10,10 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Page
 import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_go_back
 import robotran.ui.resources.hand_ins_of
 import robotran.ui.resources.hand_ins_title
+import robotran.ui.resources.page_close
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInsState
 
@@ -25,14 +28,16 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     }
     val close = { onEvent(if (row == null) HandInsEvent.Closed else HandInsEvent.HandInChosen(null)) }
     val list = rememberLazyGridState()
-    Page(title, "hand-ins", close, maxWidth = MAX_WIDTH) {
+    val ofOne = rememberScrollState()
+    val words = if (row == null) Res.string.page_close else Res.string.hand_in_go_back
+    Page(title, "hand-ins", close, if (row == null) list else ofOne, MAX_WIDTH, words) {
         state.told?.let { Told(it, onEvent) }
         BoxWithConstraints(Modifier.weight(1f)) {
             val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)
             if (row == null) {
                 HandInsTable(state, list, form, onEvent)
             } else {
-                HandInView(state, row, isWide = form != TableForm.CARDS, onEvent)
+                HandInView(state, row, isWide = form != TableForm.CARDS, ofOne, onEvent)
             }
         }
     }

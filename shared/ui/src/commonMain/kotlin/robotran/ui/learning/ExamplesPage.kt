@@ -39,10 +39,10 @@ import robotran.workshop.examples.examples
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+    val cards = rememberLazyGridState()
     Page(stringResource(Res.string.learning_examples), "examples-page", {
         onEvent(LearningEvent.PageClosed)
-    }, maxWidth = 1280.dp) {
-        val cards = rememberLazyGridState()
+    }, cards, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),
             modifier = Modifier.fillMaxSize().testTag("example-cards").scrolledByReaders(cards) {

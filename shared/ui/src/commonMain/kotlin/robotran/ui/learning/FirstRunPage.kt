@@ -14,6 +14,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.layout.wrapContentWidth
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
@@ -70,7 +71,7 @@ import robotran.workshop.state.LearningPage
 internal fun FirstRunPage(view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
     Page(stringResource(Res.string.learning_welcome_title), "first-run", {
         onEvent(LearningEvent.PageClosed)
-    }, maxWidth = Dp.Infinity) {
+    }, scroll = null, maxWidth = Dp.Infinity) {
         BoxWithConstraints {
             val scale = LocalDensity.current.fontScale
             val height = maxHeight
@@ -110,7 +111,9 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
     Box(modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet), Alignment.Center) {
         Column(
             Modifier
+                .fillMaxWidth()
                 .verticalScroll(scroll)
+                .wrapContentWidth()
                 .widthIn(max = MAX_WIDTH)
                 .padding(horizontal = Space.PAGE, vertical = if (isLow) Space.SMALL else Space.LARGE),
             Arrangement.spacedBy(if (isLow) Space.SMALL else Space.MEDIUM),

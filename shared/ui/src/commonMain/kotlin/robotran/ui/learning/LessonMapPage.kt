@@ -41,7 +41,7 @@ internal fun LessonMapPage(state: LearningState, saved: SavedOwnCourse?, onEvent
     )
     Page(stringResource(Res.string.learning_map), "map-page", {
         onEvent(LearningEvent.PageClosed)
-    }, maxWidth = 960.dp) {
+    }, strands, maxWidth = 960.dp) {
         LazyColumn(
             Modifier.fillMaxSize().testTag("map").scrolledByReaders(strands) { strands.layoutInfo.viewportSize.height },
             strands,

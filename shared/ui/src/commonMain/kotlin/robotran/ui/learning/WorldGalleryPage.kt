@@ -53,10 +53,10 @@ import robotran.workshop.state.SavedOwnCourse
 internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     val found = remember(state.query, state.language) { WorldGallery.search(state.query, state.language) }
+    val cards = rememberLazyGridState()
     Page(stringResource(Res.string.learning_worlds), "worlds-page", {
         onEvent(LearningEvent.PageClosed)
-    }, maxWidth = 1280.dp) {
-        val cards = rememberLazyGridState()
+    }, cards, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
             modifier = Modifier.fillMaxSize().testTag("world-cards").scrolledByReaders(cards) {

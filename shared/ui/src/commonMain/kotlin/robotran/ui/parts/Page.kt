@@ -2,10 +2,15 @@ package robotran.ui.parts
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.gestures.ScrollableState
+import androidx.compose.foundation.gestures.scrollable
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.RowScope
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -33,12 +38,14 @@ import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.page_close
@@ -50,7 +57,9 @@ import robotran.ui.theme.TextSizes
  * A page over the workshop with its [title]. The arrow or Escape closes it. The content below is blocked for touches
  * and the Tab key.
  *
+ * @param scroll of its content, to scroll it beside the content, too.
  * @param maxWidth the max width of its content, which is centred on wider screens.
+ * @param closeWords where the arrow leads.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
@@ -58,7 +67,9 @@ internal fun Page(
     title: String,
     tag: String,
     onClose: () -> Unit,
+    scroll: ScrollableState?,
     maxWidth: Dp = 720.dp,
+    closeWords: StringResource = Res.string.page_close,
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -87,7 +98,7 @@ internal fun Page(
             .focusable(),
     ) {
         Row(Modifier.fillMaxWidth().padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
-            IconTouch(Icon.BACK, stringResource(Res.string.page_close), "$tag-close", onClose)
+            IconTouch(Icon.BACK, stringResource(closeWords), "$tag-close", onClose)
             Text(
                 title,
                 Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },
@@ -97,10 +108,20 @@ internal fun Page(
             )
         }
         HorizontalDivider(color = colours.line)
-        Box(Modifier.weight(1f).fillMaxWidth(), Alignment.TopCenter) {
+        Row(Modifier.weight(1f).fillMaxWidth()) {
+            Margin(scroll)
             Column(Modifier.widthIn(max = maxWidth).fillMaxSize(), content = content)
+            Margin(scroll)
         }
     }
 }
+
+/** Scrolls with the content beside it. Screen readers scroll the content itself. */
+@Composable
+private fun RowScope.Margin(scroll: ScrollableState?) = Spacer(
+    Modifier.weight(1f).fillMaxHeight().clearAndSetSemantics { }.then(
+        if (scroll == null) Modifier else Modifier.scrollable(scroll, Orientation.Vertical, reverseDirection = true),
+    ),
+)
 
 private val TAB = setOf(FocusDirection.Next, FocusDirection.Previous)

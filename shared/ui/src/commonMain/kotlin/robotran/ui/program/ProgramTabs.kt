@@ -95,10 +95,16 @@ private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, scroll: Scroll
         if (!shown || room == 0) return@LaunchedEffect
         // The whole row has its new width only after layout.
         withFrameNanos { }
-        when {
-            span.first - margin < scroll.value -> scroll.animateScrollTo(span.first - margin)
-            span.last + margin > scroll.value + room -> scroll.animateScrollTo(span.last + margin - room)
-        }
+        val place = scroll.value.coerceIn(
+            span.last + margin - room,
+            maxOf(
+                span.last + margin - room,
+                span.first - margin,
+            ),
+        )
+            .coerceIn(0, scroll.maxValue)
+        // A touch while tabs scroll stops them, and is none on a tab.
+        if (place != scroll.value) scroll.animateScrollTo(place)
     }
     return onPlaced { tab ->
         val left = tab.positionInParent().x.roundToInt()

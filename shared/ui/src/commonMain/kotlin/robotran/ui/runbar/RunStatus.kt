@@ -66,9 +66,9 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
 
 @Composable
 private fun Clock(run: RunPaneState) {
-    val now = stringResource(Res.string.clock, seconds(run.time))
+    val now = stringResource(Res.string.clock, secondsText(run.time))
     Text(
-        if (run.inPast) stringResource(Res.string.run_clock_of, now, seconds(run.length)) else now,
+        if (run.inPast) stringResource(Res.string.run_clock_of, now, secondsText(run.length)) else now,
         Modifier.testTag("clock"),
         color = LocalRobotranColours.current.quiet,
         fontSize = TextSizes.SMALL,
@@ -82,7 +82,7 @@ private fun Clock(run: RunPaneState) {
 private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String? {
     val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {
-        run.isSeeking -> stringResource(Res.string.run_status_seeking, seconds(run.time))
+        run.isSeeking -> stringResource(Res.string.run_status_seeking, secondsText(run.time))
 
         status is WorkshopStatus.Paused && mark != null -> markText(mark)
 

@@ -2,6 +2,9 @@ package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
+import robotran.language.withComma
+import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.resources.run_status_paused
@@ -25,6 +28,7 @@ import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
 import robotran.ui.resources.status_solved
 import robotran.ui.resources.status_stopped
+import robotran.ui.resources.time_up
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
 import kotlin.math.abs
@@ -47,6 +51,10 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 
     WorkshopStatus.Solved -> {
         stringResource(Res.string.status_solved)
+    }
+
+    is WorkshopStatus.TimeUp -> {
+        stringResource(Res.string.time_up, status.seconds)
     }
 
     WorkshopStatus.Off -> {
@@ -123,3 +131,11 @@ internal fun oneDecimal(value: Double): String {
     val sign = if (tenths < 0) "-" else ""
     return "$sign${abs(tenths) / 10}.${abs(tenths) % 10}"
 }
+
+/** Seconds with one decimal place, as the pupil's language writes it. */
+@Composable
+internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
+    if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
+}
+
+private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -26,7 +26,6 @@ import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
-import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.TimelineMark
 import robotran.ui.resources.Res
@@ -72,7 +71,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
 private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier) {
     val colours = LocalRobotranColours.current
     val name = stringResource(Res.string.run_timeline)
-    val place = stringResource(Res.string.run_timeline_place, seconds(state.time), seconds(state.length))
+    val place = stringResource(Res.string.run_timeline_place, secondsText(state.time), secondsText(state.length))
     val here = markAt(state.marks, state.time)?.let { markText(it) }
     val now by rememberUpdatedState(state)
     val scrub by rememberUpdatedState(onScrub)
@@ -148,8 +147,3 @@ private val STEPS = mapOf(
 
 /** The max distance of a mark that is announced. */
 private const val NEAR_MILLISECONDS = 10L
-
-/** [milliseconds] as seconds with one decimal. */
-internal fun seconds(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND)
-
-private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -64,7 +64,7 @@ internal fun CoveredSheet(
             isSolved = state.learning.solved != null && state.run.isSolved,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
-        if (isOutcomeAbove(state) && !isOutcomeReplaced(state)) LowerOutcome(state, onEvent, withNotice)
+        if (isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)) LowerOutcome(state, onEvent, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -84,6 +84,7 @@ private fun BoxWithConstraintsScope.Messages(
     val tall = maxHeight * TALL
     val most = if (isSmall) maxHeight * MOST else max
     val hasRoom = maxHeight >= LOW
+    val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)
     val isFolded = isTaskFolded(state)
     val tellsTries = !cardTellsTries(state, withNotice)
     Column(
@@ -94,8 +95,8 @@ private fun BoxWithConstraintsScope.Messages(
     ) {
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
-        if (withNotice) notice?.let { NoticeBar(it, onEvent) }
-        if (!isOutcomeAbove(state) && !isOutcomeReplaced(state)) {
+        if (withNotice) notice?.let { NoticeBar(it, onEvent, Modifier.align(Alignment.End)) }
+        if (isOutcomeHere) {
             OutcomeCard(
                 state,
                 onEvent,
@@ -160,9 +161,12 @@ private val BoxWithConstraintsScope.isSmall: Boolean get() = maxWidth < SMALL ||
 private fun cardTellsTries(state: WorkshopState, canHandIn: Boolean): Boolean =
     canHandIn && state.taskShown && state.hasTask
 
-/** Whether the card of an assignment, which has the hint, is shown in the place of what was missing. */
-private fun isOutcomeReplaced(state: WorkshopState): Boolean =
-    state.assignment != null && state.taskShown && state.hasTask && state.learning.solved == null
+/**
+ * Whether the card of the task is shown in the place of the outcome: that of an assignment, which has the hint, in the
+ * place of what was missing, and where [isSmall] any in the place of both. Run hides it, so the pupil has asked for it.
+ */
+private fun isOutcomeReplaced(state: WorkshopState, isSmall: Boolean): Boolean =
+    state.taskShown && state.hasTask && (isSmall || (state.assignment != null && state.learning.solved == null))
 
 /** Whether what the outcome is about, a place or the robot, is in the upper half of the paper. */
 private fun isOutcomeAbove(state: WorkshopState): Boolean {

@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -30,11 +31,13 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
+import robotran.workshop.state.NoticeAction
 
-/** The current notice, until it is dismissed. Screen readers announce it. */
+/** The current notice, until it is dismissed: screen readers announce it. Its action alone if it says nothing. */
 @Composable
 internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
+    if (notice == Notice.HandInOpen) return ActionAlone(NoticeAction.BackToHandIns, onEvent, modifier)
     val text = noticeText(notice)
     val colour = if (notice.isError) colours.error else colours.onPane
     Row(
@@ -57,23 +60,33 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
             color = colour,
             fontSize = TextSizes.BODY,
         )
-        notice.action?.let { action ->
-            TextButton(
-                { onEvent(WorkshopEvent.NoticeTaken) },
-                Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
-            ) {
-                Text(
-                    stringResource(noticeActionText(action)),
-                    color = colours.focus,
-                    fontSize = TextSizes.BODY,
-                    fontWeight = FontWeight.SemiBold,
-                )
-            }
-        }
+        notice.action?.let { ActionButton(it, onEvent) }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {
             onEvent(WorkshopEvent.NoticeDismissed)
         }, colour = colour)
     }
+}
+
+/** Hides as little as it can. */
+@Composable
+private fun ActionAlone(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    Box(modifier.background(colours.pane, SHAPE).border(1.dp, colours.line, SHAPE).testTag("notice")) {
+        ActionButton(action, onEvent)
+    }
+}
+
+@Composable
+private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit) = TextButton(
+    { onEvent(WorkshopEvent.NoticeTaken) },
+    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
+) {
+    Text(
+        stringResource(noticeActionText(action)),
+        color = LocalRobotranColours.current.focus,
+        fontSize = TextSizes.BODY,
+        fontWeight = FontWeight.SemiBold,
+    )
 }
 
 private val SHAPE = Shapes.MEDIUM

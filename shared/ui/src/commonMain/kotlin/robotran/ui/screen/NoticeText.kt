@@ -36,6 +36,8 @@ import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
 import robotran.ui.resources.hand_in_go_back
 import robotran.ui.resources.hand_in_notice
+import robotran.ui.resources.hand_in_notice_run
+import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
 import robotran.ui.resources.notice_change_number
@@ -123,7 +125,12 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
-    is Notice.HandInOpened -> stringResource(Res.string.hand_in_notice, notice.name)
+    is Notice.HandInOpened -> notice.run?.let { run ->
+        val world = run.world.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+        stringResource(Res.string.hand_in_notice_run, notice.name, world, run.seed)
+    } ?: stringResource(Res.string.hand_in_notice, notice.name)
+
+    Notice.HandInOpen -> ""
 
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }

@@ -21,7 +21,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
-import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.pointer.pointerInput
@@ -52,6 +52,7 @@ import robotran.ui.resources.learning_try_worlds
 import robotran.ui.resources.outcome_close
 import robotran.ui.resources.outcome_missing
 import robotran.ui.resources.outcome_solved
+import robotran.ui.resources.time_up
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
@@ -86,13 +87,19 @@ internal fun OutcomeCard(
     if (isClosed || state.run.isSeeking || state.run.time < finished) return
     val solved = state.learning.solved
     val missing = state.run.shortfalls.take(MAX_SHOWN)
+    val isTimeUp = state.run.isTimeUp
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
             Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, tellsTries, onEvent)
         }
 
-        missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
+        missing.isNotEmpty() || isTimeUp -> Card(
+            SheetColours.SHORTFALL,
+            { isClosed = true },
+            modifier.testTag("missing-card"),
+        ) {
             Heading(stringResource(Res.string.outcome_missing))
+            if (isTimeUp) Line(stringResource(Res.string.time_up, state.world.timeLimit), "missing-time-up")
             for (mark in missing) ShortfallRow(mark, onEvent)
             state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
             val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
@@ -200,7 +207,11 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
             .border(1.dp, colours.line, RoundedCornerShape(CORNER))
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
-            .drawBehind { drawRect(bar, size = Size(BAR.toPx(), size.height)) },
+            // Above the fade of the text that scrolls.
+            .drawWithContent {
+                drawContent()
+                drawRect(bar, size = Size(BAR.toPx(), size.height))
+            },
         verticalAlignment = Alignment.Top,
     ) {
         val scroll = rememberScrollState()

@@ -2,9 +2,6 @@ package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.language.Language
-import robotran.language.withComma
-import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.outcome_learned
 import robotran.ui.resources.outcome_lines
@@ -13,7 +10,7 @@ import robotran.ui.resources.outcome_lines_best
 import robotran.ui.resources.outcome_time
 import robotran.ui.resources.outcome_time_before
 import robotran.ui.resources.outcome_time_best
-import robotran.ui.runbar.oneDecimal
+import robotran.ui.runbar.secondsText
 import robotran.workshop.state.SolvedTask
 
 /** What was learned, and time and length of the program beside the pupil's own best, a line each. */
@@ -26,12 +23,12 @@ internal fun solvedText(solved: SolvedTask): List<String> = listOfNotNull(
 
 @Composable
 private fun timeText(solved: SolvedTask): String {
-    val time = seconds(solved.milliseconds)
+    val time = secondsText(solved.milliseconds)
     val best = solved.bestMilliseconds
     return when {
         best == null -> stringResource(Res.string.outcome_time, time)
-        solved.milliseconds < best -> stringResource(Res.string.outcome_time_best, time, seconds(best))
-        else -> stringResource(Res.string.outcome_time_before, time, seconds(best))
+        solved.milliseconds < best -> stringResource(Res.string.outcome_time_best, time, secondsText(best))
+        else -> stringResource(Res.string.outcome_time_before, time, secondsText(best))
     }
 }
 
@@ -44,10 +41,3 @@ private fun linesText(solved: SolvedTask): String {
         else -> stringResource(Res.string.outcome_lines_before, solved.lines, best)
     }
 }
-
-@Composable
-private fun seconds(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
-    if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
-}
-
-private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -40,8 +40,10 @@ internal fun SettingsPage(
     onEvent: (SettingsEvent) -> Unit,
 ) {
     val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
-    Page(stringResource(Res.string.settings_title), "settings", { onEvent(SettingsEvent.SettingsShown(false)) }) {
-        Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(28.dp)) {
+    val scroll = rememberScrollState()
+    val close = { onEvent(SettingsEvent.SettingsShown(false)) }
+    Page(stringResource(Res.string.settings_title), "settings", close, scroll) {
+        Column(Modifier.verticalScroll(scroll).padding(24.dp), Arrangement.spacedBy(28.dp)) {
             ChoiceOfOne(
                 stringResource(Res.string.settings_language),
                 listOf(null to stringResource(Res.string.settings_language_machine)) +

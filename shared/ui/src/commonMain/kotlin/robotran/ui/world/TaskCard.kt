@@ -17,7 +17,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
-import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalDensity
@@ -94,7 +94,11 @@ internal fun TaskCard(
             .border(1.dp, colours.line, RoundedCornerShape(CORNER))
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
-            .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
+            // Above the fade of the text that scrolls.
+            .drawWithContent {
+                drawContent()
+                drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height))
+            },
     ) {
         if (assignment == null) {
             Row(Modifier.weight(1f, fill = false), verticalAlignment = Alignment.Top) {

@@ -8,6 +8,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertIsNotFocused
+import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
@@ -116,6 +117,10 @@ class HandInsPageTest {
         workshop.awaiting { handIns == null && notice != null }
         settle()
         assertEquals("pen down\nforward 8\n", workshop.state.programText)
+        onNodeWithTag("notice-text").assertTextContains("Ben: As given, seed ", substring = true)
+        tap("notice-close")
+        // The way back stays, and hides less of the world.
+        assertTrue(placeOf("notice").width < 240f && placeOf("notice-action").height >= 48f)
         tap("notice-action")
         workshop.awaiting { handIns != null }
         settle()
@@ -176,6 +181,7 @@ class HandInsPageTest {
         assertEquals("As given, seed 3: all goals met. Replay", spokenBy("hand-in-run--3"))
         assertContains(spokenBy("hand-in-run-A worn robot-10"), "A worn robot, seed 10: all goals met")
         checkTargets("hand-in-run--1", "hand-in-run--2")
+        assertEquals("Back to the hand-ins", spokenBy("hand-ins-close"))
         tap("hand-in-run--3")
         workshop.awaiting { handIns == null && notice != null }
         assertEquals(3, workshop.state.world.seed)
@@ -188,7 +194,13 @@ class HandInsPageTest {
         val index = workshop.indexOf("Cleo")
         scrollToRow(index)
         val spoken = spokenBy("hand-in-row-$index")
-        for (part in listOf("Comment: Nearly there", "As given: ", "A worn robot: ")) assertContains(spoken, part)
+        for (part in listOf(
+            "Comment: Nearly there",
+            "s on average. As given: ",
+            "A worn robot: ",
+        )) {
+            assertContains(spoken, part)
+        }
     }
 
     @Test

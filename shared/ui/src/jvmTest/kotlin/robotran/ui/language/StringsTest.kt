@@ -114,6 +114,7 @@ class StringsTest {
             "Name",
             "Pause",
             "Robot",
+            "Seed",
             "Sensor",
             "Threads",
             "Variables",

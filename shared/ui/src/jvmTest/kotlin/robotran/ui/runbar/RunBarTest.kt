@@ -122,7 +122,7 @@ class RunBarTest {
         onNodeWithTag("timeline").performKeyInput { pressKey(Key.MoveHome) }
         pass(500)
         assertEquals(0, workshop.state.session.milliseconds)
-        onNodeWithTag("clock").assertTextEquals("0.0 s of ${seconds(length)} s")
+        onNodeWithTag("clock").assertTextEquals("0.0 s of ${oneDecimal(length / 1_000.0)} s")
     }
 
     @Test

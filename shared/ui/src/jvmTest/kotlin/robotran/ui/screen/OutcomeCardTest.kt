@@ -3,18 +3,23 @@ package robotran.ui.screen
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.Goal
 import robotran.world.GoalCondition.Reach
@@ -27,9 +32,11 @@ import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class OutcomeCardTest {
-    private fun Workshop.runToFlag(source: String, milliseconds: Int = 8_000) {
+    private fun Workshop.runToFlag(source: String, milliseconds: Int = 8_000, timeLimit: Int = 60) {
         val world = BuiltInWorlds.plain.copy(
+            task = "Drive to the flag.",
             goals = listOf(Goal(Reach(Shape.Circle(Point(70.0, 30.0), 5.0)))),
+            timeLimit = timeLimit,
         )
         val program = PupilProgram("a.robo", source).asProject()
         openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
@@ -72,5 +79,51 @@ class OutcomeCardTest {
         onNodeWithTag("outcome-close").performClick()
         pass(300)
         assertEquals(0, onAllNodesWithTag("solved-card").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `when the time is up the run pauses and the card says so, and the clock has the comma of the language`() =
+        onPhone { workshop ->
+            workshop.runToFlag("repeat forever\n  wait 1 second\nend\n", timeLimit = 5)
+            pass(300)
+            assertTrue(workshop.state.run.isPaused)
+            assertEquals(WorkshopStatus.TimeUp(5), workshop.state.status)
+            onNodeWithTag("missing-time-up").assertTextEquals("The time is up (5 s).")
+            onNodeWithTag("clock").assertTextEquals("5.0 s")
+            for ((language, words, clock) in TIMES) {
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, language = language)))
+                pass(1_000)
+                onNodeWithTag("status").assertTextEquals(words)
+                onNodeWithTag("clock").assertTextEquals(clock)
+            }
+            workshop.handle(RunEvent.PausePressed)
+            workshop.advance(3_000)
+            assertEquals(8_000, workshop.state.run.time)
+        }
+
+    @Test
+    fun `on a phone the card of the task is shown in the place of the outcome`() {
+        for (source in listOf("forward 45\n", "forward 15\n")) {
+            onPhone { workshop ->
+                val card = if (source == "forward 45\n") "solved-card" else "missing-card"
+                workshop.runToFlag(source)
+                pass(300)
+                onNodeWithTag(card).assertIsDisplayed()
+                workshop.handle(WorkshopEvent.TaskShown(true))
+                pass(300)
+                onNodeWithTag("task-card").assertIsDisplayed()
+                onNodeWithTag(card).assertDoesNotExist()
+                onNodeWithTag("task-hide").performClick()
+                pass(300)
+                onNodeWithTag(card).assertIsDisplayed()
+            }
+        }
+    }
+
+    private companion object {
+        val TIMES = listOf(
+            Triple(Language.GERMAN, "Die Zeit ist um (5 s).", "5,0 s"),
+            Triple(Language.SPANISH, "Se acabó el tiempo (5 s).", "5,0 s"),
+        )
     }
 }

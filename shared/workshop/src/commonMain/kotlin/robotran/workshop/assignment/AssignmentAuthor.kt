@@ -203,8 +203,9 @@ internal class AssignmentAuthor(
 
     private fun switchStart(assignment: Assignment, index: Int, on: Boolean) {
         val program = plainPrograms().getOrNull(index) ?: return
-        val others = assignment.start.filter { it.name != program.name }
-        change(assignment.copy(start = if (on) others + program else others))
+        val others = assignment.start.filter { it.name != program.name && !isBlank(it) }
+        val start = if (on) others + program else others
+        change(assignment.copy(start = startWith(start, plainPrograms())))
     }
 
     private fun solutionNow(assignment: Assignment) = solutionNow(current.project, plainPrograms(), assignment)

@@ -1,7 +1,9 @@
 package robotran.workshop.assignment
 
 import robotran.assignments.doing.firstPrograms
+import robotran.language.ProgramLanguage
 import robotran.learning.WorldGallery
+import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -61,9 +63,23 @@ internal fun proposedSolution(
     return listOfNotNull(first?.takeIf { it in possible } ?: possible.firstOrNull())
 }
 
-/** Programs of [open] with which pupils may begin; "Show me" has not put them there. */
-internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> =
-    open.filterNot { textsOf(it) in shownSolutions }.ifEmpty { open }
+/**
+ * Programs of [open] with which pupils may begin: neither the app nor "Show me" has put them there. If the app has put
+ * all of them there, pupils begin with what "Show me" has, or else with an empty program.
+ */
+internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> {
+    val chosen = open.filterNot { textsOf(it) == firstOfApp }
+    return chosen.filterNot { textsOf(it) in shownSolutions }.ifEmpty { startWith(chosen, open) }
+}
+
+/** [start], or an empty program that has none of the names of [open]. */
+internal fun startWith(start: List<ProjectProgram>, open: List<ProjectProgram>): List<ProjectProgram> = start.ifEmpty {
+    val names = open.map { it.name }
+    val extension = ProgramLanguage.ROBOLANG.extension
+    val name = generateSequence(1) { it + 1 }.map { if (it == 1) "program$extension" else "program$it$extension" }
+        .first { it !in names }
+    listOf(ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, ""))))
+}
 
 /** The program that has just met all goals of the open world, as long as it is as it was then. */
 internal fun solvingProgram(project: Project, ended: EndedTry?): ProjectProgram? {
@@ -85,6 +101,8 @@ private val lessons by lazy {
 
 private val shownSolutions by lazy { lessons.mapTo(mutableSetOf()) { listOf(it.solution.text.trim()) } }
 
+private val firstOfApp by lazy { textsOf(firstProgram().asProject()) }
+
 private val appPrograms by lazy {
-    lessons.mapTo(mutableSetOf(textsOf(firstProgram().asProject()))) { listOf(it.program.text.trim()) } + shownSolutions
+    lessons.mapTo(mutableSetOf(firstOfApp)) { listOf(it.program.text.trim()) } + shownSolutions
 }

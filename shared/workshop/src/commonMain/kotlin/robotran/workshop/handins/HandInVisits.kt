@@ -33,7 +33,7 @@ internal class HandInVisits(
         val result = switcher.visitProject(name, project) as? SwitchResult.Switched ?: return false
         left = result.left
         visited = result.opened
-        notices.show(Notice.HandInOpened(row.name))
+        notices.show(Notice.HandInOpened(row.name, run))
         if (run == null) this.run.playInputs() else this.run.run()
         return true
     }

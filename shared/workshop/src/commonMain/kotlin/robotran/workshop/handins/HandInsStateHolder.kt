@@ -11,6 +11,7 @@ import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectedHandIns
+import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.comparing.compareSubmissions
 import robotran.documents.StoreResult
@@ -47,6 +48,9 @@ class HandInsStateHolder internal constructor(
     /** Null while the page is closed. */
     var state: HandInsState? by mutableStateOf(null)
         private set
+
+    /** Whether the open project was opened from a hand-in. */
+    val isVisiting: Boolean get() = visits.isVisiting
 
     /** What the page showed last; it is shown again after a replay. */
     private var resting: HandInsState? = null
@@ -212,14 +216,18 @@ class HandInsStateHolder internal constructor(
         val collected = collect(open, files)
         val found = collected.submissions
         if (found.isEmpty()) return HandInsMessage.NothingFound(collected.notes)
-        val known = open.take(collected)
+        val new = open.take(collected)
         open.kept.writeRemoved(open.submissions.removed)
-        val kept = if (known == found.size) StoreResult.Done else open.kept.add(files)
-        return notKept(kept) ?: HandInsMessage.Brought(found.size - known, known, collected.notes)
+        val kept = if (new.isEmpty()) StoreResult.Done else open.kept.add(files)
+        val unusable = new.count { it is Submission.Unusable }
+        return notKept(kept)
+            ?: HandInsMessage.Brought(new.size - unusable, found.size - new.size, collected.notes, unusable)
     }
 
     private suspend fun collect(open: OpenAssignment, files: List<CollectedFile>): CollectedHandIns =
-        withContext(platform.background) { collectHandIns(files, open.project, open.language) }
+        withContext(platform.background) {
+            PastedLinks.named(collectHandIns(files, open.project, open.language), open.language)
+        }
 
     /** Shows what is there now, and grades what is not graded. */
     private suspend fun update(open: OpenAssignment) {

@@ -24,9 +24,9 @@ internal class MergedSubmissions {
      * source with no fewer tries, or anything usable after something unusable, takes the place of the earlier one. What
      * was removed and is brought in again is there again.
      *
-     * @return the number of those that were there already.
+     * @return those that were not there.
      */
-    fun add(batch: List<Submission>): Int = batch.count { !add(it) }
+    fun add(batch: List<Submission>): List<Submission> = batch.filter(::isNew)
 
     /** Removes the hand-in [id]; with [isRemoved] false, it is there again. */
     fun remove(id: String, isRemoved: Boolean = true) {
@@ -38,7 +38,7 @@ internal class MergedSubmissions {
         it.isRemoved = true
     }
 
-    private fun add(submission: Submission): Boolean {
+    private fun isNew(submission: Submission): Boolean {
         val stamp = stampOf(submission)
         found.values.firstOrNull { stamp in it.stamps }?.let { known ->
             return known.isRemoved.also { known.isRemoved = false }

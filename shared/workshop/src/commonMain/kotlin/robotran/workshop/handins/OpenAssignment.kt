@@ -1,6 +1,7 @@
 package robotran.workshop.handins
 
 import robotran.assignments.collecting.CollectedHandIns
+import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradingPlan
 import robotran.language.Language
 import robotran.projects.Project
@@ -31,8 +32,8 @@ internal class OpenAssignment(
     /** The number of the last link that was pasted or scanned. */
     var lastLink = 0
 
-    /** Adds what was found in one batch of files. Returns the number of hand-ins that were there already. */
-    fun take(collected: CollectedHandIns): Int {
+    /** Adds what was found in one batch of files. Returns the hand-ins that are new. */
+    fun take(collected: CollectedHandIns): List<Submission> {
         notes += collected.notes
         return submissions.add(collected.submissions)
     }

@@ -1,6 +1,7 @@
 package robotran.workshop.handins
 
 import robotran.assignments.collecting.CollectedFile
+import robotran.assignments.collecting.CollectedHandIns
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.CollectingMessages
 import robotran.language.Language
@@ -16,6 +17,10 @@ internal object PastedLinks {
     /** The highest number of a link in [files]; 0 if there is none. */
     fun last(files: List<CollectedFile>): Int = files.maxOfOrNull { numberIn(it.path) ?: 0 } ?: 0
 
+    /** [collected] with words in place of the names that [filesFor] gave files. */
+    fun named(collected: CollectedHandIns, language: Language): CollectedHandIns =
+        CollectedHandIns(collected.submissions, collected.notes.map { named(it, language) })
+
     /** [submission] with words in place of the names that [filesFor] gave it. */
     fun named(submission: Submission, language: Language): Submission {
         val number = numberIn(submission.origin) ?: return submission
@@ -23,9 +28,17 @@ internal object PastedLinks {
         val name = if (submission.name == "$NAME$number") words else submission.name
         return when (submission) {
             is Submission.Usable -> submission.copy(name = name, origin = words)
-            is Submission.Unusable -> submission.copy(name = name, origin = words)
+
+            is Submission.Unusable -> submission.copy(
+                name = name,
+                origin = words,
+                reason = named(submission.reason, language),
+            )
         }
     }
+
+    private fun named(sentence: String, language: Language): String =
+        FILE.replace(sentence) { CollectingMessages.of(language).pastedLink(it.groupValues[1].toInt()) }
 
     private fun numberIn(path: String): Int? = FILE.matchEntire(path)?.groupValues?.get(1)?.toIntOrNull()
 
@@ -33,5 +46,5 @@ internal object PastedLinks {
     private val LINK = Regex("#[wpch]=[A-Za-z0-9_-]+")
     private const val NAME = "pasted-link-"
     private const val EXTENSION = ".txt"
-    private val FILE = Regex("$NAME(\\d+)\\$EXTENSION")
+    private val FILE = Regex("$NAME(\\d{1,9})\\$EXTENSION")
 }

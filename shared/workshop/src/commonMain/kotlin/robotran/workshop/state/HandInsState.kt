@@ -169,8 +169,12 @@ sealed interface HandInsDialog {
 sealed interface HandInsMessage {
     val isError: Boolean get() = false
 
-    /** [count] hand-ins are new, the [others] were there already; [notes] are sentences on files that are no hand-ins. */
-    data class Brought(val count: Int, val others: Int, val notes: List<String> = emptyList()) : HandInsMessage
+    /**
+     * [count] hand-ins are new and can be used, [unusable] are new and cannot, the [others] were there already; [notes]
+     * are sentences on files that are no hand-ins.
+     */
+    data class Brought(val count: Int, val others: Int, val notes: List<String> = emptyList(), val unusable: Int = 0) :
+        HandInsMessage
 
     /** There was no hand-in in what was brought; [notes] are sentences on what it is. */
     data class NothingFound(val notes: List<String> = emptyList()) : HandInsMessage {

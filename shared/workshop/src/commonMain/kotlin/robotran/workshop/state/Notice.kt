@@ -130,8 +130,13 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.ChangeNumber
     }
 
-    /** What the pupil [name] has handed in is open in the workshop. */
-    data class HandInOpened(val name: String) : Notice {
+    /** What the pupil [name] has handed in is open in the workshop, to repeat [run]; null for the pupil's own run. */
+    data class HandInOpened(val name: String, val run: HandInRun?) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BackToHandIns
+    }
+
+    /** There is nothing to say, but what a pupil has handed in is open: the way back stays in sight. */
+    data object HandInOpen : Notice {
         override val action: NoticeAction get() = NoticeAction.BackToHandIns
     }
 

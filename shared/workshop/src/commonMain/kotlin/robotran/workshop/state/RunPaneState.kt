@@ -65,6 +65,10 @@ data class RunPaneState(
     /** Whether this is the end of a run that has met all goals. */
     val isSolved: Boolean get() = outcome.isSolved && time >= (outcome.finished ?: 0)
 
+    /** Whether the run ended at the world's time limit without having met all goals. */
+    val isTimeUp: Boolean
+        get() = !outcome.isSolved && (outcome.finished ?: 0) >= world.timeLimit * 1_000L
+
     /** The brick of the [watched] robot. */
     val brick: BrickState get() = session.robots[watched].brick
 

@@ -117,9 +117,21 @@ data class WorkshopState(
         is RunState.Running -> {
             val line = lineOf(now.sourceLine)
             when {
-                run.isPaused && run.isSolved -> WorkshopStatus.Solved
-                run.isPaused -> WorkshopStatus.Paused(line)
-                else -> WorkshopStatus.Running(line)
+                run.isPaused && run.isSolved -> {
+                    WorkshopStatus.Solved
+                }
+
+                run.isPaused && run.isTimeUp && run.time == run.outcome.finished -> {
+                    WorkshopStatus.TimeUp(run.world.timeLimit)
+                }
+
+                run.isPaused -> {
+                    WorkshopStatus.Paused(line)
+                }
+
+                else -> {
+                    WorkshopStatus.Running(line)
+                }
             }
         }
 

@@ -32,6 +32,9 @@ sealed interface WorkshopStatus {
     /** The task is completed. Its program may not have ended. */
     data object Solved : WorkshopStatus
 
+    /** The task's time limit of [seconds] is reached, and not all goals are met. Its program may not have ended. */
+    data class TimeUp(val seconds: Int) : WorkshopStatus
+
     /** The program is at [line]; 0 if unknown. */
     data class Running(val line: Int) : WorkshopStatus
 

@@ -13,7 +13,9 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.examples.firstProgram
 import robotran.workshop.platform.OpenedFile
+import robotran.workshop.programs.asProject
 import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.MakingState
 import robotran.workshop.state.MissingPart
@@ -55,6 +57,21 @@ class MakingAssignmentTest {
         assertEquals("Into the circle", workshop.making.title)
         assertEquals(listOf("circle.robo"), workshop.making.programs.filter { it.isStart }.map { it.name })
         assertEquals(listOf(MissingPart.SOLUTION), workshop.making.missing)
+    }
+
+    @Test
+    fun `pupils begin with nothing rather than with the program that the app has opened`() {
+        val robot = ProjectRobot(AnyAssignment.world.robots.first().name, listOf(firstProgram().asProject()))
+        val workshop = making(Project(AnyAssignment.world, listOf(robot)))
+        assertEquals(listOf(false), workshop.making.programs.map { it.isStart })
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertEquals("", textOf(saved()))
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = true))
+        assertEquals(listOf("square.robo"), workshop.making.assignment.start.map { it.name })
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = false))
+        assertEquals(listOf(false), workshop.making.programs.map { it.isStart })
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertEquals("", textOf(saved()))
     }
 
     @Test

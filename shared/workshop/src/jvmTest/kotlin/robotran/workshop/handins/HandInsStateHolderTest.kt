@@ -97,7 +97,7 @@ class HandInsStateHolderTest {
         )
         assertEquals(expected, workshop.page.rows.associate { it.name to it.verdict })
         assertNull(workshop.page.progress)
-        assertEquals(HandInsMessage.Brought(6, 0), workshop.page.told)
+        assertEquals(HandInsMessage.Brought(5, 0, unusable = 1), workshop.page.told)
         val ada = workshop.row("Ada")
         assertEquals(listOf(2, 2), listOf(ada.lines, (ada.submission as Submission.Usable).handIn?.tries))
     }
@@ -355,15 +355,19 @@ class HandInsStateHolderTest {
         workshop.bring(AnyClass.few)
         val failed = checkNotNull(workshop.row("Cleo").results).runs.first { !it.grade.passed }
         workshop.handle(HandInsEvent.HandInChosen("Cleo"))
-        workshop.handle(HandInsEvent.ReplayRequested("Cleo", HandInRun(failed.world.name, failed.grade.seed)))
+        val run = HandInRun(failed.world.name, failed.grade.seed)
+        workshop.handle(HandInsEvent.ReplayRequested("Cleo", run))
         advanceUntilIdle()
         assertNull(workshop.state.handIns)
-        assertEquals(Notice.HandInOpened("Cleo"), workshop.state.notice)
+        assertEquals(Notice.HandInOpened("Cleo", run), workshop.state.notice)
         assertEquals(AnyClass.lucky.files.single().text, workshop.state.programText)
         workshop.advance(20_000)
         assertEquals(failed.grade.goals.map { it.status }, workshop.state.session.goals.map { it.status })
+        workshop.handle(WorkshopEvent.NoticeDismissed)
+        assertEquals(Notice.HandInOpen, workshop.state.notice)
         workshop.handle(WorkshopEvent.NoticeTaken)
         advanceUntilIdle()
+        assertNull(workshop.state.notice)
         assertEquals("Cleo", workshop.page.opened?.id)
         assertEquals(AnyClass.teachers.assignment, workshop.project.assignment)
         assertEquals(listOf("Circle"), workshop.projectNames())
@@ -623,6 +627,10 @@ class HandInsStateHolderTest {
         workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved), teachers))
         assertEquals(HandInsMessage.Brought(1, 0, listOf(note)), workshop.page.told)
         assertEquals(listOf("Ada"), workshop.page.rows.map { it.name })
+        workshop.handle(HandInsEvent.LinksPasted(link(AnyClass.teachers)))
+        advanceUntilIdle()
+        val ofLink = "Pasted link 1 is the assignment itself, not a hand-in."
+        assertEquals(HandInsMessage.NothingFound(listOf(ofLink)), workshop.page.told)
     }
 
     @Test

@@ -43,9 +43,10 @@ import robotran.workshop.state.MakingState
 @Composable
 internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
     val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
-    Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }) {
+    val scroll = place.of(state.assignment.id)
+    Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }, scroll) {
         Column(
-            Modifier.testTag("make-form").verticalScroll(place.of(state.assignment.id)).padding(24.dp),
+            Modifier.testTag("make-form").verticalScroll(scroll).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
             Column {

@@ -1,5 +1,6 @@
 package robotran.ui.assignment.making
 
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.semantics.SemanticsProperties
@@ -11,10 +12,13 @@ import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.swipe
 import androidx.compose.ui.unit.toSize
 import robotran.projects.Assignment
 import robotran.projects.Project
@@ -123,6 +127,17 @@ class MakingScreenTest {
         pass(300)
         assertTrue(placeOf("make-title").top in 0f..PHONE.second.toFloat())
     }
+
+    @Test
+    fun `the page scrolls by a finger beside its column, too`() = making(TABLET) {
+        assertEquals(0f, scrolled())
+        onRoot().performTouchInput { swipe(Offset(30f, height - 100f), Offset(30f, 200f), 200) }
+        pass(1000)
+        assertTrue(scrolled() > 200f)
+    }
+
+    private fun ComposeUiTest.scrolled(): Float =
+        onNodeWithTag("make-form").fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange].value()
 
     @Test
     fun `results of the check, of link and of saving come into view and are announced`() {
