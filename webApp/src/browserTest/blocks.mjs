@@ -238,18 +238,27 @@ export function builderWith(page, hand) {
     await hand.press('block-sheet-close');
     await isClosed();
   };
-  const openSocket = async (block, socket, skip, place = 0) => {
+  const placeOfSocket = async (block, socket, skip, place) => {
     const end = Date.now() + PATIENCE;
-    let found;
     for (;;) {
       // What was chosen before may not be there yet.
       const { sockets } = await blockSaying(page, block, skip);
-      found = sockets.filter(({ words }) => socket.test(words))[place];
-      if (found) break;
+      const found = sockets.filter(({ words }) => socket.test(words))[place];
+      if (found) return found;
       assert.ok(Date.now() < end, `${block} has no ${socket}, only ${JSON.stringify(sockets)}`);
       await page.waitForTimeout(50);
     }
-    await hand.press(found.tag);
+  };
+  const openSocket = async (block, socket, skip, place = 0) => {
+    for (let attempt = 0; attempt < 3; attempt++) {
+      await hand.press((await placeOfSocket(block, socket, skip, place)).tag);
+      try {
+        await words(page, 'block-sheet').first().waitFor({ state: 'attached', timeout: 8_000 });
+        return;
+      } catch {
+        // What has just moved may miss a press: try again.
+      }
+    }
     await appears(page, 'block-sheet');
   };
   return {

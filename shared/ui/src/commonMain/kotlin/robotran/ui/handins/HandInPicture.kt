@@ -79,15 +79,14 @@ private class PictureKey(val state: SessionState, val colours: SheetColours, val
     override fun hashCode(): Int = room.hashCode()
 }
 
-/** The pictures that were drawn last. Belongs to the thread of the screen. */
+/** The pictures that were drawn last. A list is never changed, since windows and tests may look on threads of their own. */
 private class KeptPictures {
-    private val kept = ArrayDeque<Pair<PictureKey, ImageBitmap>>()
+    private var kept = listOf<Pair<PictureKey, ImageBitmap>>()
 
     fun ready(key: PictureKey): ImageBitmap? = kept.firstOrNull { it.first == key }?.second
 
     fun keep(key: PictureKey, picture: ImageBitmap) {
-        kept.addLast(key to picture)
-        if (kept.size > MAX) kept.removeFirst()
+        kept = (kept + (key to picture)).takeLast(MAX)
     }
 
     private companion object {

@@ -34,7 +34,8 @@ class ProgramFilesTest {
     @Test
     fun `a file is renamed in its tab, a class with it`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
-        pass(200)
+        // Until the tabs stand still.
+        pass(700)
         rest("program-1")
         onNodeWithTag("rename-name").performTextReplacement("2x")
         pass(100)
