@@ -35,22 +35,28 @@ final class Arcs {
         double startRest = isSteep ? QUARTER_REST : x < 0 ? 2 * QUARTER_REST : 0;
         double sign = isSteep == x < 0 ? 1 : -1;
         double quotient = shorter / longer;
-        int sixteenths = (int) (16 * quotient + 0.5);
-        if (sixteenths != 0) {
+        int sixteenths = quotient < 0.1 ? 0 : (int) (16 * quotient + 0.5);
+        double missing = 0;
+        if (sixteenths == 0) {
+            double product = quotient * longer;
+            missing = (shorter - product - TwoPartNumber.remainder(quotient, longer, product)) / longer;
+        } else {
             // The angle between the point and the one of the table.
             double tangent = sixteenths / 16d;
-            double upper = (float) longer;
+            double upper = TwoPartNumber.upperBits(longer);
             double above = shorter - tangent * upper - tangent * (longer - upper);
             quotient = above / (longer + tangent * shorter);
         }
         double square = quotient * quotient;
-        double sum = 1 / 13d;
+        double sum = 1 / 17d;
+        sum = 1 / 15d - square * sum;
+        sum = 1 / 13d - square * sum;
         sum = 1 / 11d - square * sum;
         sum = 1 / 9d - square * sum;
         sum = 1 / 7d - square * sum;
         sum = 1 / 5d - square * sum;
         sum = 1 / 3d - square * sum;
-        double rest = REST_OF_ANGLES[sixteenths] - quotient * square * sum;
+        double rest = missing + REST_OF_ANGLES[sixteenths] - quotient * square * sum;
         if (start == 0 && sixteenths == 0) return quotient + (rest + low);
         double main = start + sign * ANGLES[sixteenths];
         double error = start - main + sign * ANGLES[sixteenths];

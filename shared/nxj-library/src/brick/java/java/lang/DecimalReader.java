@@ -157,8 +157,9 @@ final class DecimalReader {
         if (half > 0 || half == 0 && (result & 1) == 1) result++;
         // Numbers that do not have all their bits have the exponent 0, like those of exponent 1 without the first bit.
         long field = -shift - least;
-        long number = (field << bits - 1) + result;
         long highest = (long) infinity << bits - 1;
+        if (field >= infinity) return highest;
+        long number = (field << bits - 1) + result;
         return number >= highest ? highest : number;
     }
 

@@ -168,7 +168,7 @@ public final class Math {
         if ((exponent & 1) != 0) mantissa <<= 1;
         // The root of a number from 1 to 4, by Newton, and then its last bit by whole numbers.
         double square = mantissa / WHOLE_FROM;
-        double root = 0.5 + square * 0.4 - square * square * 0.03;
+        double root = 0.68 + square * 0.34;
         root = (root + square / root) / 2;
         root = (root + square / root) / 2;
         root = (root + square / root) / 2;
@@ -185,6 +185,7 @@ public final class Math {
 
     /** Gives the sine of an angle in radians. */
     public static double sin(double angle) {
+        if (angle == 0) return angle;
         if (angle >= -SMALL_ANGLE && angle <= SMALL_ANGLE) return angle + Angles.sineLessAngle(angle, 0);
         return sine(Angles.reduce(angle), 0);
     }
@@ -334,8 +335,8 @@ public final class Math {
         if (quotient > 1e18) return PI / 2;
         if (quotient < 1e-18) return right > 0 ? quotient : PI;
         // Far away from the ends of what numbers can be, so that products are exact.
-        if (up > 1e150 || width > 1e150) return Arcs.direction(up * 1e-200, right * 1e-200, 0);
-        if (up < 1e-150 || width < 1e-150) return Arcs.direction(up * 1e200, right * 1e200, 0);
+        if (up > 1e150 || width > 1e150) return Arcs.direction(up * 0x1p-600, right * 0x1p-600, 0);
+        if (up < 1e-150 || width < 1e-150) return Arcs.direction(up * 0x1p600, right * 0x1p600, 0);
         return Arcs.direction(up, right, 0);
     }
 

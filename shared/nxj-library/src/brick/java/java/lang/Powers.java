@@ -56,8 +56,10 @@ final class Powers {
         if (power > 709.9) return Double.POSITIVE_INFINITY;
         if (power < -745.5) return 0;
         int twos = (int) (power * ONE_BY_LOGARITHM_OF_2 + (power < 0 ? -0.5 : 0.5));
-        double x = power - twos * LOGARITHM_OF_2;
-        double low = rest - twos * LOGARITHM_OF_2_REST;
+        double upper = power - twos * LOGARITHM_OF_2;
+        double lower = rest - twos * LOGARITHM_OF_2_REST;
+        double x = upper + lower;
+        double low = upper - x + lower;
         double sum = 1 / 87178291200d;
         sum = 1 / 6227020800d + x * sum;
         sum = 1 / 479001600d + x * sum;

@@ -357,7 +357,8 @@ public final class String implements CharSequence, Comparable<String> {
 
     /** The first place of the text in the first so many characters, not before a place; -1 if it is not there. */
     static int indexIn(char[] characters, int count, char[] text, int from) {
-        for (int index = from < 0 ? 0 : from; index <= count - text.length; index++) {
+        int first = from < 0 ? 0 : from > count ? count : from;
+        for (int index = first; index <= count - text.length; index++) {
             if (isAt(characters, index, text)) return index;
         }
         return -1;

@@ -36,7 +36,7 @@ final class TwoPartNumber {
     }
 
     /** The first 26 bits, so that the product of two such numbers is exact. */
-    private static double upperBits(double number) {
+    static double upperBits(double number) {
         return Double.longBitsToDouble(Double.doubleToRawLongBits(number) & 0xFFFFFFFFF8000000L);
     }
 }

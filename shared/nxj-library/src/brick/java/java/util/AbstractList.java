@@ -22,6 +22,7 @@ public abstract class AbstractList<E> extends AbstractCollection<E> implements L
 
     /** Puts all elements of the other collection at a place, and says whether there were any. */
     public boolean addAll(int index, Collection<? extends E> others) {
+        if (index < 0 || index > size()) throw new IndexOutOfBoundsException();
         int place = index;
         for (E element : others) add(place++, element);
         return place > index;

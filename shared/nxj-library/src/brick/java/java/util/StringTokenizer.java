@@ -36,14 +36,14 @@ public class StringTokenizer implements Enumeration<Object> {
 
     /** Says whether there is a further word. */
     public boolean hasMoreTokens() {
-        skip();
-        return place < text.length();
+        return start() < text.length();
     }
 
     /** Gives the next word; fails with NoSuchElementException if there is none. */
     public String nextToken() {
         if (!hasMoreTokens()) throw new NoSuchElementException();
-        int start = place;
+        int start = start();
+        place = start;
         while (place < text.length() && !isDelimiter(place)) place++;
         if (place == start) place++;
         return text.substring(start, place);
@@ -65,8 +65,11 @@ public class StringTokenizer implements Enumeration<Object> {
         return nextToken();
     }
 
-    private void skip() {
-        while (!givesDelimiters && place < text.length() && isDelimiter(place)) place++;
+    /** Where the next word begins. */
+    private int start() {
+        int start = place;
+        while (!givesDelimiters && start < text.length() && isDelimiter(start)) start++;
+        return start;
     }
 
     private boolean isDelimiter(int place) {
