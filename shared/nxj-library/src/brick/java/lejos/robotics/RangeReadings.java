@@ -6,10 +6,16 @@ import java.io.IOException;
 import java.util.ArrayList;
 
 /** How far away things are in several directions. */
-public class RangeReadings extends ArrayList<RangeReading> {
-    /** Makes an empty one; the number does not matter. */
+public class RangeReadings extends ArrayList<RangeReading> implements Transmittable {
+    /** Makes one of so many directions, in all of which there is nothing yet. */
     public RangeReadings(int numReadings) {
         super(numReadings);
+        for (int index = 0; index < numReadings; index++) add(new RangeReading(0f, -1f));
+    }
+
+    /** Sets the direction at a place and how far away the thing is there. */
+    public void setRange(int index, float angle, float range) {
+        set(index, new RangeReading(angle, range));
     }
 
     /** Gives how far away the thing is of the direction at a place. */
@@ -48,7 +54,7 @@ public class RangeReadings extends ArrayList<RangeReading> {
         int index = 0;
         for (RangeReading reading : this) {
             System.out.println("Range " + index + " = " + (reading.invalidReading() ? "Invalid"
-                : reading.getRange() + ", angle = " + reading.getAngle()));
+                : String.valueOf(reading.getRange())));
             index++;
         }
     }

@@ -40,7 +40,7 @@ public class RotatingRangeScanner implements RangeScanner {
             head.rotateTo(Math.round(angles[index] * gearRatio));
             Delay.msDelay(50);
             float range = rangeFinder.getRange();
-            readings.add(new RangeReading(angles[index], range >= 255f ? -1f : range));
+            readings.setRange(index, angles[index], range >= 255f ? -1f : range);
         }
         head.rotateTo(0);
         return readings;
