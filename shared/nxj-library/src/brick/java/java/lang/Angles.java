@@ -1,6 +1,6 @@
 package java.lang;
 
-/** Takes quarters of a turn from angles in radians, so that -45 to 45 degrees are left, and knows the sines of those. */
+/** Takes quarters of a turn from angles in radians, so that -45 to 45 degrees are left, and knows their sines. */
 final class Angles {
     // A quarter of a turn, in pieces of 33 bits, so that their products with a number of quarters are exact.
     private static final double QUARTER_1 = 1.5707963267341256;

@@ -45,7 +45,7 @@ public final class Boolean implements Comparable<Boolean> {
         return value;
     }
 
-    /** Gives a number below 0 if this one is false and the other one true, and above 0 if it is the other way around. */
+    /** Gives a number below 0 if only the other one is true, and above 0 if only this one is. */
     public int compareTo(Boolean other) {
         return value == other.value ? 0 : value ? 1 : -1;
     }

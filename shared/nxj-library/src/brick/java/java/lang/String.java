@@ -27,7 +27,9 @@ public final class String implements CharSequence, Comparable<String> {
         for (int index = 0; index < count; index++) length += Character.charCount(numbers[from + index]);
         characters = new char[length];
         int place = 0;
-        for (int index = 0; index < count; index++) place += Character.toChars(numbers[from + index], characters, place);
+        for (int index = from; index < from + count; index++) {
+            place += Character.toChars(numbers[index], characters, place);
+        }
     }
 
     /** Makes a text of bytes, each of which is a character from 0 to 255. */
@@ -202,7 +204,7 @@ public final class String implements CharSequence, Comparable<String> {
         return contentEquals((CharSequence) other);
     }
 
-    /** Gives a number below 0 if this text comes before the other one, above 0 if it comes after it, and otherwise 0. */
+    /** Gives a number below 0 if this text comes before the other one, and above 0 if it comes after it. */
     public int compareTo(String other) {
         int own = characters.length;
         int others = other.characters.length;

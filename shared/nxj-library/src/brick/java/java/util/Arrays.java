@@ -16,7 +16,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             byte element = array[index];
             int place = index;
-            for (; place > start && element < array[place - 1]; place--) array[place] = array[place - 1];
+            while (place > start && element < array[place - 1]) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }
@@ -32,7 +35,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             short element = array[index];
             int place = index;
-            for (; place > start && element < array[place - 1]; place--) array[place] = array[place - 1];
+            while (place > start && element < array[place - 1]) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }
@@ -48,7 +54,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             char element = array[index];
             int place = index;
-            for (; place > start && element < array[place - 1]; place--) array[place] = array[place - 1];
+            while (place > start && element < array[place - 1]) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }
@@ -64,7 +73,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             int element = array[index];
             int place = index;
-            for (; place > start && element < array[place - 1]; place--) array[place] = array[place - 1];
+            while (place > start && element < array[place - 1]) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }
@@ -80,7 +92,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             long element = array[index];
             int place = index;
-            for (; place > start && element < array[place - 1]; place--) array[place] = array[place - 1];
+            while (place > start && element < array[place - 1]) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }
@@ -96,7 +111,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             float element = array[index];
             int place = index;
-            for (; place > start && Float.compare(element, array[place - 1]) < 0; place--) array[place] = array[place - 1];
+            while (place > start && Float.compare(element, array[place - 1]) < 0) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }
@@ -112,7 +130,10 @@ public class Arrays {
         for (int index = start + 1; index < end; index++) {
             double element = array[index];
             int place = index;
-            for (; place > start && Double.compare(element, array[place - 1]) < 0; place--) array[place] = array[place - 1];
+            while (place > start && Double.compare(element, array[place - 1]) < 0) {
+                array[place] = array[place - 1];
+                place--;
+            }
             array[place] = element;
         }
     }

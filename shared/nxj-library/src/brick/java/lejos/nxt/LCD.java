@@ -125,7 +125,8 @@ public class LCD {
 
     /** Clears a row. */
     public static void clear(int y) {
-        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, 0, 0, 0, y * CELL_HEIGHT, SCREEN_WIDTH, CELL_HEIGHT, ROP_CLEAR);
+        int top = y * CELL_HEIGHT;
+        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, 0, top, 0, top, SCREEN_WIDTH, CELL_HEIGHT, ROP_CLEAR);
     }
 
     /** Clears so many characters of a row, beginning in a column. */
@@ -209,8 +210,9 @@ public class LCD {
     public static native void setContrast(int contrast);
 
     private static void fill(int x, int y, int count, int operation) {
-        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, 0, 0, x * CELL_WIDTH, y * CELL_HEIGHT, count * CELL_WIDTH,
-            CELL_HEIGHT, operation);
+        int left = x * CELL_WIDTH;
+        int top = y * CELL_HEIGHT;
+        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, left, top, left, top, count * CELL_WIDTH, CELL_HEIGHT, operation);
     }
 
     private static native int setRefreshPeriod(int period);

@@ -37,7 +37,7 @@ class MotorMove {
     private float fraction;
     private float velocity;
 
-    // What the velocity is to become, and how fast. While a motor brakes for its limit, it needs just this deceleration.
+    // What the velocity is to become, and how fast. A motor that brakes for its limit needs just this deceleration.
     private float target;
     private float acceleration;
     private boolean isBraking;

@@ -26,6 +26,7 @@ class MotorRegulation extends Thread {
         while (true) {
             try {
                 MotorMove[] active;
+                boolean hasEnded = false;
                 synchronized (this) {
                     if (!isNeeded()) {
                         do {
@@ -35,20 +36,24 @@ class MotorRegulation extends Thread {
                     }
                     active = moves;
                     int now = (int) System.currentTimeMillis();
-                    boolean hasEnded = false;
                     for (int index = 0; index < active.length; index++) {
                         if (active[index].isActive() && active[index].update(now, now - last)) hasEnded = true;
                     }
                     last = now;
-                    if (hasEnded) notifyAll();
                 }
                 for (int index = 0; index < active.length; index++) active[index].tellEnd();
+                // Only now, so that whoever waits goes on after the listeners.
+                if (hasEnded) wake();
                 int rest = last + PERIOD - (int) System.currentTimeMillis();
                 sleep(rest > 0 ? rest : 1);
             } catch (InterruptedException lookAgain) {
                 // Nobody has this thread to interrupt it.
             }
         }
+    }
+
+    private synchronized void wake() {
+        notifyAll();
     }
 
     private boolean isNeeded() {

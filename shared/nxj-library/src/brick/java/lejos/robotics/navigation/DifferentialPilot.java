@@ -37,8 +37,6 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     private int leftStart;
     private int rightStart;
     private Move.MoveType type = Move.MoveType.STOP;
-    private float distance;
-    private float angle;
     private boolean isUnderWay;
 
     /** Makes one of the diameter of the wheels, how far they are apart, and the motors. */
@@ -245,7 +243,7 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         }
     }
 
-    /** Drives forward in a curve: 0 straight on, 100 round the left wheel, 200 on the spot; with a minus to the right. */
+    /** Drives forward in a curve: 0 straight on, 100 round the left wheel, 200 on the spot; below 0 to the right. */
     public void steer(double turnRate) {
         steer(turnRate, 1);
     }
@@ -336,8 +334,6 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         if (isMoving()) end();
         reset();
         this.type = type;
-        this.distance = distance;
-        this.angle = angle;
         isUnderWay = true;
         Move move = new Move(type, distance, angle, travelSpeed, rotateSpeed, true);
         for (MoveListener listener : listeners) listener.moveStarted(move, this);
