@@ -70,6 +70,11 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         return port.readRawValue();
     }
 
+    /** Gives how bright it is, 0 to 1023. */
+    public int getRawLightValue() {
+        return port.readRawValue();
+    }
+
     /** Switches the lamp to red or off. */
     public void setFloodlight(boolean floodlight) {
         setFloodlight(floodlight ? lejos.robotics.Color.RED : lejos.robotics.Color.NONE);
