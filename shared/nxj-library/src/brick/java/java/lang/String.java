@@ -262,12 +262,12 @@ public final class String implements CharSequence, Comparable<String> {
     }
 
     /** Gives the last place of a character, or -1 if it is not there. */
-    public int lastIndexOf(char character) {
+    public int lastIndexOf(int character) {
         return lastIndexOf(character, characters.length - 1);
     }
 
     /** Gives the last place of a character up to a place, or -1 if it is not there. */
-    public int lastIndexOf(char character, int from) {
+    public int lastIndexOf(int character, int from) {
         for (int index = from < characters.length ? from : characters.length - 1; index >= 0; index--) {
             if (characters[index] == character) return index;
         }

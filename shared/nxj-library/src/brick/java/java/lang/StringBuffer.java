@@ -1,7 +1,7 @@
 package java.lang;
 
 /** Puts a text together, piece by piece; several threads can do so at a time. */
-public class StringBuffer implements CharSequence {
+public final class StringBuffer implements CharSequence {
     private char[] characters;
     private int count;
 
@@ -107,14 +107,6 @@ public class StringBuffer implements CharSequence {
     /** Gives the number of characters. */
     public synchronized int length() {
         return count;
-    }
-
-    /** Cuts off what is behind so many characters, or adds characters 0. */
-    public synchronized void setLength(int length) {
-        if (length < 0) throw new IndexOutOfBoundsException();
-        ensureCapacity(length);
-        while (count < length) characters[count++] = 0;
-        count = length;
     }
 
     /** Makes room for so many characters. */

@@ -32,6 +32,8 @@ public final class ExceptionScreen {
             if ((pressed & Button.ID_LEFT) != 0 && left > 0) left--;
             if ((pressed & Button.ID_RIGHT) != 0) left++;
         } while ((pressed & Button.ID_ESCAPE) == 0);
+        // A thread may hold a monitor that is needed at the end.
+        VM.resumeThread(null);
         System.exit(1);
     }
 
@@ -46,14 +48,17 @@ public final class ExceptionScreen {
 
     /** Waits without help of other threads, because all of them stand still. */
     private static int awaitPress() {
-        while (Button.readButtons() != 0) Delay.msDelay(10);
+        while (getButtons() != 0) Delay.msDelay(10);
         int pressed = 0;
         while (pressed == 0) {
             Delay.msDelay(10);
-            pressed = Button.readButtons();
+            pressed = getButtons();
         }
         return pressed;
     }
+
+    // That of Button, whose own methods may have to wait for a thread that stands still.
+    private static native int getButtons();
 
     /** Takes texts apart into lines. */
     private static class Lines extends OutputStream {
