@@ -1,6 +1,6 @@
 package java.lang;
 
-import lejos.internal.ExceptionScreen;
+import lejos.nxt.VM;
 
 /** Something the brick does beside everything else: extend it or give it a Runnable, and call start. */
 public class Thread implements Runnable {
@@ -149,7 +149,7 @@ public class Thread implements Runnable {
         if (handler != null) {
             handler.uncaughtException(thread, thrown);
         } else if (!(thrown instanceof ThreadDeath)) {
-            ExceptionScreen.show(thrown);
+            VM.firmwareExceptionHandler(thrown, method, offset);
         }
     }
 

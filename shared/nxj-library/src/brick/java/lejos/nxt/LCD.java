@@ -92,7 +92,7 @@ public class LCD {
     private static final byte[] display = getDisplay();
     private static final byte[] font = getSystemFont();
 
-    private static int period = DEFAULT_REFRESH_PERIOD;
+    private static boolean isByHand;
 
     private LCD() {
     }
@@ -101,10 +101,7 @@ public class LCD {
     public static native void drawString(String text, int x, int y);
 
     /** Writes a text, and says whether it is to be white on black. */
-    public static void drawString(String text, int x, int y, boolean inverted) {
-        drawString(text, x, y);
-        if (inverted) fill(x, y, text.length(), ROP_INVERT);
-    }
+    public static native void drawString(String text, int x, int y, boolean inverted);
 
     /** Writes a whole number, beginning in a column of a row. */
     public static native void drawInt(int number, int x, int y);
@@ -131,7 +128,9 @@ public class LCD {
 
     /** Clears so many characters of a row, beginning in a column. */
     public static void clear(int x, int y, int count) {
-        fill(x, y, count, ROP_CLEAR);
+        int left = x * CELL_WIDTH;
+        int top = y * CELL_HEIGHT;
+        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, left, top, left, top, count * CELL_WIDTH, CELL_HEIGHT, ROP_CLEAR);
     }
 
     /** Clears the display. */
@@ -142,7 +141,7 @@ public class LCD {
     /** Makes visible what was drawn. */
     public static void refresh() {
         asyncRefresh();
-        if (period == 0) asyncRefreshWait();
+        if (isByHand) asyncRefreshWait();
     }
 
     /** Begins to make visible what was drawn, and goes on at once. */
@@ -159,14 +158,12 @@ public class LCD {
 
     /** Sets whether what is drawn becomes visible by itself. */
     public static void setAutoRefresh(boolean on) {
+        isByHand = !on;
         setAutoRefreshPeriod(on ? DEFAULT_REFRESH_PERIOD : 0);
     }
 
     /** Sets after how many milliseconds what is drawn becomes visible, 0 for never, and gives the number before. */
-    public static int setAutoRefreshPeriod(int period) {
-        LCD.period = period;
-        return setRefreshPeriod(period);
-    }
+    public static native int setAutoRefreshPeriod(int period);
 
     /** Makes a dot black for 1 and white for 0. */
     public static void setPixel(int x, int y, int color) {
@@ -208,12 +205,4 @@ public class LCD {
 
     /** Sets how black dots are, 0 to 96. */
     public static native void setContrast(int contrast);
-
-    private static void fill(int x, int y, int count, int operation) {
-        int left = x * CELL_WIDTH;
-        int top = y * CELL_HEIGHT;
-        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, left, top, left, top, count * CELL_WIDTH, CELL_HEIGHT, operation);
-    }
-
-    private static native int setRefreshPeriod(int period);
 }

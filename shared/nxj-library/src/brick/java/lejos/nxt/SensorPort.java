@@ -62,6 +62,15 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
     private static final int PRESSED_BELOW = 600;
     private static final int HIGHEST = 1023;
 
+    /** Red, green, blue and the light without lamp. */
+    private static final int COLOR_VALUES = 4;
+
+    /** A colour none of whose parts is as bright as this, 0 to 255, is black. */
+    private static final int BLACK_BELOW = 70;
+
+    /** A colour without hue that is less bright than this is black, too. */
+    private static final int WHITE_FROM = 110;
+
     private final int id;
     private int type = TYPE_NO_SENSOR;
     private int mode = MODE_RAW;
@@ -101,13 +110,9 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         if (type == this.type) return;
         this.type = type;
         boolean isOfRcx = type >= TYPE_TEMPERATURE && type <= TYPE_ANGLE;
-        boolean isColor = type >= TYPE_COLORFULL;
+        setTypeById(id, type);
         setPowerType(isOfRcx ? POWER_RCX9V : type == TYPE_LOWSPEED_9V ? POWER_9V : POWER_STD);
-        if (isColor) {
-            setColorTypeById(id, type);
-            return;
-        }
-        setColorTypeById(id, TYPE_NO_SENSOR);
+        if (type >= TYPE_COLORFULL) return;
         setSensorPinMode(SP_DIGI0, SP_MODE_OUTPUT);
         setSensorPinMode(SP_DIGI1, SP_MODE_OUTPUT);
         setSensorPin(SP_DIGI0, type == TYPE_LIGHT_ACTIVE || type == TYPE_SOUND_DB ? 1 : 0);
@@ -151,7 +156,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         if (type == TYPE_NO_SENSOR) return -1;
         if (type >= TYPE_COLORFULL) {
             int[] values = new int[4];
-            if (readColorById(id, values, null) < 0) return -1;
+            if (readColourById(id, values) < 0) return -1;
             return values[type == TYPE_COLORRED || type == TYPE_COLORFULL ? RED_INDEX
                 : type == TYPE_COLORGREEN ? GREEN_INDEX : type == TYPE_COLORBLUE ? BLUE_INDEX : BLANK_INDEX];
         }
@@ -160,7 +165,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
 
     /** Measures: 0 or 1, percent, or 0 to 1023, as the mode says; a colour sensor gives the number of its colour. */
     public int readValue() {
-        if (type == TYPE_COLORFULL) return readColorById(id, null, null);
+        if (type == TYPE_COLORFULL) return readColor();
         int raw = readRawValue();
         if (mode == MODE_BOOLEAN) return raw < PRESSED_BELOW ? 1 : 0;
         if (mode == MODE_PCTFULLSCALE && raw >= 0) return (HIGHEST - raw) * 100 / HIGHEST;
@@ -178,7 +183,9 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
             values[0] = readValue();
             return 1;
         }
-        return readColorById(id, null, values) < 0 ? -1 : values.length;
+        if (readColourById(id, values) < 0) return -1;
+        for (int index = 0; index < COLOR_VALUES; index++) values[index] >>= 2;
+        return COLOR_VALUES;
     }
 
     /** Measures red, green and blue, and the light without lamp, 0 to 1023 each; gives how many. */
@@ -187,7 +194,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
             values[0] = readRawValue();
             return 1;
         }
-        return readColorById(id, values, null) < 0 ? -1 : values.length;
+        return readColourById(id, values) < 0 ? -1 : COLOR_VALUES;
     }
 
     /** Gets a colour sensor ready. */
@@ -274,6 +281,24 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         return readSensorPin(id, pin);
     }
 
+    /** The colour that a colour sensor sees: BLACK to WHITE, below 0 if there is none. */
+    private int readColor() {
+        int[] values = new int[COLOR_VALUES];
+        if (readValues(values) < 0) return -1;
+        int red = values[RED_INDEX];
+        int green = values[GREEN_INDEX];
+        int blue = values[BLUE_INDEX];
+        int brightest = Math.max(red, Math.max(green, blue));
+        int darkest = Math.min(red, Math.min(green, blue));
+        int near = brightest / 4;
+        if (brightest < BLACK_BELOW) return BLACK;
+        if (brightest - darkest < near) return brightest < WHITE_FROM ? BLACK : WHITE;
+        if (brightest == blue) return BLUE;
+        boolean isYellow = Math.abs(red - green) < brightest / 3 && Math.min(red, green) - blue > near;
+        if (isYellow) return YELLOW;
+        return brightest == red ? RED : GREEN;
+    }
+
     private void awaitBytes() {
         while (i2cStatusById(id) == ERR_BUSY) Delay.msDelay(1);
     }
@@ -300,7 +325,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
 
     static native int i2cCompleteById(int id, byte[] read, int offset, int length);
 
-    static native void setColorTypeById(int id, int type);
+    static native void setTypeById(int id, int type);
 
-    static native int readColorById(int id, int[] raw, int[] values);
+    static native int readColourById(int id, int[] values);
 }

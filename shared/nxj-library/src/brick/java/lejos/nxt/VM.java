@@ -8,9 +8,6 @@ public class VM {
     /** Gives the methods that a thread is in: for each, its number times 65536 and the place in it. */
     public static native int[] createStackTrace(Thread thread, Object thrown);
 
-    /** Lets a thread stand still, or for null all others. */
-    public static native void suspendThread(Object thread);
-
-    /** Lets a thread go on that stands still, or for null all others. */
-    public static native void resumeThread(Object thread);
+    /** Stops everything, shows an exception until ESCAPE is pressed, and ends the program. */
+    public static native void firmwareExceptionHandler(Throwable thrown, int method, int offset);
 }

@@ -7,6 +7,9 @@ public class BTConnection extends NXTConnection {
     private static final int PERIOD = 5;
 
     private final int link;
+    private final byte[] buffer = new byte[256];
+    private int place;
+    private int count;
     private boolean isClosed;
 
     BTConnection(int link) {
@@ -16,8 +19,8 @@ public class BTConnection extends NXTConnection {
     /** Reads bytes into the array, and says whether to wait if there are none; gives how many, or below 0. */
     public int read(byte[] data, int len, boolean wait) {
         while (!isClosed) {
-            int count = Bluetooth.readLink(link, data, 0, len);
-            if (count != 0 || !wait || len == 0) return count;
+            int arrived = available();
+            if (arrived != 0 || !wait || len == 0) return arrived < 0 ? arrived : take(data, len);
             Delay.msDelay(PERIOD);
         }
         return -1;
@@ -27,24 +30,37 @@ public class BTConnection extends NXTConnection {
     public int write(byte[] data, int len, boolean wait) {
         int written = 0;
         while (!isClosed) {
-            int count = Bluetooth.writeLink(link, data, written, len - written);
-            if (count < 0) return count;
-            written += count;
+            int taken = BTLink.write(link, data, written, len - written);
+            if (taken < 0) return taken;
+            written += taken;
             if (written == len || !wait) return written;
             Delay.msDelay(PERIOD);
         }
         return -1;
     }
 
-    /** Gives how many bytes can be read at once. */
-    public int available() {
-        return isClosed ? -1 : Bluetooth.availableOfLink(link);
+    /** Gives how many bytes can be read at once, or below 0 if there will be none. */
+    public synchronized int available() {
+        if (place < count) return count - place;
+        if (isClosed) return -1;
+        place = 0;
+        count = 0;
+        int arrived = BTLink.read(link, buffer, 0, buffer.length);
+        if (arrived > 0) count = arrived;
+        return arrived;
     }
 
     /** Ends the connection. */
     public void close() {
         if (isClosed) return;
         isClosed = true;
-        Bluetooth.closeLink(link);
+        BTLink.close(link);
+    }
+
+    private synchronized int take(byte[] data, int len) {
+        int taken = Math.min(len, count - place);
+        System.arraycopy(buffer, place, data, 0, taken);
+        place += taken;
+        return taken;
     }
 }

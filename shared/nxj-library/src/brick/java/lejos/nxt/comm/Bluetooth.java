@@ -6,7 +6,7 @@ import lejos.util.Delay;
 /** Connects robots by radio. */
 public class Bluetooth {
     private static final int PERIOD = 20;
-    private static final int CONNECTING = 0;
+    private static final int LONGEST_NAME = 16;
 
     private static final Connector connector = new Connector();
     private static boolean isCancelled;
@@ -26,14 +26,10 @@ public class Bluetooth {
 
     /** Connects to the robot with a name; null if that fails. */
     public static BTConnection connect(String target, int mode) {
-        int link = openLink(target, mode);
+        int link = BTLink.open(target);
         if (link < 0) return null;
-        int state = stateOfLink(link);
-        while (state == CONNECTING) {
-            Delay.msDelay(PERIOD);
-            state = stateOfLink(link);
-        }
-        return state > 0 ? new BTConnection(link) : null;
+        while (BTLink.status(link) == BTLink.WAITING) Delay.msDelay(PERIOD);
+        return BTLink.status(link) == BTLink.OPEN ? new BTConnection(link) : null;
     }
 
     /** Waits until another robot connects. */
@@ -45,11 +41,13 @@ public class Bluetooth {
     public static BTConnection waitForConnection(int timeout, int mode) {
         long end = System.currentTimeMillis() + timeout;
         isCancelled = false;
+        int link = BTLink.listen(mode);
+        if (link < 0) return null;
         while (!isCancelled && (timeout == 0 || System.currentTimeMillis() < end)) {
-            int link = acceptLink(mode);
-            if (link >= 0) return new BTConnection(link);
+            if (BTLink.status(link) == BTLink.OPEN) return new BTConnection(link);
             Delay.msDelay(PERIOD);
         }
+        BTLink.close(link);
         return null;
     }
 
@@ -61,11 +59,14 @@ public class Bluetooth {
 
     /** Gives the robot with a name; null if there is none. */
     public static RemoteDevice getKnownDevice(String name) {
-        return isKnown(name) ? new Device(name) : null;
+        return BTLink.isKnown(name) ? new Device(name) : null;
     }
 
     /** Gives the name of this robot. */
-    public static native String getFriendlyName();
+    public static String getFriendlyName() {
+        byte[] name = new byte[LONGEST_NAME];
+        return new String(name, 0, BTLink.name(name));
+    }
 
     /** Gives the address of this robot, which is its name here. */
     public static String getLocalAddress() {
@@ -76,22 +77,6 @@ public class Bluetooth {
     public static NXTCommConnector getConnector() {
         return connector;
     }
-
-    static native boolean isKnown(String name);
-
-    static native int openLink(String name, int mode);
-
-    static native int acceptLink(int mode);
-
-    static native int stateOfLink(int link);
-
-    static native int readLink(int link, byte[] data, int offset, int length);
-
-    static native int writeLink(int link, byte[] data, int offset, int length);
-
-    static native int availableOfLink(int link);
-
-    static native void closeLink(int link);
 
     private static class Device extends RemoteDevice {
         Device(String name) {
