@@ -110,6 +110,11 @@ public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
         motor.setAcceleration(acceleration);
     }
 
+    /** Gives how much faster the motor gets in a second, in degrees a second. */
+    public int getAcceleration() {
+        return motor.getAcceleration();
+    }
+
     /** Says whether the motor is on its way. */
     public boolean isMoving() {
         return motor.isMoving();

@@ -49,4 +49,7 @@ public interface RegulatedMotor extends BaseMotor, Tachometer {
 
     /** Sets how much faster the motor gets in a second, in degrees a second. */
     void setAcceleration(int acceleration);
+
+    /** Gives how much faster the motor gets in a second, in degrees a second. */
+    int getAcceleration();
 }
