@@ -18,7 +18,10 @@ public abstract class AbstractMap<K, V> implements Map<K, V> {
 
     /** Says whether there is such a key. */
     public boolean containsKey(Object key) {
-        return keySet().contains(key);
+        for (Map.Entry<K, V> entry : entrySet()) {
+            if (AbstractCollection.isSame(key, entry.getKey())) return true;
+        }
+        return false;
     }
 
     /** Says whether there is such a value. */
@@ -101,7 +104,7 @@ public abstract class AbstractMap<K, V> implements Map<K, V> {
         }
 
         public boolean contains(Object key) {
-            return AbstractMap.this instanceof HashMap ? containsKey(key) : super.contains(key);
+            return containsKey(key);
         }
 
         public Iterator<K> iterator() {
