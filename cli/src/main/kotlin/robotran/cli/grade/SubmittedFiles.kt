@@ -20,7 +20,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.streams.asSequence
 
-/** What was named on the command line, for [robotran.assignments.collecting.collectSubmissions]. */
+/** What was named on the command line, for [robotran.assignments.collecting.collectHandIns]. */
 internal class SubmittedFiles(private val messages: CommandMessages) {
     private val collected = mutableListOf<CollectedFile>()
     private val paths = mutableMapOf<String, String>()

@@ -2,7 +2,7 @@ package robotran.assignments
 
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.doing.sealedHandIn
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
@@ -62,4 +62,4 @@ internal fun file(path: String, text: String, modified: Long? = null) =
 internal fun file(path: String, project: Project, modified: Long? = null) = file(path, writeProject(project), modified)
 
 internal suspend fun collect(vararg files: CollectedFile, assignment: Project = ASSIGNMENT): List<Submission> =
-    collectSubmissions(files.toList(), assignment)
+    collectHandIns(files.toList(), assignment).submissions

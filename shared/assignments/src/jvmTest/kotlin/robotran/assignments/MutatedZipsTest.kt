@@ -4,7 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectingLimits
 import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.collecting.collectHandIns
 import java.io.ByteArrayOutputStream
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
@@ -31,7 +31,7 @@ class MutatedZipsTest {
 
     private val beep = "beep\n".encodeToByteArray()
 
-    private suspend fun collect(vararg files: CollectedFile) = collectSubmissions(files.toList(), ASSIGNMENT)
+    private suspend fun collect(vararg files: CollectedFile) = collectHandIns(files.toList(), ASSIGNMENT).submissions
 
     @Test
     fun `deflated files come out, with their times`() = runTest {

@@ -8,7 +8,7 @@ package robotran.assignments.collecting
  */
 class CollectedFile(val path: String, val bytes: ByteArray, val modified: Long? = null)
 
-/** The limits of [collectSubmissions]. What exceeds one is an unusable submission; the others still count. */
+/** The limits of [collectHandIns]. What exceeds one is an unusable submission; the others still count. */
 object CollectingLimits {
     const val MAXIMUM_SUBMISSIONS = 500
 

@@ -1,5 +1,7 @@
 package robotran.assignments.collecting
 
+import robotran.documents.FileKind
+
 /**
  * Files that belong together.
  *
@@ -103,16 +105,16 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
     /** Whether the only folder beside loose files holds the projects of several pupils, rather than the work of one. */
     private fun isClass(files: List<FoundFile>, depth: Int): Boolean {
         val works = files.filter { it.path.size == depth + 1 && it.content !is FoundContent.Ignored }
-        return works.size >= FEWEST_OF_CLASS && works.any { it.name.endsWith(PROJECT, ignoreCase = true) }
+        return works.size >= MINIMUM_WORKS_OF_CLASS &&
+            works.any { it.name.endsWith(FileKind.PROJECT.extension, ignoreCase = true) }
     }
 
     private fun hasMain(file: FoundFile): Boolean = file.kind == FoundKind.JAVA &&
         (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
 
     private companion object {
-        /** A pupil may leave a program and two versions of a project. */
-        const val FEWEST_OF_CLASS = 3
-        const val PROJECT = ".robotran"
+        /** One pupil may leave two, such as a program and a project. */
+        const val MINIMUM_WORKS_OF_CLASS = 3
         val MAIN = Regex("\\bvoid\\s+main\\s*\\(")
     }
 }

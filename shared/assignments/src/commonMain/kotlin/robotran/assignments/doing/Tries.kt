@@ -19,7 +19,7 @@ fun TryResult.isBetterThan(other: TryResult): Boolean =
  * the pupil began with. Else the quickest is best if all goals are met; if not, the one that came nearest to them, and of
  * equals the latest.
  */
-fun AssignmentTries.with(ended: BestTry, isNew: Boolean, start: List<ProjectProgram> = emptyList()): AssignmentTries {
+fun AssignmentTries.with(ended: BestTry, isNew: Boolean, start: List<ProjectProgram>): AssignmentTries {
     val best = best
     val isBest = best == null || ended.isBetterThan(best, start)
     return AssignmentTries(if (isNew) tries + 1 else tries, if (isBest) ended else best)

@@ -14,7 +14,7 @@ internal object SpanishReportMessages : ReportMessages {
         "líneas",
         "intentos",
         "observaciones",
-        "metas cumplidas en todas las pruebas",
+        "metas cumplidas en todas las ejecuciones",
         "casi el mismo programa",
         "comentarios",
     )
@@ -40,7 +40,7 @@ internal object SpanishReportMessages : ReportMessages {
     override fun runsMet(some: Int, all: Int) = if (all == 1) {
         if (some == 1) "Ha cumplido todas las metas." else "No ha cumplido todas las metas."
     } else {
-        "Ha cumplido todas las metas en $some de $all pruebas."
+        "Ha cumplido todas las metas en $some de $all ejecuciones."
     }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {

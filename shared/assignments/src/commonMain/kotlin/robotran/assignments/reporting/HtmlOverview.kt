@@ -48,39 +48,39 @@ private fun overviewColumns(report: ClassReport, language: Language): List<Overv
             runs?.let { messages.countOf(it.count { run -> run.grade.passed }, it.size) }.orEmpty()
         }
     }
-    val similar = OverviewColumn(titles[SIMILAR], isWide = true) { similarTo(report, it, MOST_NAMES) }
+    val similar = OverviewColumn(titles[SIMILAR], isWide = true) { similarTo(report, it, MAXIMUM_NAMES) }
     return listOf(
         OverviewColumn(titles[0], isWide = true) { result(it).submission.name },
         OverviewColumn(titles[1], style = { it.verdict.name.lowercase() }) { messages.verdict(result(it).verdict) },
         OverviewColumn(titles[GOALS_MET]) { index ->
             graded(index)?.let { messages.countOf(it.goalsMet, it.goals) }.orEmpty()
         },
-    ) + (if (worlds.size in 2..MOST_WORLDS) worlds else listOf(all)) +
+    ) + (if (worlds.size in 2..MAXIMUM_WORLDS) worlds else listOf(all)) +
         numbers.map { (title, text) -> OverviewColumn(title, text = text) } +
         listOfNotNull(similar.takeIf { report.pairs.any { it.isMarked } }) +
         OverviewColumn(titles[REMARKS], isWide = true) { index ->
-            remarksOf(report, index, language).take(MOST_REMARKS).joinToString(" ")
+            remarksOf(report, index, language).take(MAXIMUM_REMARKS).joinToString(" ")
         }
 }
 
 /** Whole further down, for each hand-in. */
 private fun shortened(name: String): String =
-    if (name.length <= LONGEST_WORLD) name else "${name.take(LONGEST_WORLD).substringBeforeLast(' ')} …"
+    if (name.length <= MAXIMUM_WORLD_NAME) name else "${name.take(MAXIMUM_WORLD_NAME).substringBeforeLast(' ')} …"
 
-private const val LONGEST_WORLD = 40
+private const val MAXIMUM_WORLD_NAME = 40
 
 /** The style of columns with sentences and names. */
 private const val WORDS = "words"
 
 /** More worlds would leave no room for names and remarks; each hand-in has them further down. */
-private const val MOST_WORLDS = 3
-private const val MOST_REMARKS = 3
-private const val MOST_NAMES = 2
+private const val MAXIMUM_WORLDS = 3
+private const val MAXIMUM_REMARKS = 3
+private const val MAXIMUM_NAMES = 2
 
 // Of [ReportMessages.columns].
 private const val GOALS_MET = 2
 private const val SEEDS_MET = 4
 private const val LINES = 7
 private const val TRIES = 8
-private const val REMARKS = 9
+internal const val REMARKS = 9
 private const val SIMILAR = 11

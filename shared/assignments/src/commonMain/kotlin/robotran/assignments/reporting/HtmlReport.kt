@@ -136,9 +136,6 @@ private class HtmlReport(
 
     private companion object {
         const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-
-        /** Of [ReportMessages.columns]. */
-        const val REMARKS = 9
         const val MOST_SEEDS = 10
 
         /** A longer one is larger than the same picture in pixels. */

@@ -37,32 +37,26 @@ fun similarityLines(report: ClassReport, language: Language): List<String> {
     val messages = ReportMessages.of(language)
     return similarGroups(report.pairs).map { group ->
         val names = group.members.map { report.results[it].submission.name }
-        // Rounded down: only equal programs have all in common.
-        if (group.lowestShare ==
-            1.0
-        ) {
-            messages.equal(names)
-        } else {
-            messages.similar(names, (group.lowestShare * PERCENT).toInt())
-        }
+        val share = group.lowestShare
+        if (share == 1.0) messages.equal(names) else messages.similar(names, percentOf(share))
     }
 }
 
 /**
  * Whose programs are equal or nearly so to those of the result [index] of [report], such as `Ben (100 %)`.
  *
- * @param most the number of names; the number of others follows them, such as `+6`.
+ * @param maxNames how many names are told; the number of the others follows them, such as `+6`.
  */
-internal fun similarTo(report: ClassReport, index: Int, most: Int = Int.MAX_VALUE): String {
+internal fun similarTo(report: ClassReport, index: Int, maxNames: Int = Int.MAX_VALUE): String {
     val names = report.pairs.filter { it.isMarked && index in listOf(it.first, it.second) }.map { pair ->
         val other = if (pair.first == index) pair.second else pair.first
-        "${report.results[other].submission.name} (${percentOf(pair.share)})"
+        "${report.results[other].submission.name} (${percentOf(pair.share)} %)"
     }
-    val rest = names.size - most
-    return names.take(most).joinToString() + if (rest > 0) " +$rest" else ""
+    val rest = names.size - maxNames
+    return names.take(maxNames).joinToString() + if (rest > 0) " +$rest" else ""
 }
 
 /** Rounded down: only equal programs have all in common. */
-private fun percentOf(share: Double) = "${(share * PERCENT).toInt()} %"
+private fun percentOf(share: Double): Int = (share * PERCENT).toInt()
 
 private const val PERCENT = 100

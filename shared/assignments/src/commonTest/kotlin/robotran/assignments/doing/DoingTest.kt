@@ -44,10 +44,10 @@ class DoingTest {
     @Test
     fun `the best try has most goals, then least time`() {
         val tries = listOf(best(1, 500), best(2, 900), best(2, 800), best(2, 850), best(1, 10))
-            .fold(AssignmentTries()) { tries, ended -> tries.with(ended, isNew = true) }
+            .fold(AssignmentTries()) { tries, ended -> tries.with(ended, isNew = true, emptyList()) }
         assertEquals(5, tries.tries)
         assertEquals(best(2, 800), tries.best)
-        assertEquals(5, tries.with(best(3, 999), isNew = false).tries)
+        assertEquals(5, tries.with(best(3, 999), isNew = false, emptyList()).tries)
     }
 
     @Test

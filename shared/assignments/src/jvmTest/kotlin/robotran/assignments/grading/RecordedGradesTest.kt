@@ -2,7 +2,7 @@ package robotran.assignments.grading
 
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.CollectedFile
-import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.comparing.compareSubmissions
 import robotran.assignments.reporting.ClassReport
 import robotran.assignments.reporting.csvFile
@@ -29,7 +29,7 @@ class RecordedGradesTest {
         }
         val plan = GradingPlan.of(assignment)
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
-        val submissions = collectSubmissions(files, assignment)
+        val submissions = collectHandIns(files, assignment).submissions
         val results = gradeAll(grader, submissions) { runs -> runs.map { it.finish() } }
         assertEquals(
             folder.resolve("grades.csv").readText(),

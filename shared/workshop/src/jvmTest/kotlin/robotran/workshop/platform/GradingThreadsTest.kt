@@ -9,7 +9,7 @@ import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.collectSubmissions
+import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.HandInGrader
@@ -26,12 +26,12 @@ class GradingThreadsTest {
     private val assignment = AnyClass.teachers
     private val plan = GradingPlan.of(assignment)
 
-    private suspend fun submissions() = collectSubmissions(
+    private suspend fun submissions() = collectHandIns(
         AnyClass.few.map {
             CollectedFile(it.path, it.bytes)
         },
         assignment,
-    ).filterIsInstance<Submission.Usable>()
+    ).submissions.filterIsInstance<Submission.Usable>()
 
     private fun reports(graded: GradedHandIn) = (graded as? GradedHandIn.Graded)?.runs?.map { it.grade }
 

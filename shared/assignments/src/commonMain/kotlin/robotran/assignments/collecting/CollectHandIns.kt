@@ -11,13 +11,6 @@ import robotran.projects.Project
  */
 class CollectedHandIns(val submissions: List<Submission>, val notes: List<String>)
 
-/** The same as [collectHandIns], without notes. */
-suspend fun collectSubmissions(
-    files: List<CollectedFile>,
-    assignment: Project,
-    language: Language = Language.ENGLISH,
-): List<Submission> = collectHandIns(files, assignment, language).submissions
-
 /**
  * Finds the submissions for [assignment] in [files]: programs, projects, hand-ins, texts with links, and zips with any
  * of these, sorted by pupils. A pupil is a folder, or a file, or what a learning platform has written before its name;
