@@ -31,7 +31,7 @@ internal class SessionEngine(
     private val tonesJudged = LongArray(world.robots.size)
     private var nextToTick = 0
 
-    /** Whether the sensors have been read in the present millisecond, which a paused program may cut into several calls. */
+    /** Whether the sensors have been read in this millisecond, which takes several ticks if a program pauses. */
     private var hasSensed = false
     private var latest: SessionState? = null
 

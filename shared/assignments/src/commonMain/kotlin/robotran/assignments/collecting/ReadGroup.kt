@@ -194,6 +194,6 @@ internal class GroupReader(private val assignment: Project, private val language
 
     private companion object {
         /** The part of a link that matters. */
-        val LINK = Regex("#[wph]=[A-Za-z0-9_-]+")
+        val LINK = Regex("#[wpch]=[A-Za-z0-9_-]+")
     }
 }

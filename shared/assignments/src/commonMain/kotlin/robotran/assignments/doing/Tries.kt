@@ -15,9 +15,9 @@ fun TryResult.isBetterThan(other: TryResult): Boolean =
 /**
  * These tries and [ended], which counts as one more if it [isNew], and not if an earlier one has gone on.
  *
- * The best has the most goals met. Of those with as many, one with changed programs is better than one with [start], what
- * the pupil began with. Else the quickest is best if all goals are met; if not, the one that came nearest to them, and of
- * equals the latest.
+ * The best has the most goals met. Of those with as many, one with changed programs is better than one with [start],
+ * what the pupil began with. Else the quickest is best if all goals are met; if not, the one that came nearest to them,
+ * and of equals the latest.
  */
 fun AssignmentTries.with(ended: BestTry, isNew: Boolean, start: List<ProjectProgram>): AssignmentTries {
     val best = best

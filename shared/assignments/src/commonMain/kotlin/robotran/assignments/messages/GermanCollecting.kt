@@ -59,7 +59,7 @@ internal object GermanCollectingMessages : CollectingMessages {
     override fun ownWorld() =
         "Die Welt wurde geändert, was die Aufgabe erlaubt. Bewertet wurde trotzdem in der Welt der Aufgabe."
 
-    override fun unchanged() = "Die Programme sind noch die vom Anfang, ohne Änderungen."
+    override fun unchanged() = "An den Programmen wurde nichts geändert."
 
     override fun sameName(count: Int, file: String) = "$count Abgaben haben diesen Namen. Diese ist aus $file."
 

@@ -58,7 +58,7 @@ internal object SpanishCollectingMessages : CollectingMessages {
     override fun ownWorld() =
         "El mundo está cambiado, y la tarea lo permite. Aun así, se ha evaluado en el mundo de la tarea."
 
-    override fun unchanged() = "Los programas son los del principio, sin cambios."
+    override fun unchanged() = "Los programas no se han cambiado."
 
     override fun sameName(count: Int, file: String) = "$count entregas tienen este nombre. Esta viene de $file."
 

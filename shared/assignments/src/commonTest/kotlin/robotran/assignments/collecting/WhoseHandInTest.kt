@@ -11,6 +11,7 @@ import robotran.assignments.robolang
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.projects.AssignmentTries
+import robotran.projects.Course
 import robotran.projects.Feedback
 import robotran.projects.LinkCreation
 import robotran.projects.Project
@@ -96,6 +97,13 @@ class WhoseHandInTest {
             listOf("links.txt, line 1", "one.txt").map { "$it is the assignment itself, not a hand-in." },
             found.notes,
         )
+    }
+
+    @Test
+    fun `a link to a course is told as one`() = runTest {
+        val ofCourse = assertIs<LinkCreation.Made>(linkOf(Course("Draw", assignments = listOf(pupils)))).fragment
+        val found = collect(file("course.txt", "https://school.example/$ofCourse")).single()
+        assertEquals("It is a link to a course, without a program.", assertIs<Submission.Unusable>(found).reason)
     }
 
     @Test
