@@ -17,8 +17,8 @@ import robotran.world.World
  * @property due until when to hand in, in the teacher's words; empty for none.
  * @property nameWanted what the pupil should enter as a name, in the teacher's words; empty for the usual request.
  * @property start what the pupil's own robot began with; empty while its programs are still those.
- * @property checks what only grading uses; null in the pupil's copy.
- * @property solution programs of the first robot that reach all goals; empty in the pupil's copy.
+ * @property checks what only grading uses; null in the pupils' file.
+ * @property solution programs of the first robot that reach all goals; empty in the pupils' file.
  */
 data class Assignment(
     val id: String,

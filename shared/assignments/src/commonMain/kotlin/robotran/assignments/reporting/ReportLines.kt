@@ -45,7 +45,7 @@ fun similarityLines(report: ClassReport, language: Language): List<String> {
 /**
  * Whose programs are equal or nearly so to those of the result [index] of [report], such as `Ben (100 %)`.
  *
- * @param maxNames how many names are told; the number of the others follows them, such as `+6`.
+ * @param maxNames how many names are shown; the number of the others follows, such as `+6`.
  */
 internal fun similarTo(report: ClassReport, index: Int, maxNames: Int = Int.MAX_VALUE): String {
     val names = report.pairs.filter { it.isMarked && index in listOf(it.first, it.second) }.map { pair ->

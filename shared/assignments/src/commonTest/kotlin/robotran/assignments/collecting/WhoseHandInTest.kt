@@ -100,7 +100,7 @@ class WhoseHandInTest {
     }
 
     @Test
-    fun `a link to a course is told as one`() = runTest {
+    fun `a link to a course gets its own reason`() = runTest {
         val ofCourse = assertIs<LinkCreation.Made>(linkOf(Course("Draw", assignments = listOf(pupils)))).fragment
         val found = collect(file("course.txt", "https://school.example/$ofCourse")).single()
         assertEquals("It is a link to a course, without a program.", assertIs<Submission.Unusable>(found).reason)
