@@ -54,7 +54,7 @@ internal fun HandInCard(
         verticalAlignment = Alignment.CenterVertically,
     ) {
         val words = spokenRow(row, plan)
-        val aspect = plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
+        val aspect = aspectOf(plan)
         // Beside a picture there is no room for large words, and beside words none for a wide picture.
         val isStacked = LocalDensity.current.fontScale >= LARGE || aspect >= WIDE
         Opening(

@@ -5,18 +5,17 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
 import robotran.assignments.grading.GradedHandIn
-import robotran.assignments.grading.GradedWorld
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 import robotran.language.withComma
+import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_save_failed
 import robotran.ui.resources.documents_save_full
 import robotran.ui.resources.documents_saved
-import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.hand_ins_alike
 import robotran.ui.resources.hand_ins_brought
 import robotran.ui.resources.hand_ins_brought_known
@@ -79,13 +78,9 @@ private fun worldsOf(row: HandInRow, plan: GradingPlan): List<String> {
     val messages = ReportMessages.of(LocalLanguage.current)
     return plan.worlds.map { world ->
         val runs = graded.runsIn(world.name)
-        "${nameOf(world)}: ${messages.countOf(runs.count { it.grade.passed }, runs.size)}"
+        "${worldName(world.name)}: ${messages.countOf(runs.count { it.grade.passed }, runs.size)}"
     }
 }
-
-/** What the screen calls [world]. */
-@Composable
-internal fun nameOf(world: GradedWorld): String = world.name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
 
 /** The comment in one line; null for none. */
 @Composable
