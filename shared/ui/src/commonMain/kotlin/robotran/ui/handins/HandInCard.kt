@@ -29,6 +29,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_lines
 import robotran.ui.resources.hand_ins_seconds
 import robotran.ui.resources.hand_ins_tries
+import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -48,6 +48,7 @@ import robotran.ui.resources.hand_ins_column_seconds
 import robotran.ui.resources.hand_ins_column_tries
 import robotran.ui.resources.hand_ins_remove_one
 import robotran.ui.resources.hand_ins_replay_of
+import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -8,8 +8,6 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
-import robotran.language.Language
-import robotran.language.withComma
 import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
@@ -36,11 +34,10 @@ import robotran.ui.resources.hand_ins_runs_of
 import robotran.ui.resources.hand_ins_seconds
 import robotran.ui.resources.hand_ins_too_many
 import robotran.ui.resources.hand_ins_tries
+import robotran.ui.runbar.secondsText
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage
-import robotran.world.writeThousandths
-import kotlin.math.roundToInt
 
 /** In how many runs all goals were met; where there is only one run, how many goals. */
 @Composable
@@ -110,13 +107,6 @@ internal fun remarksOf(row: HandInRow): List<String> {
 
 internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usable)?.handIn?.tries
 
-/** A number of seconds with one decimal. */
-@Composable
-internal fun secondsText(seconds: Double): String {
-    val text = writeThousandths((seconds * TENTHS).roundToInt() / TENTHS.toDouble())
-    return if (LocalLanguage.current == Language.ENGLISH) text else withComma(text)
-}
-
 @Composable
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
     is HandInsMessage.Brought -> {
@@ -179,5 +169,4 @@ internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun = (
     } ?: graded.runs.first()
 ).let { HandInRun(it.world.name, it.grade.seed) }
 
-private const val TENTHS = 10
 private val LINE_ENDS = Regex("\\s*\n\\s*")
