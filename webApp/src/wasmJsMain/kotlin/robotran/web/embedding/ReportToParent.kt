@@ -18,7 +18,8 @@ import robotran.workshop.Workshop
 
 /**
  * Tells the page around this one how the pupil gets on with the assignment, or with each one of a course, and gives it
- * the pupil's work, since this page saves nothing; takes work that it has given before. Never returns if the page around may know.
+ * the pupil's work, since this page saves nothing; takes work that it has given before. Never returns if the page
+ * around may know.
  */
 internal suspend fun reportToParent(workshop: Workshop) {
     val parent = ParentPage.find() ?: return

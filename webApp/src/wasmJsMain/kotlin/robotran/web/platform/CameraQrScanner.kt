@@ -14,11 +14,11 @@ internal class CameraQrScanner private constructor() : QrScanner {
     override val kinds: List<QrScannerKind> get() = listOf(QrScannerKind.CAMERA)
 
     override suspend fun scan(kind: QrScannerKind, words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
-        val end = newEnd()
+        val controller = newAbortController()
         val error = try {
-            scan(wordsFor(words), onFound, end).await<JsString>().toString()
+            scan(wordsFor(words), onFound, controller).await<JsString>().toString()
         } finally {
-            come(end)
+            abort(controller)
         }
         return when (error) {
             "" -> QrScanResult.Ended
@@ -52,13 +52,12 @@ private fun wordsFor(
     done: String,
 ): JsAny = js("({ title, hint, starting, counted, useless, done })")
 
-/** What ends the scanner when it comes. */
-private fun newEnd(): JsAny = js("new AbortController()")
+private fun newAbortController(): JsAny = js("new AbortController()")
 
-private fun come(end: JsAny): Unit = js("end.abort()")
+private fun abort(controller: JsAny): Unit = js("controller.abort()")
 
 /** A dynamic import, so that the page loads the module only when it is needed. */
-private fun scan(words: JsAny, onFound: (String) -> Boolean, end: JsAny): Promise<JsString> = js(
+private fun scan(words: JsAny, onFound: (String) -> Boolean, controller: JsAny): Promise<JsString> = js(
     "import(/* webpackChunkName: 'qr-scanner' */ './qr-scanner.mjs')" +
-        ".then((module) => module.scan(words, onFound, end.signal), (error) => String(error))",
+        ".then((module) => module.scan(words, onFound, controller.signal), (error) => String(error))",
 )

@@ -21,7 +21,6 @@ import robotran.ui.resources.assignment_feedback_result
 import robotran.ui.resources.assignment_is_hand_in
 import robotran.ui.resources.assignment_is_hand_in_once
 import robotran.ui.resources.assignment_is_hand_in_untried
-import robotran.ui.resources.hand_in_own_world
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 
@@ -40,7 +39,7 @@ internal fun FeedbackCard(feedback: Feedback) {
         val comment = feedback.comment.trim().ifEmpty { stringResource(Res.string.assignment_feedback_none) }
         MarkedText(comment, Modifier.testTag("assignment-comment"))
         for (result in feedback.results) {
-            val world = result.world.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+            val world = worldName(result.world)
             Line(
                 stringResource(Res.string.assignment_feedback_result, world, result.seedsMet, result.seeds),
                 "assignment-result",

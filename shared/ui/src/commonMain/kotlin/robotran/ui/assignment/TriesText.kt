@@ -10,6 +10,7 @@ import robotran.ui.resources.assignment_best_no_goals
 import robotran.ui.resources.assignment_no_try
 import robotran.ui.resources.assignment_one_try
 import robotran.ui.resources.assignment_tries
+import robotran.ui.resources.hand_in_own_world
 import robotran.ui.runbar.secondsText
 import robotran.workshop.state.AssignmentState
 
@@ -35,6 +36,10 @@ internal fun triesText(tries: AssignmentTries): String {
 @Composable
 internal fun howFar(assignment: AssignmentState?): String =
     assignment?.takeIf { it.isOpenForTries }?.let { triesText(it.tries) }.orEmpty()
+
+/** What the screen calls the world or variation [name], which is empty for the world of the assignment itself. */
+@Composable
+internal fun worldName(name: String): String = name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
 
 /** The same in all languages. */
 internal val ProgramLanguage.ownName: String

@@ -14,12 +14,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
-import robotran.ui.assignment.LinkOrProblem
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.assignment.making.Chips
 import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Field
+import robotran.ui.assignment.making.PupilLinkView
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.wordsFor
@@ -38,10 +38,7 @@ import robotran.ui.resources.course_problem_other
 import robotran.ui.resources.course_qr_help
 import robotran.ui.resources.course_text_label
 import robotran.ui.resources.course_title_label
-import robotran.ui.resources.hand_in_copied
-import robotran.ui.resources.hand_in_copy
 import robotran.ui.resources.hand_in_not_saved
-import robotran.ui.resources.hand_in_share
 import robotran.ui.resources.make_give
 import robotran.ui.resources.make_give_help
 import robotran.ui.resources.make_pupil_file
@@ -110,20 +107,13 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
 }
 
 @Composable
-private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
-    if (link.link != null) {
-        Chips {
-            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-            SecondButton(stringResource(copy), "course-link-copy", { onEvent(CourseEvent.LinkCopied) })
-            if (page.hasShareSheet) {
-                SecondButton(stringResource(Res.string.hand_in_share), "course-link-share", {
-                    onEvent(CourseEvent.LinkShared)
-                })
-            }
-        }
-    }
-    LinkOrProblem(link.link, link.problem, "course-qr", Res.string.course_qr_help, isForClass = true)
-}
+private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
+    link,
+    "course",
+    Res.string.course_qr_help,
+    onCopy = { onEvent(CourseEvent.LinkCopied) },
+    onShare = { onEvent(CourseEvent.LinkShared) }.takeIf { page.hasShareSheet },
+)
 
 /** Why the last action did nothing. */
 @Composable

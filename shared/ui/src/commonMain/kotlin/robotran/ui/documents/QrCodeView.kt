@@ -55,8 +55,8 @@ import kotlin.math.floor
  * [link] as a QR code for another device, or the reason why there is none.
  *
  * @param help says what to do with it.
- * @param isForClass whether many pupils read it from afar, so that a button says that it can fill the screen; a touch on
- * the code does that in any case.
+ * @param isForClass whether many pupils read it from afar, so that a button says that it can fill the screen; a touch
+ * on the code does that in any case.
  * @param maxSide how large it may be here.
  */
 @Composable
@@ -104,10 +104,7 @@ internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
             val side = if (isAcross) {
                 minOf(maxHeight, maxWidth - CLOSE_WIDTH)
             } else {
-                minOf(
-                    maxWidth,
-                    maxHeight - CLOSE_HEIGHT,
-                )
+                minOf(maxWidth, maxHeight - CLOSE_HEIGHT)
             }
             val large = @Composable { QrCodeView(code, Modifier.size(side), "qr-code-large") }
             if (isAcross) {

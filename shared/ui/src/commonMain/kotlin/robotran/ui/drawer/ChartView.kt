@@ -31,8 +31,8 @@ import robotran.ui.resources.run_chart_finer
 import robotran.ui.resources.run_chart_motor
 import robotran.ui.resources.run_chart_sensor
 import robotran.ui.runbar.Chip
-import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.secondsText
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -61,7 +61,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     }
                 }
             }
-            QuietButton(
+            RunIconButton(
                 RunIcon.LESS,
                 stringResource(Res.string.run_chart_coarser),
                 "chart-coarser",
@@ -70,7 +70,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                 },
                 enabled = zoom > 0,
             )
-            QuietButton(
+            RunIconButton(
                 RunIcon.MORE,
                 stringResource(Res.string.run_chart_finer),
                 "chart-finer",

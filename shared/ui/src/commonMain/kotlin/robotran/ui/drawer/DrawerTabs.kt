@@ -35,8 +35,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_close
 import robotran.ui.resources.run_drawer_one
 import robotran.ui.resources.run_drawer_two
-import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.word
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -50,7 +50,7 @@ import robotran.workshop.state.DrawerTab
 @Composable
 internal fun DrawerTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
-        QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
+        RunIconButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
     }
 }
 
@@ -71,8 +71,8 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
             fontWeight = FontWeight.SemiBold,
             maxLines = 1,
         )
-        if (onTwo != null) QuietButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
-        QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", onClose)
+        if (onTwo != null) RunIconButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
+        RunIconButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", onClose)
     }
 }
 
@@ -80,7 +80,7 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
-        QuietButton(RunIcon.CLOSE, stringResource(Res.string.run_drawer_one), "beside-close", { onTab(null) })
+        RunIconButton(RunIcon.CLOSE, stringResource(Res.string.run_drawer_one), "beside-close", { onTab(null) })
     }
 }
 

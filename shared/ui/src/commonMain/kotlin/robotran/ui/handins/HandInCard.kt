@@ -29,6 +29,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_lines
 import robotran.ui.resources.hand_ins_seconds
 import robotran.ui.resources.hand_ins_tries
+import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -54,7 +55,7 @@ internal fun HandInCard(
         verticalAlignment = Alignment.CenterVertically,
     ) {
         val words = spokenRow(row, plan)
-        val aspect = plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
+        val aspect = aspectOf(plan)
         // Beside a picture there is no room for large words, and beside words none for a wide picture.
         val isStacked = LocalDensity.current.fontScale >= LARGE || aspect >= WIDE
         Opening(

@@ -52,15 +52,17 @@ internal fun HandInPicture(graded: GradedHandIn.Graded?, plan: GradingPlan, modi
 }
 
 /**
- * The size of a picture in the table: as wide as the sheet of [plan] asks, so that nothing of it stays empty, and of the
- * same area for all but very long sheets.
+ * The size of a picture in the table: as wide as the sheet of [plan] asks, so that nothing of it stays empty, and of
+ * the same area for all but very long sheets.
  */
 internal fun pictureSize(plan: GradingPlan, maxWidth: Dp = MAX_WIDTH): DpSize {
-    val paper = plan.worlds.first().world.paper
-    val aspect = (paper.width / paper.height).toFloat()
+    val aspect = aspectOf(plan)
     val width = sqrt(AREA * aspect).coerceIn(MIN_WIDTH.value, maxWidth.value)
     return DpSize(width.dp, (width / aspect).coerceAtMost(MAX_HEIGHT.value).dp)
 }
+
+/** Width divided by height of the sheet. */
+internal fun aspectOf(plan: GradingPlan): Float = plan.worlds.first().world.paper.let { it.width / it.height }.toFloat()
 
 private suspend fun drawn(world: World, key: PictureKey): ImageBitmap {
     // Rows that come into sight together are drawn one after the other.
@@ -79,7 +81,9 @@ private class PictureKey(val state: SessionState, val colours: SheetColours, val
     override fun hashCode(): Int = room.hashCode()
 }
 
-/** The pictures that were drawn last. A list is never changed, since windows and tests may look on threads of their own. */
+/**
+ * The pictures that were drawn last. A list is never changed, since windows and tests may look on threads of their own.
+ */
 private class KeptPictures {
     private var kept = listOf<Pair<PictureKey, ImageBitmap>>()
 

@@ -23,6 +23,7 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
 import robotran.simulation.GoalReport
+import robotran.ui.assignment.worldName
 import robotran.ui.learning.DONE_ICON
 import robotran.ui.learning.PLAY_ICON
 import robotran.ui.parts.Icon
@@ -62,7 +63,7 @@ internal fun HandInRuns(
         lineHeight = LineHeights.SMALL,
     )
     for (world in plan.worlds) {
-        RunsInWorld(row, nameOf(world), graded.runsIn(world.name), onEvent)
+        RunsInWorld(row, worldName(world.name), graded.runsIn(world.name), onEvent)
     }
 }
 

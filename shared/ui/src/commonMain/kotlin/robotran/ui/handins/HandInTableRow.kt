@@ -24,7 +24,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
@@ -48,6 +47,7 @@ import robotran.ui.resources.hand_ins_column_seconds
 import robotran.ui.resources.hand_ins_column_tries
 import robotran.ui.resources.hand_ins_remove_one
 import robotran.ui.resources.hand_ins_replay_of
+import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -5,18 +5,15 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
 import robotran.assignments.grading.GradedHandIn
-import robotran.assignments.grading.GradedWorld
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
-import robotran.language.Language
-import robotran.language.withComma
+import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_save_failed
 import robotran.ui.resources.documents_save_full
 import robotran.ui.resources.documents_saved
-import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.hand_ins_alike
 import robotran.ui.resources.hand_ins_brought
 import robotran.ui.resources.hand_ins_brought_known
@@ -37,11 +34,10 @@ import robotran.ui.resources.hand_ins_runs_of
 import robotran.ui.resources.hand_ins_seconds
 import robotran.ui.resources.hand_ins_too_many
 import robotran.ui.resources.hand_ins_tries
+import robotran.ui.runbar.secondsText
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage
-import robotran.world.writeThousandths
-import kotlin.math.roundToInt
 
 /** In how many runs all goals were met; where there is only one run, how many goals. */
 @Composable
@@ -79,13 +75,9 @@ private fun worldsOf(row: HandInRow, plan: GradingPlan): List<String> {
     val messages = ReportMessages.of(LocalLanguage.current)
     return plan.worlds.map { world ->
         val runs = graded.runsIn(world.name)
-        "${nameOf(world)}: ${messages.countOf(runs.count { it.grade.passed }, runs.size)}"
+        "${worldName(world.name)}: ${messages.countOf(runs.count { it.grade.passed }, runs.size)}"
     }
 }
-
-/** What the screen calls [world]. */
-@Composable
-internal fun nameOf(world: GradedWorld): String = world.name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
 
 /** The comment in one line; null for none. */
 @Composable
@@ -114,13 +106,6 @@ internal fun remarksOf(row: HandInRow): List<String> {
 }
 
 internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usable)?.handIn?.tries
-
-/** A number of seconds with one decimal. */
-@Composable
-internal fun secondsText(seconds: Double): String {
-    val text = writeThousandths((seconds * TENTHS).roundToInt() / TENTHS.toDouble())
-    return if (LocalLanguage.current == Language.ENGLISH) text else withComma(text)
-}
 
 @Composable
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
@@ -184,5 +169,4 @@ internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun = (
     } ?: graded.runs.first()
 ).let { HandInRun(it.world.name, it.grade.seed) }
 
-private const val TENTHS = 10
 private val LINE_ENDS = Regex("\\s*\n\\s*")

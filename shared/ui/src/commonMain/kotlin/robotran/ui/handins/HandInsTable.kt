@@ -46,6 +46,7 @@ internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableF
     var wanted by remember { mutableStateOf(state.last) }
     LaunchedEffect(Unit) {
         val index = state.rows.indexOfFirst { it.id == state.last }
+        // Above the rows are the head, the summary and, in a table, the titles of columns.
         if (index >= 0) list.show(index + if (form == TableForm.TABLE) 3 else 2)
     }
     LazyVerticalGrid(

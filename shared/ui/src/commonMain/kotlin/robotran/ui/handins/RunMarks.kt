@@ -22,6 +22,7 @@ import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
+import robotran.ui.assignment.worldName
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -41,7 +42,7 @@ internal fun RunMarks(graded: GradedHandIn.Graded, plan: GradingPlan, modifier: 
         val columns = (maxWidth / cell).toInt().coerceIn(1, MAX_COLUMNS)
         Column(verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
             for (world in plan.worlds) {
-                WorldName(nameOf(world), plan.seeds)
+                WorldName(worldName(world.name), plan.seeds)
                 graded.runsIn(world.name).chunked(columns).forEach { MarksRow(it, cell) }
             }
         }

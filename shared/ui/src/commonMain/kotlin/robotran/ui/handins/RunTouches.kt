@@ -18,8 +18,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.onClick
-import androidx.compose.ui.semantics.role
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradedRun
@@ -64,14 +62,7 @@ private fun RunTouch(run: GradedRun, world: String, onReplay: () -> Unit) {
             .focusRing()
             .clip(Shapes.SMALL)
             .clickable(role = Role.Button, onClick = onReplay)
-            .clearAndSetSemantics {
-                contentDescription = words
-                role = Role.Button
-                onClick {
-                    onReplay()
-                    true
-                }
-            },
+            .clearAndSetSemantics { contentDescription = words },
         Arrangement.Center,
         Alignment.CenterHorizontally,
     ) {

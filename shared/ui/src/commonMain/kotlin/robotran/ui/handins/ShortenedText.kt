@@ -37,13 +37,13 @@ internal fun ShortenedText(words: String, style: TextStyle, maxLines: Int, modif
 /** [words] with as few letters left out of the middle as it takes until it [fits]. More is left of the end. */
 internal fun shortenedInMiddle(words: String, fits: (String) -> Boolean): String {
     if (fits(words)) return words
-    var least = 0
-    var most = words.length - 1
-    while (least < most) {
-        val middle = (least + most + 1) / 2
-        if (fits(withLetters(words, middle))) least = middle else most = middle - 1
+    var min = 0
+    var max = words.length - 1
+    while (min < max) {
+        val middle = (min + max + 1) / 2
+        if (fits(withLetters(words, middle))) min = middle else max = middle - 1
     }
-    return withLetters(words, least)
+    return withLetters(words, min)
 }
 
 private fun withLetters(words: String, count: Int): String {

@@ -83,8 +83,8 @@ internal fun ProgramTabs(
 }
 
 /**
- * Scrolls to this tab when it becomes [shown], or the number of its [neighbours] or the room for all of them changes: the
- * pane is narrower for text than for blocks.
+ * Scrolls to this tab when it becomes [shown], or the number of its [neighbours] or the room for all of them changes:
+ * the pane is narrower for text than for blocks.
  */
 @Composable
 private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, scroll: ScrollState): Modifier {
@@ -95,14 +95,8 @@ private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, scroll: Scroll
         if (!shown || room == 0) return@LaunchedEffect
         // The whole row has its new width only after layout.
         withFrameNanos { }
-        val place = scroll.value.coerceIn(
-            span.last + margin - room,
-            maxOf(
-                span.last + margin - room,
-                span.first - margin,
-            ),
-        )
-            .coerceIn(0, scroll.maxValue)
+        val min = span.last + margin - room
+        val place = scroll.value.coerceIn(min, maxOf(min, span.first - margin)).coerceIn(0, scroll.maxValue)
         // A touch while tabs scroll stops them, and is none on a tab.
         if (place != scroll.value) scroll.animateScrollTo(place)
     }

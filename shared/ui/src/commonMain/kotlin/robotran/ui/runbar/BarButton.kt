@@ -77,7 +77,7 @@ internal fun BarButton(
 
 /** An icon button without a frame; [name] is its accessibility text. */
 @Composable
-internal fun QuietButton(
+internal fun RunIconButton(
     icon: RunIcon,
     name: String,
     tag: String,

@@ -69,7 +69,7 @@ internal fun RunBar(
                     StatusPlace.ABOVE -> {}
                 }
                 if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
-                QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
+                RunIconButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
                 more?.invoke()
             }
             if (!inOneRow) Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())

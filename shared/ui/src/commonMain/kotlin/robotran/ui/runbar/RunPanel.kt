@@ -89,7 +89,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                     fontSize = TextSizes.HEADING,
                     fontWeight = FontWeight.SemiBold,
                 )
-                QuietButton(RunIcon.CLOSE, stringResource(Res.string.run_close), "run-panel-close", onClose)
+                RunIconButton(RunIcon.CLOSE, stringResource(Res.string.run_close), "run-panel-close", onClose)
             }
             Section(Res.string.run_speed) {
                 for (speed in RunSpeed.entries) {

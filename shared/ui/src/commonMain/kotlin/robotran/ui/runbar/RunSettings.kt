@@ -129,7 +129,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                 singleLine = true,
                 keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
-            QuietButton(RunIcon.NEXT, stringResource(Res.string.run_seed_next), "seed-next", {
+            RunIconButton(RunIcon.NEXT, stringResource(Res.string.run_seed_next), "seed-next", {
                 onSeed(
                     if (seed == Int.MAX_VALUE) {
                         1

@@ -132,9 +132,13 @@ internal fun oneDecimal(value: Double): String {
     return "$sign${abs(tenths) / 10}.${abs(tenths) % 10}"
 }
 
-/** Seconds with one decimal place, as the pupil's language writes it. */
+/** Seconds with one decimal place, as the reader's language writes it. */
 @Composable
-internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
+internal fun secondsText(milliseconds: Long): String = secondsText(milliseconds / MILLISECONDS_PER_SECOND)
+
+/** [seconds] with one decimal place, as the reader's language writes it. */
+@Composable
+internal fun secondsText(seconds: Double): String = oneDecimal(seconds).let {
     if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
 }
 

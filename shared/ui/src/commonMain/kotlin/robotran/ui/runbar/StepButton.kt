@@ -65,7 +65,7 @@ internal fun StepButton(
 private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        QuietButton(RunIcon.DOWN, stringResource(Res.string.run_steps), "steps", { open = true })
+        RunIconButton(RunIcon.DOWN, stringResource(Res.string.run_steps), "steps", { open = true })
         AppMenu(open, { open = false }) {
             StepChoices(cursor) {
                 open = false

@@ -46,7 +46,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds
             ?: 0L.takeIf { state.time > 0 && !state.untouched }
-        QuietButton(
+        RunIconButton(
             RunIcon.PREVIOUS,
             stringResource(Res.string.run_mark_previous),
             "mark-previous",
@@ -57,7 +57,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
         val next =
             state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds
                 ?: state.length.takeIf { state.inPast }
-        QuietButton(
+        RunIconButton(
             RunIcon.NEXT,
             stringResource(Res.string.run_mark_next),
             "mark-next",

@@ -80,10 +80,9 @@ private fun BoxWithConstraintsScope.Messages(
     withNotice: Boolean,
     onWholeBrick: (() -> Unit)?,
 ) {
-    val max = if (maxHeight < LOW) maxHeight * MOST else maxHeight / 2
     val tall = maxHeight * TALL
-    val most = if (isSmall) maxHeight * MOST else max
     val hasRoom = maxHeight >= LOW
+    val max = if (hasRoom) maxHeight / 2 else tall
     val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)
     val isFolded = isTaskFolded(state)
     val tellsTries = !cardTellsTries(state, withNotice)
@@ -100,7 +99,7 @@ private fun BoxWithConstraintsScope.Messages(
             OutcomeCard(
                 state,
                 onEvent,
-                Modifier.heightIn(max = most),
+                Modifier.heightIn(max = if (isSmall) tall else max),
                 withNotice,
                 tellsTries = tellsTries,
             )
@@ -142,7 +141,7 @@ private fun BoxWithConstraintsScope.LowerOutcome(
             .padding(start = buttonsWidth, bottom = if (buttonsWidth == 0.dp) BUTTONS_HEIGHT else 0.dp)
             .padding(8.dp)
             .widthIn(max = MAX_WIDTH)
-            .heightIn(max = if (isSmall) maxHeight * MOST else maxHeight / 2),
+            .heightIn(max = if (isSmall) maxHeight * TALL else maxHeight / 2),
         canHandIn,
         tellsTries = !cardTellsTries(state, canHandIn),
     )
@@ -210,8 +209,5 @@ private val MAX_WIDTH = 560.dp
 private val SMALL = 480.dp
 private val LOW = 280.dp
 
-/** The part of a small sheet that a card may cover. */
-private const val MOST = 0.7f
-
-/** The part of the paper that the card of an assignment may cover. */
+/** The part that a card may cover of a small sheet, and that of an assignment of any sheet. */
 private const val TALL = 0.7f

@@ -37,8 +37,9 @@ import robotran.workshop.state.NoticeAction
 @Composable
 internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    if (notice == Notice.HandInOpen) return ActionAlone(NoticeAction.BackToHandIns, onEvent, modifier)
     val text = noticeText(notice)
+    val action = notice.action
+    if (text.isEmpty() && action != null) return ActionAlone(action, onEvent, modifier)
     val colour = if (notice.isError) colours.error else colours.onPane
     Row(
         modifier
@@ -60,7 +61,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
             color = colour,
             fontSize = TextSizes.BODY,
         )
-        notice.action?.let { ActionButton(it, onEvent) }
+        action?.let { ActionButton(it, onEvent) }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {
             onEvent(WorkshopEvent.NoticeDismissed)
         }, colour = colour)

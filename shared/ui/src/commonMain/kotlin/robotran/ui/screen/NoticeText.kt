@@ -3,6 +3,7 @@ package robotran.ui.screen
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.worldName
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_begun_again
@@ -37,7 +38,6 @@ import robotran.ui.resources.documents_work_unusable
 import robotran.ui.resources.hand_in_go_back
 import robotran.ui.resources.hand_in_notice
 import robotran.ui.resources.hand_in_notice_run
-import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
 import robotran.ui.resources.notice_change_number
@@ -126,7 +126,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
     is Notice.HandInOpened -> notice.run?.let { run ->
-        val world = run.world.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+        val world = worldName(run.world)
         stringResource(Res.string.hand_in_notice_run, notice.name, world, run.seed)
     } ?: stringResource(Res.string.hand_in_notice, notice.name)
 

@@ -64,7 +64,11 @@ import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written
 
-/** The top of the editor: undo, help, and the button that closes it. Robots cannot drive in all worlds, see [canTry]. */
+/**
+ * The top of the editor: undo, help, and the button that closes it.
+ *
+ * @param canTry whether robots can drive in this world; false in a variation of an assignment.
+ */
 @Composable
 internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, canTry: Boolean) {
     val colours = LocalRobotranColours.current

@@ -59,7 +59,6 @@ internal object EditIcons {
     val DOWN = Icon.strokes("M6 9L12 15L18 9")
     val IN = Icon.strokes("M4 12H16", "M11 7L16 12L11 17", "M20 5V19")
     val OUT = Icon.strokes("M20 12H8", "M13 7L8 12L13 17", "M4 5V19")
-    val FIT = Icon.strokes("M4 9V4H9", "M15 4H20V9", "M20 15V20H15", "M9 20H4V15")
     val PENCIL = Icon.strokes("M4 20L5 15L16 4L20 8L9 19L4 20")
     val GRID = Icon.strokes("M4 4H20V20H4V4", "M4 12H20", "M12 4V20")
     val WARNING = Icon.strokes("M12 4L21 20H3L12 4", "M12 10V14", "M12 17V17.1")

@@ -9,11 +9,11 @@ import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.ProgressBar
+import robotran.ui.assignment.worldName
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_in_cancel
-import robotran.ui.resources.hand_in_own_world
 import robotran.ui.resources.make_check
 import robotran.ui.resources.make_check_all
 import robotran.ui.resources.make_missing_allowed
@@ -84,7 +84,7 @@ private fun CheckResult(check: SolutionCheck?) {
         }
 
         is SolutionCheck.Failed -> {
-            val world = check.world.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+            val world = worldName(check.world)
             Explanation(
                 stringResource(Res.string.make_try_failed, check.failed, check.runs, world, check.seed),
                 news,

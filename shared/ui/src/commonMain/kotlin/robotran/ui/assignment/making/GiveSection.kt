@@ -6,6 +6,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.packaging.ScormVersion
 import robotran.ui.assignment.LinkOrProblem
@@ -51,29 +52,43 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
         }
         val saved = (state.savedAs ?: state.saveError)?.takeUnless { state.isAboutPackage }
         ComesIntoView(saved) { if (saved != null) SaveResult(state.savedAs, state.saveError, "make-saved") }
-        ComesIntoView(state.link?.run { link ?: problem }) { state.link?.let { PupilLinkView(it, state, onEvent) } }
+        ComesIntoView(state.link?.run { link ?: problem }) { state.link?.let { GiveLink(it, state, onEvent) } }
     }
 }
 
 @Composable
-private fun PupilLinkView(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+private fun GiveLink(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
+    link,
+    "make",
+    Res.string.make_qr_help,
+    onCopy = { onEvent(AssignmentEvent.PupilLinkCopied) },
+    onShare = { onEvent(AssignmentEvent.PupilLinkShared) }.takeIf { state.hasShareSheet },
+)
+
+/**
+ * [link] to copy, to share, and as a QR code for a class; also why there is none.
+ *
+ * @param place the beginning of all tags.
+ * @param qrHelp what pupils do with the code.
+ * @param onShare null if nothing can be shared here.
+ */
+@Composable
+internal fun PupilLinkView(
+    link: PupilLink,
+    place: String,
+    qrHelp: StringResource,
+    onCopy: () -> Unit,
+    onShare: (() -> Unit)?,
+) {
     if (link.link != null) {
         Chips {
             val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-            SecondButton(
-                stringResource(copy),
-                "make-link-copy",
-                { onEvent(AssignmentEvent.PupilLinkCopied) },
-                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
-            )
-            if (state.hasShareSheet) {
-                SecondButton(stringResource(Res.string.hand_in_share), "make-link-share", {
-                    onEvent(AssignmentEvent.PupilLinkShared)
-                })
-            }
+            val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
+            SecondButton(stringResource(copy), "$place-link-copy", onCopy, news)
+            if (onShare != null) SecondButton(stringResource(Res.string.hand_in_share), "$place-link-share", onShare)
         }
     }
-    LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help, isForClass = true)
+    LinkOrProblem(link.link, link.problem, "$place-qr", qrHelp, isForClass = true)
 }
 
 /** Packages, and the code for a frame. */
