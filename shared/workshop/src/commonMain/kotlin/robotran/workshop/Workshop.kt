@@ -333,7 +333,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
-        withdrawUndoOfPlug()
+        withdrawUndo()
         document.projectMayHaveChanged()
     }
 
@@ -413,13 +413,18 @@ class Workshop(
         if (isAnother) taskShown = state.hasTask
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
-        withdrawUndoOfPlug()
+        withdrawUndo()
         document.projectMayHaveChanged()
     }
 
-    /** Removes the offer to take sensors out that are no longer plugged in. */
-    private fun withdrawUndoOfPlug() {
-        if (notice?.action == NoticeAction.UnplugSensors && !worldEdit.canUndoPlug) notice = null
+    /** Removes an offer to undo what cannot be undone any more. */
+    private fun withdrawUndo() {
+        val isOver = when (notice?.action) {
+            NoticeAction.UnplugSensors -> !worldEdit.canUndoPlug
+            NoticeAction.BeginningUndone -> !assignment.canUndoBeginning
+            else -> false
+        }
+        if (isOver) notice = null
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
@@ -471,11 +476,11 @@ class Workshop(
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
-        // What they offer would overwrite what was written since.
-        if (isWritten && (notice == Notice.FirstProgramRuns || notice == Notice.BegunAgain)) notice = null
+        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
         if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
         if (isWritten) assignment.programsChanged()
+        withdrawUndo()
     }
 
     private fun handleSettings(event: SettingsEvent) {
