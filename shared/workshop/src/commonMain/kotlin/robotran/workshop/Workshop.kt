@@ -12,7 +12,6 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
-import robotran.robolang.diagnostic.SourceRange
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -378,9 +377,8 @@ class Workshop(
     }
 
     override fun showLine(index: Int, line: Int) {
-        handle(ProgramEvent.RobotChosen(project.world.robots.first().name))
-        handle(ProgramEvent.ProgramChosen(index))
-        showMistake(ProgramDiagnostic("", SourceRange(line, 1, 0), ""))
+        programs.showLine(index, line)
+        learning.programsChanged()
     }
 
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
