@@ -87,11 +87,8 @@ internal class BringingHandInsTest : HandInsTesting() {
     @Test
     fun `nothing in what was brought is told`() = looking { workshop ->
         workshop.bring(listOf(OpenedFile("empty.zip", zipOf(emptyList()))))
-        assertTrue(
-            workshop.page.told?.isError == true || workshop.page.rows.all {
-                it.verdict == HandInVerdict.UNUSABLE
-            },
-        )
+        assertEquals(HandInsMessage.NothingFound(), workshop.page.told)
+        assertEquals(emptyList(), workshop.page.rows)
     }
 
     @Test
