@@ -61,6 +61,7 @@ class PhotosTest {
     fun `a code in a picture that is taken becomes a hand-in, and the picture is gone`() {
         installCamera()
         openHandIns()
+        assertTrue(app.isThere("hand-ins-scan"))
         assertTrue(app.isThere("hand-ins-scan-pictures"))
         val link = runBlocking { linkOf(Project(BuiltInWorlds.plain)) } as LinkCreation.Made
         answer(Activity.RESULT_OK) {

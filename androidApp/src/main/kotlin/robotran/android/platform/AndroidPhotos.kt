@@ -12,7 +12,7 @@ import androidx.core.content.FileProvider
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import robotran.workshop.platform.Photo
+import robotran.workshop.platform.PhotoResult
 import robotran.workshop.platform.PhotoTaker
 import java.io.File
 import java.io.IOException
@@ -37,7 +37,7 @@ class AndroidPhotos(private val context: Context) : PhotoTaker {
         }
     }
 
-    override suspend fun take(): Photo {
+    override suspend fun take(): PhotoResult {
         asked?.complete(false)
         val answer = CompletableDeferred<Boolean>()
         asked = answer
@@ -45,15 +45,15 @@ class AndroidPhotos(private val context: Context) : PhotoTaker {
         try {
             folder.mkdirs()
             camera?.launch(FileProvider.getUriForFile(context, "${context.packageName}.photos", file))
-                ?: return Photo.NoCamera
-            if (!answer.await()) return Photo.Cancelled
-            return Photo.Taken(withContext(Dispatchers.IO) { file.readBytes() })
+                ?: return PhotoResult.NoCamera
+            if (!answer.await()) return PhotoResult.Cancelled
+            return PhotoResult.Taken(withContext(Dispatchers.IO) { file.readBytes() })
         } catch (_: ActivityNotFoundException) {
-            return Photo.NoCamera
+            return PhotoResult.NoCamera
         } catch (_: SecurityException) {
-            return Photo.NoCamera
+            return PhotoResult.NoCamera
         } catch (_: IOException) {
-            return Photo.Cancelled
+            return PhotoResult.Cancelled
         } finally {
             if (asked === answer) {
                 asked = null

@@ -12,7 +12,6 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
-import robotran.robolang.diagnostic.SourceRange
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -333,7 +332,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
-        withdrawUndoOfPlug()
+        withdrawUndo()
         document.projectMayHaveChanged()
     }
 
@@ -378,9 +377,8 @@ class Workshop(
     }
 
     override fun showLine(index: Int, line: Int) {
-        handle(ProgramEvent.RobotChosen(project.world.robots.first().name))
-        handle(ProgramEvent.ProgramChosen(index))
-        showMistake(ProgramDiagnostic("", SourceRange(line, 1, 0), ""))
+        programs.showLine(index, line)
+        learning.programsChanged()
     }
 
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
@@ -413,13 +411,18 @@ class Workshop(
         if (isAnother) taskShown = state.hasTask
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
-        withdrawUndoOfPlug()
+        withdrawUndo()
         document.projectMayHaveChanged()
     }
 
-    /** Removes the offer to take sensors out that are no longer plugged in. */
-    private fun withdrawUndoOfPlug() {
-        if (notice?.action == NoticeAction.UnplugSensors && !worldEdit.canUndoPlug) notice = null
+    /** Removes an offer to undo what cannot be undone any more. */
+    private fun withdrawUndo() {
+        val isOver = when (notice?.action) {
+            NoticeAction.UnplugSensors -> !worldEdit.canUndoPlug
+            NoticeAction.BeginningUndone -> !assignment.canUndoBeginning
+            else -> false
+        }
+        if (isOver) notice = null
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
@@ -471,11 +474,11 @@ class Workshop(
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
-        // What they offer would overwrite what was written since.
-        if (isWritten && (notice == Notice.FirstProgramRuns || notice == Notice.BegunAgain)) notice = null
+        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
         if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
         if (isWritten) assignment.programsChanged()
+        withdrawUndo()
     }
 
     private fun handleSettings(event: SettingsEvent) {

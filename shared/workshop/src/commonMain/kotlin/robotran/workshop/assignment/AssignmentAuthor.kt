@@ -216,13 +216,8 @@ internal class AssignmentAuthor(
         val others = now.assignment.solution.filter { it.name != name }
         val all = others + listOfNotNull(open.firstOrNull { it.name == name }.takeIf { on })
         // Grading starts the first one, so they stay in the order of the editor.
-        change(
-            now.assignment.copy(
-                solution = all.sortedBy { program ->
-                    open.indexOfFirst { it.name == program.name }
-                },
-            ),
-        )
+        val sorted = all.sortedBy { program -> open.indexOfFirst { it.name == program.name } }
+        change(now.assignment.copy(solution = sorted))
     }
 
     private fun showSolution(assignment: Assignment) {

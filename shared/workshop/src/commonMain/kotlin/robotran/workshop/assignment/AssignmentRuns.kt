@@ -109,7 +109,8 @@ internal class AssignmentRuns(
 
     private suspend fun startRuns(project: Project, solution: List<ProjectProgram>): List<PreparedRun> {
         val start = pupilCopy(project).firstPrograms
-        val first = start.firstOrNull()?.takeUnless { isBlank(it) || textsOf(it) == textsOf(solution.first()) }
+        val solved = solution.firstOrNull()?.let(::textsOf)
+        val first = start.firstOrNull()?.takeUnless { isBlank(it) || textsOf(it) == solved }
         if (first == null) return emptyList()
         return (prepare(project, start, firstProgram = 0) as? Preparation.Ready)?.runs().orEmpty()
     }

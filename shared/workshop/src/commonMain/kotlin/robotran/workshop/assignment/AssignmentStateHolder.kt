@@ -69,9 +69,12 @@ class AssignmentStateHolder(
     private var hints: List<Hint> = emptyList()
     private var lastTry: EndedTry? = null
 
-    /** The programs before they were begun again; null after that was undone. */
+    /** The programs before they were begun again; null once that was undone, or others were written since. */
     private var replaced: List<PupilProgram>? = null
     private var checked: Checked? = null
+
+    /** Whether the programs can be brought back that [AssignmentEvent.BegunAgain] has replaced. */
+    internal val canUndoBeginning: Boolean get() = replaced != null
 
     /** Null in a project like any other. */
     var state: AssignmentState? by mutableStateOf(null)
@@ -115,6 +118,7 @@ class AssignmentStateHolder(
 
     /** Called after the programs have changed. */
     fun programsChanged() {
+        replaced = null
         if (state != null) refresh()
     }
 
@@ -168,15 +172,15 @@ class AssignmentStateHolder(
 
     private fun beginAgain() {
         val start = state?.assignment?.start.orEmpty().ifEmpty { return }
-        replaced = current.project.firstPrograms.map { it.asPupil() }
+        val before = current.project.firstPrograms.map { it.asPupil() }
         tabs.replacePrograms(start.map { it.asPupil() })
+        replaced = before
         hints = emptyList()
         notices.show(Notice.BegunAgain)
     }
 
     private fun undoBeginning() {
         replaced?.let(tabs::replacePrograms)
-        replaced = null
     }
 
     private fun show(found: NotAllowed) {

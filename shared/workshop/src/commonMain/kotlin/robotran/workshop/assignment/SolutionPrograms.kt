@@ -9,6 +9,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.programs.asProject
+import robotran.workshop.programs.uniqueName
 import robotran.workshop.run.EndedTry
 import robotran.workshop.state.SolutionProgram
 
@@ -74,10 +75,7 @@ internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> {
 
 /** [start], or an empty program that has none of the names of [open]. */
 internal fun startWith(start: List<ProjectProgram>, open: List<ProjectProgram>): List<ProjectProgram> = start.ifEmpty {
-    val names = open.map { it.name }
-    val extension = ProgramLanguage.ROBOLANG.extension
-    val name = generateSequence(1) { it + 1 }.map { if (it == 1) "program$extension" else "program$it$extension" }
-        .first { it !in names }
+    val name = uniqueName("program", ProgramLanguage.ROBOLANG, taken = open.map { it.name })
     listOf(ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, ""))))
 }
 

@@ -54,13 +54,7 @@ internal class VariationTarget(
         val assignment = current.project.assignment ?: return
         val checks = assignment.checks ?: return
         val variations = checks.variations.mapIndexed { index, old ->
-            if (index ==
-                variation
-            ) {
-                old.copy(world = world)
-            } else {
-                old
-            }
+            if (index == variation) old.copy(world = world) else old
         }
         assignments.changeAssignment(assignment.copy(checks = checks.copy(variations = variations)))
     }

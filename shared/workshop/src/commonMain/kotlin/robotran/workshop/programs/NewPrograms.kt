@@ -25,7 +25,8 @@ internal fun newClass(program: PupilProgram): ProgramFile {
     )
 }
 
-private fun uniqueName(name: String, language: ProgramLanguage, taken: List<String>): String =
+/** The file name [name], with a number if it is one of [taken]. */
+internal fun uniqueName(name: String, language: ProgramLanguage, taken: List<String>): String =
     generateSequence(1) { it + 1 }.map {
         if (it == 1) {
             "$name${language.extension}"

@@ -14,6 +14,7 @@ import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
+import robotran.robolang.diagnostic.SourceRange
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.blocks.BlockLoad
@@ -156,6 +157,13 @@ class ProgramsStateHolder(
     fun showMistake(diagnostic: ProgramDiagnostic) {
         editing.pointOut(shown, diagnostic)
         refresh()
+    }
+
+    /** Shows the line [line], from 1, of the first robot's program at [index]. */
+    internal fun showLine(index: Int, line: Int) {
+        handle(ProgramEvent.RobotChosen(robots.first().placement.name))
+        handle(ProgramEvent.ProgramChosen(index))
+        showMistake(ProgramDiagnostic("", SourceRange(line, 1, 0), ""))
     }
 
     /** Opens the first length of the shown program if it is shown in blocks, so that a finger changes it at once. */

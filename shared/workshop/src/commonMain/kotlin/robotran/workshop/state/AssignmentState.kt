@@ -52,7 +52,7 @@ sealed interface HandInStep {
      * @property canChoose whether the program in the editor differs from that of the best try.
      * @property isEditor whether the program in the editor is handed in, not the best try.
      * @property notAllowed what the assignment does not allow in what is handed in.
-     * @property isUnchanged whether that program is still as the pupil got it.
+     * @property isUnchanged whether the program in the editor is still as the pupil got it.
      */
     data class Asking(
         val name: String,

@@ -30,9 +30,9 @@ class PictureQrScanner(
     override suspend fun scan(kind: QrScannerKind, words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
         val pictures = if (kind == QrScannerKind.PHOTO && photos != null) {
             when (val photo = photos.take()) {
-                is Photo.Taken -> listOf(photo.bytes)
-                Photo.Cancelled -> emptyList()
-                Photo.NoCamera -> return QrScanResult.NoCamera
+                is PhotoResult.Taken -> listOf(photo.bytes)
+                PhotoResult.Cancelled -> emptyList()
+                PhotoResult.NoCamera -> return QrScanResult.NoCamera
             }
         } else {
             files.open(listOf(FileKind.JPEG, FileKind.LONG_JPEG, FileKind.PNG)).map { it.bytes }
@@ -50,17 +50,19 @@ interface PhotoTaker {
     /** Whether the device has an app for it. */
     val isThere: Boolean
 
-    suspend fun take(): Photo
+    /** Waits until the user has taken a picture, or has given up. */
+    suspend fun take(): PhotoResult
 }
 
-sealed interface Photo {
+/** The result of [PhotoTaker.take]. */
+sealed interface PhotoResult {
     /** [bytes] are those of a picture file. */
-    class Taken(val bytes: ByteArray) : Photo
+    class Taken(val bytes: ByteArray) : PhotoResult
 
-    data object Cancelled : Photo
+    data object Cancelled : PhotoResult
 
     /** The app for it does not open. */
-    data object NoCamera : Photo
+    data object NoCamera : PhotoResult
 }
 
 /** A picture; each of [colours] is `0xAARRGGBB`, row by row. */

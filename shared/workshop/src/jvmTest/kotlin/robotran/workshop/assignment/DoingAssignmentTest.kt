@@ -174,6 +174,16 @@ class DoingAssignmentTest {
     }
 
     @Test
+    fun `the offer to undo beginning again goes with its project`() {
+        val workshop = window()
+        workshop.attempt("forward 5\n")
+        workshop.handle(AssignmentEvent.BegunAgain)
+        assertEquals(Notice.BegunAgain, workshop.state.notice)
+        workshop.openProject(Project(AnyAssignment.world))
+        assertNull(workshop.state.notice)
+    }
+
+    @Test
     fun `the start program is not the best try once another has as many goals, and the nearest stays`() {
         val workshop = window()
         workshop.attempt(AnyAssignment.BEGIN + "beep\n")

@@ -22,7 +22,7 @@ class PictureQrScannerTest {
     )
     private val scanner = PictureQrScanner(files, EmptyCoroutineContext) { pictures[it.single().toInt()] }
 
-    private fun withCamera(photo: Photo, isThere: Boolean = true) = PictureQrScanner(
+    private fun withCamera(photo: PhotoResult, isThere: Boolean = true) = PictureQrScanner(
         files,
         EmptyCoroutineContext,
         object : PhotoTaker {
@@ -75,7 +75,7 @@ class PictureQrScannerTest {
 
     @Test
     fun `a picture that is taken is read like one that is chosen`() = runTest {
-        val camera = withCamera(Photo.Taken(byteArrayOf(1)))
+        val camera = withCamera(PhotoResult.Taken(byteArrayOf(1)))
         assertEquals(listOf(QrScannerKind.PHOTO, QrScannerKind.PICTURES), camera.kinds)
         val found = mutableListOf<String>()
         assertEquals(QrScanResult.Ended, camera.scan(QrScannerKind.PHOTO, words, found::add))
@@ -86,11 +86,12 @@ class PictureQrScannerTest {
 
     @Test
     fun `a picture that is not taken is no fault, and without a camera only pictures are offered`() = runTest {
-        val results = listOf(Photo.Cancelled, Photo.NoCamera, Photo.Taken(byteArrayOf(3))).map { photo ->
+        val photos = listOf(PhotoResult.Cancelled, PhotoResult.NoCamera, PhotoResult.Taken(byteArrayOf(3)))
+        val results = photos.map { photo ->
             withCamera(photo).scan(QrScannerKind.PHOTO, words) { error(it) }
         }
         assertEquals(listOf(QrScanResult.Ended, QrScanResult.NoCamera, QrScanResult.NoCodes), results)
-        assertEquals(listOf(QrScannerKind.PICTURES), withCamera(Photo.Cancelled, isThere = false).kinds)
+        assertEquals(listOf(QrScannerKind.PICTURES), withCamera(PhotoResult.Cancelled, isThere = false).kinds)
         assertEquals(listOf(QrScannerKind.PICTURES), scanner.kinds)
     }
 

@@ -313,9 +313,9 @@ class SendStateHolderTest {
 
         override fun removeProgram(index: Int) = error("Sending removes no program.")
 
-        override fun replacePrograms(programs: List<PupilProgram>) = Unit
+        override fun replacePrograms(programs: List<PupilProgram>) = error("Sending replaces no program.")
 
-        override fun showLine(index: Int, line: Int) = Unit
+        override fun showLine(index: Int, line: Int) = error("Sending shows no line.")
 
         override fun showMistake(diagnostic: ProgramDiagnostic) {
             mistakes += diagnostic
