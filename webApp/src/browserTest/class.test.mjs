@@ -268,7 +268,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await finger.press('menu');
     await chosen(page, [feedback], () => openMenu(page, finger, 'work-open'));
     await isSaid(page, /Well done, Änne/);
-    await isSaid(page, /Wie gegeben/);
+    await isSaid(page, /Vorgegebene Welt/);
     await photograph(page, 'class-feedback');
     assert.equal(await words(page, 'assignment-hand-in').count(), 0);
     assert.deepEqual(troubles, []);

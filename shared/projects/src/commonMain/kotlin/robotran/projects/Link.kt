@@ -104,7 +104,12 @@ fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in tex
 /** Whether [text] looks like a link to a course. */
 fun isCourseLink(text: String): Boolean = "#${LinkKind.COURSE.start}" in text
 
+/** The parts that matter of all links in [text], such as those of a mail, in their order. */
+fun linksIn(text: String): List<String> = LINK.findAll(text).map { it.value }.toList()
+
 private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), COURSE("c="), HAND_IN("h=") }
+
+private val LINK = Regex("#(${LinkKind.entries.joinToString("|") { it.start }})[A-Za-z0-9_-]+")
 
 private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()

@@ -183,4 +183,10 @@ class LinkTest {
                 "6l8uJu4rruju3gsQesdWxDf4a8buKm-Qs",
         )
     }
+
+    @Test
+    fun `all kinds of links are found in a text, without what is around them`() {
+        val text = "Hi (https://example.org/#p=aX_1-b), #w=aQ. And #c=aR\n#h=aS! #x=aT #p="
+        assertEquals(listOf("#p=aX_1-b", "#w=aQ", "#c=aR", "#h=aS"), linksIn(text))
+    }
 }

@@ -93,7 +93,11 @@ class Workshop(
     private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
-    private val shownNotice: Notice? get() = notice ?: Notice.HandInOpen.takeIf { handIns.isVisiting }
+
+    /** While a hand-in is replayed, there is always the way back; that it is solved is said elsewhere. */
+    private val shownNotice: Notice?
+        get() = notice.takeUnless { it is Notice.WorldSolved && handIns.isVisiting }
+            ?: Notice.HandInOpen.takeIf { handIns.isVisiting }
 
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
     private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this)

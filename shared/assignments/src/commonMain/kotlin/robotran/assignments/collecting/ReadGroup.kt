@@ -11,6 +11,7 @@ import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.projects.linksIn
 import robotran.projects.openHandInLink
 import robotran.projects.readProject
 import robotran.rcxrom.Brick
@@ -98,7 +99,7 @@ internal class GroupReader(private val assignment: Project, private val language
                 return
             }
             val links = text.lineSequence().flatMapIndexed { line, words ->
-                LINK.findAll(words).map { line + 1 to it.value }
+                linksIn(words).map { line + 1 to it }
             }.take(CollectingLimits.MAXIMUM_LINKS).toList()
             for ((line, link) in links) addLink(file, link, line, isOnly = links.size == 1)
         }
@@ -191,9 +192,4 @@ internal class GroupReader(private val assignment: Project, private val language
         text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
 
     private fun isProject(text: String): Boolean = text.trimStart().startsWith('{')
-
-    private companion object {
-        /** The part of a link that matters. */
-        val LINK = Regex("#[wpch]=[A-Za-z0-9_-]+")
-    }
 }

@@ -48,7 +48,7 @@ internal object GermanReportMessages : ReportMessages {
         return if (worlds == 1) "Jede lief mit $seeds." else "Jede lief in $worlds Welten mit $seeds."
     }
 
-    override fun ownWorld() = "Wie gegeben"
+    override fun ownWorld() = "Vorgegebene Welt"
 
     override fun goal() = "Ziel"
 

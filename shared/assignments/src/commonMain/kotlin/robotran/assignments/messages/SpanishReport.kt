@@ -52,7 +52,7 @@ internal object SpanishReportMessages : ReportMessages {
         }
     }
 
-    override fun ownWorld() = "Como se dio"
+    override fun ownWorld() = "Mundo dado"
 
     override fun goal() = "meta"
 

@@ -72,9 +72,6 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     when {
         best == null -> {
             Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
-            if (step.isUnchanged) {
-                Explanation(stringResource(Res.string.hand_in_unchanged), Modifier.testTag("hand-in-unchanged"))
-            }
         }
 
         !step.canChoose -> {
@@ -98,6 +95,9 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
                 }
             }
         }
+    }
+    if (step.isUnchanged && (best == null || (step.canChoose && step.isEditor))) {
+        Explanation(stringResource(Res.string.hand_in_unchanged), Modifier.testTag("hand-in-unchanged"))
     }
     NotAllowedLines(step.notAllowed)
     Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")

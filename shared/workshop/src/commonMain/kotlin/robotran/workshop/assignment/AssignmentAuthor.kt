@@ -215,8 +215,9 @@ internal class AssignmentAuthor(
         val open = plainPrograms()
         val others = now.assignment.solution.filter { it.name != name }
         val all = others + listOfNotNull(open.firstOrNull { it.name == name }.takeIf { on })
-        // Grading starts the first one, so they stay in the order of the editor.
-        val sorted = all.sortedBy { program -> open.indexOfFirst { it.name == program.name } }
+        // Grading starts the first one, so they stay in the order of the editor; those that are not open come last.
+        val order = open.map { it.name }
+        val sorted = all.sortedBy { program -> if (program.name in order) order.indexOf(program.name) else order.size }
         change(now.assignment.copy(solution = sorted))
     }
 

@@ -5,14 +5,15 @@ import robotran.assignments.collecting.CollectedHandIns
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.CollectingMessages
 import robotran.language.Language
+import robotran.projects.linksIn
 import robotran.workshop.platform.OpenedFile
 
 /** Links that were pasted or scanned, as files, so that each has a number by which the teacher finds it. */
 internal object PastedLinks {
     /** One file for each link in [text], numbered from [first]. */
-    fun filesFor(text: String, first: Int): List<OpenedFile> = LINK.findAll(text).mapIndexed { index, link ->
-        OpenedFile("$NAME${first + index}$EXTENSION", link.value.encodeToByteArray())
-    }.toList()
+    fun filesFor(text: String, first: Int): List<OpenedFile> = linksIn(text).mapIndexed { index, link ->
+        OpenedFile("$NAME${first + index}$EXTENSION", link.encodeToByteArray())
+    }
 
     /** The highest number of a link in [files]; 0 if there is none. */
     fun last(files: List<CollectedFile>): Int = files.maxOfOrNull { numberIn(it.path) ?: 0 } ?: 0
@@ -42,8 +43,6 @@ internal object PastedLinks {
 
     private fun numberIn(path: String): Int? = FILE.matchEntire(path)?.groupValues?.get(1)?.toIntOrNull()
 
-    /** The part of a link that matters. */
-    private val LINK = Regex("#[wpch]=[A-Za-z0-9_-]+")
     private const val NAME = "pasted-link-"
     private const val EXTENSION = ".txt"
     private val FILE = Regex("$NAME(\\d{1,9})\\$EXTENSION")
