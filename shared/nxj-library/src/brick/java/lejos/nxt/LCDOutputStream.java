@@ -1,0 +1,41 @@
+package lejos.nxt;
+
+import java.io.IOException;
+import java.io.OutputStream;
+
+/** Writes characters onto the display, row by row; everything moves up when it is full. */
+public class LCDOutputStream extends OutputStream {
+    private static final int TAB = 8;
+
+    private int x;
+    private int y;
+
+    /** Makes one that begins in the upper left corner. */
+    public LCDOutputStream() {
+    }
+
+    /** Writes a character, or goes to the next row for the end of a line. */
+    public void write(int value) throws IOException {
+        char character = (char) (value & 0xFF);
+        if (character == '\n') {
+            nextRow();
+        } else if (character == '\r') {
+            x = 0;
+        } else if (character == '\t') {
+            x = x / TAB * TAB + TAB;
+        } else {
+            if (x >= LCD.DISPLAY_CHAR_WIDTH) nextRow();
+            LCD.drawChar(character, x, y);
+            x++;
+        }
+    }
+
+    private void nextRow() {
+        x = 0;
+        if (y < LCD.DISPLAY_CHAR_DEPTH - 1) {
+            y++;
+        } else {
+            LCD.scroll();
+        }
+    }
+}
