@@ -81,6 +81,7 @@ private fun BoxWithConstraintsScope.Messages(
     onWholeBrick: (() -> Unit)?,
 ) {
     val tall = maxHeight * TALL
+    val isSmall = this.isSmall
     val hasRoom = maxHeight >= LOW
     val max = if (hasRoom) maxHeight / 2 else tall
     val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)
