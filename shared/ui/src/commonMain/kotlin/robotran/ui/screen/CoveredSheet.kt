@@ -84,6 +84,7 @@ private fun BoxWithConstraintsScope.Messages(
     val isSmall = this.isSmall
     val hasRoom = maxHeight >= LOW
     val max = if (hasRoom) maxHeight / 2 else tall
+    val outcomeMax = if (isSmall) tall else max
     val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)
     val isFolded = isTaskFolded(state)
     val tellsTries = !cardTellsTries(state, withNotice)
@@ -100,7 +101,7 @@ private fun BoxWithConstraintsScope.Messages(
             OutcomeCard(
                 state,
                 onEvent,
-                Modifier.heightIn(max = if (isSmall) tall else max),
+                Modifier.heightIn(max = outcomeMax),
                 withNotice,
                 tellsTries = tellsTries,
             )
