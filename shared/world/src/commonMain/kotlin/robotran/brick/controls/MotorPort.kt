@@ -1,0 +1,3 @@
+package robotran.brick.controls
+
+enum class MotorPort { A, B, C }

@@ -1,0 +1,3 @@
+package robotran.brick.sensors
+
+enum class SensorKind { TOUCH, TEMPERATURE, LIGHT, ROTATION, ULTRASONIC, SOUND, COLOUR, COMPASS, GYRO }
