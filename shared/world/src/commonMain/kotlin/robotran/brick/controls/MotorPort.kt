@@ -1,3 +1,0 @@
-package robotran.brick.controls
-
-enum class MotorPort { A, B, C }

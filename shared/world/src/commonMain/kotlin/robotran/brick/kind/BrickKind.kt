@@ -1,3 +1,0 @@
-package robotran.brick.kind
-
-enum class BrickKind(val inputPorts: Int) { RCX(3), NXT(4) }
