@@ -47,12 +47,3 @@ data class MissingSensor(val port: Int, val kind: SensorKind, val remark: Runtim
         const val LAST_PORT = 3
     }
 }
-
-/** The kind of this sensor for a program. */
-internal val PortSensor.kind: SensorKind
-    get() = when (this) {
-        PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER, PortSensor.TOUCH -> SensorKind.TOUCH
-        PortSensor.LIGHT -> SensorKind.LIGHT
-        PortSensor.LEFT_ROTATION, PortSensor.RIGHT_ROTATION -> SensorKind.ROTATION
-        PortSensor.TEMPERATURE -> SensorKind.TEMPERATURE
-    }
