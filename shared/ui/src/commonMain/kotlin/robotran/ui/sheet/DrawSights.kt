@@ -63,7 +63,7 @@ private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, t
 /** The area ahead of a robot that its light sensor sees, up to what hides the rest. */
 internal fun sightCone(number: Int, world: World, state: SessionState): List<Point> {
     val robot = state.robots[number].robot
-    val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
+    val others = robotOutlines(world, state).filterIndexed { other, _ -> other != number }
     val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
         world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
     val eye = robot.ahead(Penbot.BUMPER_FRONT, 0.0)
