@@ -3,10 +3,10 @@ package robotran.simulation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
+import robotran.brick.messages.place
+import robotran.brick.sensors.SensorKind
+import robotran.brick.state.RunState
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.place
-import robotran.rcxrom.sensors.SensorKind
-import robotran.rcxrom.state.RunState
 import robotran.simulation.messages.ShortfallMessages
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
@@ -80,6 +80,21 @@ enum class ReportedSensorKind {
 
     @SerialName("rotation")
     ROTATION,
+
+    @SerialName("ultrasonic")
+    ULTRASONIC,
+
+    @SerialName("sound")
+    SOUND,
+
+    @SerialName("colour")
+    COLOUR,
+
+    @SerialName("compass")
+    COMPASS,
+
+    @SerialName("gyro")
+    GYRO,
 }
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
@@ -163,6 +178,11 @@ private fun reported(kind: SensorKind): ReportedSensorKind = when (kind) {
     SensorKind.TEMPERATURE -> ReportedSensorKind.TEMPERATURE
     SensorKind.LIGHT -> ReportedSensorKind.LIGHT
     SensorKind.ROTATION -> ReportedSensorKind.ROTATION
+    SensorKind.ULTRASONIC -> ReportedSensorKind.ULTRASONIC
+    SensorKind.SOUND -> ReportedSensorKind.SOUND
+    SensorKind.COLOUR -> ReportedSensorKind.COLOUR
+    SensorKind.COMPASS -> ReportedSensorKind.COMPASS
+    SensorKind.GYRO -> ReportedSensorKind.GYRO
 }
 
 private fun statusOf(run: RunState): RunStatus = when (run) {

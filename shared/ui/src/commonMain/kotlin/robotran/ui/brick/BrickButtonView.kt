@@ -25,7 +25,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.button_on_off
 import robotran.ui.resources.button_prgm
@@ -114,4 +114,6 @@ private fun look(button: BrickButton): ButtonLook = when (button) {
     BrickButton.PRGM -> ButtonLook(Res.string.button_prgm, BrickColours.PRGM, BrickColours.LABEL)
 
     BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
+
+    BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error("An RCX has no $button.")
 }
