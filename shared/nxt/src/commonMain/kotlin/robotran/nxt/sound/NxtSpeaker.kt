@@ -12,12 +12,15 @@ internal class NxtSpeaker(private val clock: Clock) {
     var setting = NORMAL_SETTING
 
     private var endsAt = 0L
-    private var isAudible = false
+    private var volumeNow = 0
     private val samples = ArrayDeque<SampledTone>()
     private var samplesUntil = 0L
 
     /** Whether a tone plays. */
-    val sounding: Boolean get() = isAudible && clock.milliseconds() < endsAt
+    val sounding: Boolean get() = volumeNow > 0 && clock.milliseconds() < endsAt
+
+    /** Percent of full volume that can be heard now. */
+    val loudness: Int get() = if (sounding) volumeNow else 0
 
     /** Milliseconds that the sound still takes, with the samples that wait. */
     val millisecondsLeft: Int get() = maxOf(0L, maxOf(endsAt, samplesUntil) - clock.milliseconds()).toInt()
@@ -61,7 +64,7 @@ internal class NxtSpeaker(private val clock: Clock) {
         samplesUntil = 0
         if (sounding) track.add(SoundEvent.Cut(clock.milliseconds()))
         endsAt = 0
-        isAudible = false
+        volumeNow = 0
     }
 
     fun tick() {
@@ -78,11 +81,11 @@ internal class NxtSpeaker(private val clock: Clock) {
         val loudness = (volume.coerceIn(0, FULL) * setting / NORMAL_SETTING).coerceAtMost(FULL)
         if (milliseconds == 0 || loudness == 0) {
             if (sounding) track.add(SoundEvent.Cut(now))
-            isAudible = false
+            volumeNow = 0
         } else {
             val pitch = hertz.coerceIn(LOWEST_HERTZ, HIGHEST_HERTZ).toDouble()
             track.add(SoundEvent.Tone(now, pitch, milliseconds, isFirmware, loudness))
-            isAudible = true
+            volumeNow = loudness
         }
         endsAt = now + milliseconds
     }
