@@ -15,7 +15,7 @@ kotlin {
             api(project(":shared:language"))
         }
         commonTest {
-            kotlin.srcDir("src/fakeNxt/kotlin")
+            kotlin.srcDir("src/fakeNxtTest/kotlin")
         }
     }
 }

@@ -18,9 +18,6 @@ internal class MotorPorts {
     var states: List<MotorState> = commanded.toList()
         private set
 
-    /** What the program has told the motors to do, A to C. */
-    val commands: List<MotorState> get() = commanded.toList()
-
     /** What a program has told [port], 0..2, to do. */
     fun commanded(port: Int): MotorState = commanded[port]
 

@@ -61,11 +61,11 @@ internal class NxtMenu(
     fun draw(memory: DisplayMemory) {
         val shown = view
         val width = DisplaySize.COLUMNS - VOLTS_WIDTH
-        Drawing.drawString(memory, shown.title.take(width).padEnd(width) + volts(), 0, 0, inverted = true)
+        Drawing.drawString(memory, " ${shown.title}".take(width).padEnd(width) + volts(), 0, 0, inverted = true)
         val rows = DisplaySize.ROWS - FIRST_ROW
         val first = maxOf(0, minOf(shown.selected - rows + 1, shown.entries.size - rows))
         shown.entries.drop(first).take(rows).forEachIndexed { row, entry ->
-            val text = entry.take(DisplaySize.COLUMNS).padEnd(DisplaySize.COLUMNS)
+            val text = " $entry".take(DisplaySize.COLUMNS).padEnd(DisplaySize.COLUMNS)
             Drawing.drawString(memory, text, 0, FIRST_ROW + row, inverted = first + row == shown.selected)
         }
     }

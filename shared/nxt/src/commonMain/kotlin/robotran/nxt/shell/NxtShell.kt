@@ -82,7 +82,7 @@ internal class NxtShell(
             !poweredOn -> if (button == BrickButton.ENTER) powerUp()
             splashUntil > 0 -> return
             exceptionScreen != null -> pressedOnException(button)
-            run != null -> if (STOP_BUTTONS.all { it in hardware.buttons.pressed }) requestStop()
+            run != null -> if (button in STOP_BUTTONS && hardware.buttons.pressed.containsAll(STOP_BUTTONS)) requestStop()
             else -> pressedInMenu(button)
         }
     }
@@ -166,7 +166,7 @@ internal class NxtShell(
 
     private fun endProgram(stopped: Boolean) {
         leaveRun()
-        ending.ended(stopped, hardware.motors.commands)
+        ending.ended(stopped, hardware.isDriving)
         resetHardware()
         showMenu()
     }
