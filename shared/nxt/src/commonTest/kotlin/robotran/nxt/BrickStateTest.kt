@@ -137,10 +137,15 @@ class BrickStateTest {
             brick.tick()
             motor.tick(brick)
         }
-        val powers = brick.log.entries.filter { it.sourceLocation == "library" }.map { (it as NxtLogEntry).call.numbers[1] }
+        val powers = brick.log.entries.filter {
+            it.sourceLocation == "library"
+        }.map { (it as NxtLogEntry).call.numbers[1] }
         assertTrue(powers.size in 10..200, "${powers.size} calls")
         powers.zipWithNext { one, next ->
-            assertTrue(next - one >= 10 || one - next >= 10 || (one > 0) != (next > 0) || (one < 0) != (next < 0), "$one $next")
+            assertTrue(
+                next - one >= 10 || one - next >= 10 || (one > 0) != (next > 0) || (one < 0) != (next < 0),
+                "$one $next",
+            )
         }
     }
 

@@ -27,12 +27,17 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
     override fun wrongArguments() = "nothing happens, there is no such port or value"
 
     override fun motor(port: MotorPort, mode: MotorMode, power: Int, brakesInPauses: Boolean) = when (mode) {
-        MotorMode.FORWARD, MotorMode.BACKWARD ->
+        MotorMode.FORWARD, MotorMode.BACKWARD -> {
             "motor ${port.name} ${mode.name.lowercase()} $power" + if (brakesInPauses) "" else ", rolling in the pauses"
+        }
 
-        MotorMode.BRAKE -> "motor ${port.name} brakes"
+        MotorMode.BRAKE -> {
+            "motor ${port.name} brakes"
+        }
 
-        MotorMode.FLOAT -> "motor ${port.name} rolls"
+        MotorMode.FLOAT -> {
+            "motor ${port.name} rolls"
+        }
     }
 
     override fun resetTachoCount(port: MotorPort) = "motor ${port.name} counts from 0"

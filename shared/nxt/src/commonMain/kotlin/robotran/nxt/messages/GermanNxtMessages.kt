@@ -37,9 +37,13 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
             "Motor ${port.name} $way $power" + if (brakesInPauses) "" else ", rollt in den Pausen"
         }
 
-        MotorMode.BRAKE -> "Motor ${port.name} bremst"
+        MotorMode.BRAKE -> {
+            "Motor ${port.name} bremst"
+        }
 
-        MotorMode.FLOAT -> "Motor ${port.name} rollt aus"
+        MotorMode.FLOAT -> {
+            "Motor ${port.name} rollt aus"
+        }
     }
 
     override fun resetTachoCount(port: MotorPort) = "Motor ${port.name} zählt ab 0"

@@ -37,9 +37,13 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
             "motor ${port.name} $way $power" + if (brakesInPauses) "" else ", suelto en las pausas"
         }
 
-        MotorMode.BRAKE -> "motor ${port.name} frena"
+        MotorMode.BRAKE -> {
+            "motor ${port.name} frena"
+        }
 
-        MotorMode.FLOAT -> "motor ${port.name} suelto"
+        MotorMode.FLOAT -> {
+            "motor ${port.name} suelto"
+        }
     }
 
     override fun resetTachoCount(port: MotorPort) = "el motor ${port.name} cuenta desde 0"
@@ -54,8 +58,7 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
     override fun stopMotor(port: MotorPort, isHeld: Boolean) =
         "el motor ${port.name} se detiene" + if (isHeld) " y queda sujeto" else " y después queda suelto"
 
-    override fun motorSpeed(port: MotorPort, speed: String) =
-        "el motor ${port.name} sigue a $speed grados por segundo"
+    override fun motorSpeed(port: MotorPort, speed: String) = "el motor ${port.name} sigue a $speed grados por segundo"
 
     override fun motorAcceleration(port: MotorPort, acceleration: Int) =
         "el motor ${port.name} acelera $acceleration grados por segundo en cada segundo"

@@ -36,7 +36,13 @@ internal class NxtMenu(
     val view: MenuView
         get() {
             val entries = page.entries()
-            return MenuView(page.title, entries.map { it.text }, if (entries.any { it.action != null }) page.selected else -1)
+            return MenuView(
+                page.title,
+                entries.map {
+                    it.text
+                },
+                if (entries.any { it.action != null }) page.selected else -1,
+            )
         }
 
     /** Goes back to the first page, with its first entry marked. */
@@ -77,7 +83,13 @@ internal class NxtMenu(
 
     private fun mainEntries() = listOf(
         MenuEntry("Run Default") {
-            if (programs.getOrNull(settings.defaultSlot) == null) MenuAction.None else MenuAction.Start(settings.defaultSlot)
+            if (programs.getOrNull(settings.defaultSlot) ==
+                null
+            ) {
+                MenuAction.None
+            } else {
+                MenuAction.Start(settings.defaultSlot)
+            }
         },
         opening("Files", ::fileEntries),
         opening("Bluetooth") { listOf(MenuEntry("Name: $name"), MenuEntry("Visible: on")) },
@@ -107,7 +119,8 @@ internal class NxtMenu(
 
     private fun systemEntries() = listOf(
         setting("Sleep: ${if (settings.sleepMinutes == 0) "never" else "${settings.sleepMinutes} min"}") {
-            settings.sleepMinutes = SLEEP_MINUTES[(SLEEP_MINUTES.indexOf(settings.sleepMinutes) + 1) % SLEEP_MINUTES.size]
+            settings.sleepMinutes =
+                SLEEP_MINUTES[(SLEEP_MINUTES.indexOf(settings.sleepMinutes) + 1) % SLEEP_MINUTES.size]
         },
         setting("Auto Run: ${if (settings.autoRun) "on" else "off"}") { settings.autoRun = !settings.autoRun },
         MenuEntry("Free RAM: 48 KB"),

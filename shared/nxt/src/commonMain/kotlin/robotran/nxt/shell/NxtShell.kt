@@ -80,15 +80,27 @@ internal class NxtShell(
     fun pressed(button: BrickButton) {
         when {
             !poweredOn -> if (button == BrickButton.ENTER) powerUp()
+
             splashUntil > 0 -> return
+
             exceptionScreen != null -> pressedOnException(button)
-            run != null -> if (button in STOP_BUTTONS && hardware.buttons.pressed.containsAll(STOP_BUTTONS)) requestStop()
+
+            run != null -> if (button in STOP_BUTTONS &&
+                hardware.buttons.pressed.containsAll(STOP_BUTTONS)
+            ) {
+                requestStop()
+            }
+
             else -> pressedInMenu(button)
         }
     }
 
     fun stopProgram() {
-        if (run != null) endProgram(stopped = true) else if (exceptionScreen != null) leaveException()
+        if (run != null) {
+            endProgram(stopped = true)
+        } else if (exceptionScreen != null) {
+            leaveException()
+        }
     }
 
     fun runNow(program: NxtProgram) {
