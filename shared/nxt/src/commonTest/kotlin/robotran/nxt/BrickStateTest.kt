@@ -214,6 +214,19 @@ class BrickStateTest {
     }
 
     @Test
+    fun `a run has its own display memory again after an exception of a thread`() {
+        val brick = NxtBrick(listOf(scriptedProgram("tidy-thread")))
+        brick.push(BrickButton.ENTER)
+        val own = ByteArrayMemory(ByteArray(800))
+        brick.nxt.displayMemory = own
+        brick.tick(5)
+        assertEquals("Exception: 28", brick.state.display.texts.first())
+        assertNotEquals(own, brick.nxt.displayMemory)
+        brick.push(BrickButton.ESCAPE)
+        assertSame(own, brick.nxt.displayMemory)
+    }
+
+    @Test
     fun `a refresh shows what was drawn when it began`() {
         brick.push(BrickButton.ENTER)
         brick.nxt.call(NxtCall.drawString("one", 0, 0), TEST_LINE)

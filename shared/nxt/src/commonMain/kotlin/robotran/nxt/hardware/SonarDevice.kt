@@ -11,8 +11,8 @@ fun interface Echoes {
 }
 
 /**
- * The ultrasonic sensor of the NXT: it pings once, or again and again, and keeps what it has heard in whole centimetres.
- * 255 is nothing.
+ * The ultrasonic sensor of the NXT: it pings once, or again and again, and keeps what it has heard in whole
+ * centimetres. 255 is nothing.
  */
 class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDevice {
     override val address: Int get() = ADDRESS
@@ -52,6 +52,8 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
         }
         if (now >= nextPing) ping(now)
     }
+
+    override fun switchOff() = begin(MODE_RESET)
 
     private fun ping(now: Long) {
         pingedAt = now

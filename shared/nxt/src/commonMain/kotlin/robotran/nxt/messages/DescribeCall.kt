@@ -173,7 +173,7 @@ private fun NxtMessages.describeMove(port: MotorPort, speed: Float, limit: Int, 
 }
 
 private fun NxtMessages.describeText(text: String, column: Int, row: Int, isInverted: Boolean): String {
-    val boxes = text.toList().distinct().filter { it != '\n' && !Font5x7.has(it) }
+    val boxes = text.toList().distinct().filter { it != '\n' && !Font5x7.has(it) }.map { it.toString() }
     return drawText(quoted(text.replace("\n", "\\n")), column, row, isInverted, boxes)
 }
 

@@ -105,11 +105,11 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
         else -> "it is not ready"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
         append("draw $text at column $column, row $row")
         if (isInverted) append(", white on black")
         if (boxes.isNotEmpty()) {
-            append(", with boxes, for the display has no ${listed(boxes.map(Char::toString), "or")}")
+            append(", with boxes, for the display has no ${listed(boxes, "or")}")
         }
     }
 

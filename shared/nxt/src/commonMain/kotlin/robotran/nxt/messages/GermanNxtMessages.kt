@@ -111,11 +111,11 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
         else -> "er ist nicht bereit"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
         append("$text zeichnen in Spalte $column, Zeile $row")
         if (isInverted) append(", weiß auf schwarz")
         if (boxes.isNotEmpty()) {
-            append(", mit Kästchen, denn die Anzeige hat kein ${listed(boxes.map(Char::toString), "und kein")}")
+            append(", mit Kästchen, denn die Anzeige hat kein ${listed(boxes, "und kein")}")
         }
     }
 

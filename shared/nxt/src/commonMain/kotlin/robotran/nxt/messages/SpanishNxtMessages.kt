@@ -25,9 +25,9 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
     private fun placed(failure: ProgramFailure) = listOfNotNull(failure.place(this), failure.message).joinToString(": ")
 
     override fun motorsRollAtEnd() =
-        "El programa ha llegado a su final, así que el ladrillo ha apagado los motores, como hace uno de verdad. " +
-            "Para que el robot siga andando, el programa también tiene que seguir: con una espera o con un bucle que " +
-            "no termina nunca."
+        "El programa ha llegado a su final, así que el ladrillo ha apagado los motores, como hace uno de " +
+            "verdad. Para que el robot siga andando, el programa también tiene que seguir: con una espera o con un " +
+            "bucle que no termina nunca."
 
     override fun wrongArguments() = "no pasa nada, no existe ese puerto o ese valor"
 
@@ -113,11 +113,11 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
         else -> "no está preparado"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
         append("dibujar $text en la columna $column, fila $row")
         if (isInverted) append(", en blanco sobre negro")
         if (boxes.isNotEmpty()) {
-            append(", con cuadros, porque la pantalla no tiene ${listed(boxes.map(Char::toString), "ni")}")
+            append(", con cuadros, porque la pantalla no tiene ${listed(boxes, "ni")}")
         }
     }
 
