@@ -12,8 +12,8 @@ internal class ProgramExpectations(source: String) {
         FAILS.find(text)?.let { line to it.groupValues[1] }
     }.toMap()
 
-    /** Whether the program uses nothing but Java, so that a JVM can run it. */
-    val isPlainJava: Boolean = lines.values.none { it.startsWith("import lejos.") || it.startsWith(ONLY_NXJ) }
+    /** Whether the program uses nothing of the brick itself, so that a JVM can run it. */
+    val needsNoBrick: Boolean = lines.values.none { it.startsWith("import lejos.nxt.") || it.startsWith(ONLY_NXJ) }
 
     private fun printed(line: String): List<String>? {
         val (times, text) = PRINTS.find(line)?.destructured ?: return null

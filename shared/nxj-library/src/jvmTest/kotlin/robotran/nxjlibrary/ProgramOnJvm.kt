@@ -22,7 +22,8 @@ internal class ProgramOnJvm(private val path: String, private val source: String
         val folder = createTempDirectory("program").toFile()
         try {
             compile(folder)
-            URLClassLoader(arrayOf(folder.toURI().toURL()), null).use { run(it) }
+            val places = listOf(folder, folder.resolve("library")).map { it.toURI().toURL() }
+            URLClassLoader(places.toTypedArray(), null).use { run(it) }
             return prints to failures
         } finally {
             folder.deleteRecursively()
@@ -31,7 +32,12 @@ internal class ProgramOnJvm(private val path: String, private val source: String
 
     private fun compile(folder: File) {
         val file = folder.resolve("$name.java").apply { writeText(source) }
-        val options = arrayOf("-nowarn", "-Xlint:none", "--release", "8", "-d", folder.path, file.path)
+        val library = folder.resolve("library")
+        for ((name, bytes) in library()) {
+            library.resolve("$name.class").apply { parentFile.mkdirs() }.writeBytes(bytes)
+        }
+        val options =
+            arrayOf("-nowarn", "-Xlint:none", "--release", "8", "-cp", library.path, "-d", folder.path, file.path)
         val problems = java.io.ByteArrayOutputStream()
         check(ToolProvider.getSystemJavaCompiler().run(null, problems, problems, *options) == 0) { "$path: $problems" }
     }
@@ -57,6 +63,9 @@ internal class ProgramOnJvm(private val path: String, private val source: String
         }
     }
 
+    /** The library's classes that the JVM does not have itself. */
+    private fun library() = robotran.nxjlibrary.library.classFiles.filterKeys { it.startsWith("lejos/") }
+
     private fun waitFor(group: ThreadGroup) {
         val threads = arrayOfNulls<Thread>(MOST_THREADS)
         repeat(group.enumerate(threads)) { index -> threads[index]?.takeUnless { it.isDaemon }?.join(LONGEST) }
@@ -69,7 +78,7 @@ internal class ProgramOnJvm(private val path: String, private val source: String
     }
 
     private fun namesIn(loader: ClassLoader): Set<String> =
-        File((loader as URLClassLoader).urLs.single().toURI()).list().orEmpty().filter { it.endsWith(".class") }
+        File((loader as URLClassLoader).urLs.first().toURI()).list().orEmpty().filter { it.endsWith(".class") }
             .map { it.removeSuffix(".class") }.toSet()
 
     /** Adds each line that is printed to those of the innermost line of the program that is being executed. */
