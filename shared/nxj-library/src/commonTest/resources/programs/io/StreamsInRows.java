@@ -30,22 +30,22 @@ public class StreamsInRows {
         output.write("robot".getBytes());
         output.write(new byte[] {'x', 'y', 'z'}, 1, 1);
         output.flush();
-        System.out.println(bytes.toString()); // prints: rroobboottyy
+        System.out.println(bytes.toString()); // expect rroobboottyy
         InputStream input = new BufferedInputStream(new ByteArrayInputStream(bytes.toByteArray()), 3);
         int sum = 0;
         for (int value = input.read(); value >= 0; value = input.read()) sum = sum * 3 + value;
-        System.out.println(sum); // prints: 30165820
+        System.out.println(sum); // expect 30165820
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         Writer writer = new BufferedWriter(new OutputStreamWriter(text));
         writer.write("one");
         writer.write(' ');
         writer.write(new char[] {'t', 'w', 'o'});
         writer.close();
-        System.out.println(text.toString() + " " + text.size()); // prints: one two 7
+        System.out.println(text.toString() + " " + text.size()); // expect one two 7
         try {
             throw new IOException("broken");
         } catch (IOException wrong) {
-            System.out.println(wrong.getMessage()); // prints: broken
+            System.out.println(wrong.getMessage()); // expect broken
         }
     }
 }

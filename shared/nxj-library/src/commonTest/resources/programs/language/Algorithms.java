@@ -74,12 +74,12 @@ public class Algorithms {
             numbers[i] = seed >>> 16;
         }
         quickSort(numbers, 0, numbers.length - 1);
-        System.out.println(numbers[0] + " " + numbers[100] + " " + numbers[199]); // prints: 1414 33969 65202
-        System.out.println(hanoi(10, 1, 3, 2)); // prints: 1023
-        System.out.println(queens(0, 0, 0, 0, 7)); // prints: 40
-        System.out.println(gcd(1071L * 1000000007L, 462L * 1000000007L)); // prints: 21000000147
-        System.out.println(binary(1000)); // prints: 1111101000
-        System.out.println(root(2) == Math.sqrt(2)); // prints: false
-        System.out.println(mandelbrot()); // prints: 165
+        System.out.println(numbers[0] + " " + numbers[100] + " " + numbers[199]); // expect 1414 33969 65202
+        System.out.println(hanoi(10, 1, 3, 2)); // expect 1023
+        System.out.println(queens(0, 0, 0, 0, 7)); // expect 40
+        System.out.println(gcd(1071L * 1000000007L, 462L * 1000000007L)); // expect 21000000147
+        System.out.println(binary(1000)); // expect 1111101000
+        System.out.println(root(2) == Math.sqrt(2)); // expect false
+        System.out.println(mandelbrot()); // expect 165
     }
 }

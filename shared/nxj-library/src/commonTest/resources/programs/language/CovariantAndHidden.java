@@ -59,12 +59,12 @@ public class CovariantAndHidden {
     public static void main(String[] arguments) throws CloneNotSupportedException {
         Derived derived = new Derived();
         Base base = derived;
-        System.out.println(base.value + " " + derived.value + " " + ((Base) derived).value); // prints: 1 2 1
-        System.out.println(base.get()); // prints: got 2 1 1
-        System.out.println(derived.self().value + " " + base.self().value); // prints: 2 1
-        System.out.println(Base.told() + " " + Derived.told() + " " + Base.kind + " " + Derived.kind); // prints: Base.told Derived.told base derived
-        System.out.println(derived.both()); // prints: derived secret, base secret 1
+        System.out.println(base.value + " " + derived.value + " " + ((Base) derived).value); // expect 1 2 1
+        System.out.println(base.get()); // expect got 2 1 1
+        System.out.println(derived.self().value + " " + base.self().value); // expect 2 1
+        System.out.println(Base.told() + " " + Derived.told() + " " + Base.kind + " " + Derived.kind); // expect Base.told Derived.told base derived
+        System.out.println(derived.both()); // expect derived secret, base secret 1
         Base copy = base.clone();
-        System.out.println((copy instanceof Derived) + " " + (copy != base) + " " + copy.get()); // prints: true true got 2 1 1
+        System.out.println((copy instanceof Derived) + " " + (copy != base) + " " + copy.get()); // expect true true got 2 1 1
     }
 }

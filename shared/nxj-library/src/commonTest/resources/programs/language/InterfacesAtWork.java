@@ -84,7 +84,7 @@ public class InterfacesAtWork {
 
     public static void main(String[] arguments) {
         Expression expression = sum(number(2), product(number(3), sum(number(4), number(5))));
-        System.out.println(expression.accept(new Value()) + " " + expression.accept(new Shown())); // prints: 29 (2+3*(4+5))
+        System.out.println(expression.accept(new Value()) + " " + expression.accept(new Shown())); // expect 29 (2+3*(4+5))
         Model model = new Model();
         final StringBuilder log = new StringBuilder();
         for (int i = 0; i < 3; i++) {
@@ -97,6 +97,6 @@ public class InterfacesAtWork {
         }
         model.change("a");
         model.change("b");
-        System.out.println(log.toString().trim()); // prints: a0 a1 a2 b0 b1 b2
+        System.out.println(log.toString().trim()); // expect a0 a1 a2 b0 b1 b2
     }
 }

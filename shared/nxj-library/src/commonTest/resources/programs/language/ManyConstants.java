@@ -635,8 +635,8 @@ public class ManyConstants {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(ints()); // prints: 31659450
-        System.out.println(decimals()); // prints: 220000.0
-        System.out.println(texts()); // prints: 850
+        System.out.println(ints()); // expect 31659450
+        System.out.println(decimals()); // expect 220000.0
+        System.out.println(texts()); // expect 850
     }
 }

@@ -249,7 +249,7 @@ public class ManyVariables {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(sum(1)); // prints: -38045
-        System.out.println(sum(-7)); // prints: -38101
+        System.out.println(sum(1)); // expect -38045
+        System.out.println(sum(-7)); // expect -38101
     }
 }

@@ -44,7 +44,14 @@ public class NestedFinally {
     public static void main(String[] arguments) {
         for (int kind = 0; kind < 8; kind++) {
             int result = run(kind);
-            System.out.println(kind + " " + result + " " + log); // prints: 0 0 a0f1f2fbcde | 1 1 acde | 2 2 actwode | 3 0 a0ffbcde | 4 0 afffbcde | 5 0 afcrfivede | 6 0 a0f1f2fbcrsixde | 7 0 a0f1f2fbcdsevene
+            System.out.println(kind + " " + result + " " + log); // expect 0 0 a0f1f2fbcde
+            // expect 1 1 acde
+            // expect 2 2 actwode
+            // expect 3 0 a0ffbcde
+            // expect 4 0 afffbcde
+            // expect 5 0 afcrfivede
+            // expect 6 0 a0f1f2fbcrsixde
+            // expect 7 0 a0f1f2fbcdsevene
         }
     }
 }

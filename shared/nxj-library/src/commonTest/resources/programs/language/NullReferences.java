@@ -47,6 +47,16 @@ public class NullReferences {
     }
 
     public static void main(String[] arguments) {
-        for (int kind = 0; kind < 11; kind++) System.out.println(kind + " " + fails(kind)); // prints: 0 null | 1 null | 2 null | 3 null | 4 null | 5 null | 6 null | 7 null | 8 null | 9 falsenull | 10 nullnull
+        for (int kind = 0; kind < 11; kind++) System.out.println(kind + " " + fails(kind)); // expect 0 null
+        // expect 1 null
+        // expect 2 null
+        // expect 3 null
+        // expect 4 null
+        // expect 5 null
+        // expect 6 null
+        // expect 7 null
+        // expect 8 null
+        // expect 9 falsenull
+        // expect 10 nullnull
     }
 }

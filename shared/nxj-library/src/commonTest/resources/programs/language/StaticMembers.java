@@ -39,12 +39,12 @@ public class StaticMembers {
     public static void main(String[] arguments) {
         make();
         make();
-        System.out.println(make().number + " " + made); // prints: 3 3
-        System.out.println(SHARED[0] + StaticMembers.SHARED[2]); // prints: 13
+        System.out.println(make().number + " " + made); // expect 3 3
+        System.out.println(SHARED[0] + StaticMembers.SHARED[2]); // expect 13
         Lazy.get();
-        System.out.println(Lazy.get().uses); // prints: 2
-        System.out.println(new User().speed() + " " + User.SPEED); // prints: 26 21
+        System.out.println(Lazy.get().uses); // expect 2
+        System.out.println(new User().speed() + " " + User.SPEED); // expect 26 21
         StaticMembers none = null;
-        System.out.println(none.made); // prints: 3
+        System.out.println(none.made); // expect 3
     }
 }

@@ -1,16 +1,17 @@
 import lejos.nxt.LCD;
 
-// screen 0: Hello      7
-// screen 1: ABCDEFGHIJKLMNOP
-// screen 2: -42
-// screen 3: 123456
-// screen 4: left  right
-// screen 6: in two
-// screen 7: rows
+// screen Hello      7
+// screen ABCDEFGHIJKLMNOP
+// screen      -42
+// screen           123456
+// screen left  right
+// screen
+// screen in two
+// screen rows
 public class TextsOnTheScreen {
-    public static void main(String[] arguments) {
-        LCD.drawString("Hello", 0, 0); // calls: drawString 0 0 "Hello"
-        LCD.drawInt(7, 2, 10, 0); // calls: drawInt 7 2 10 0
+    public static void main(String[] arguments) throws InterruptedException {
+        LCD.drawString("Hello", 0, 0);
+        LCD.drawInt(7, 2, 10, 0); // calls drawInt 7 2 10 0
         LCD.drawString("ABCDEFGHIJKLMNOPQRSTUV", 0, 1);
         LCD.drawInt(-42, 5, 2);
         LCD.drawString("wiped", 0, 3);
@@ -27,6 +28,6 @@ public class TextsOnTheScreen {
         } catch (NullPointerException wrong) {
             LCD.refresh();
         }
-        System.exit(0);
+        Thread.sleep(300);
     }
 }

@@ -11,17 +11,18 @@ public class TouchAndLight {
         TouchSensor touch = new TouchSensor(SensorPort.S1);
         LightSensor light = new LightSensor(SensorPort.S3);
         Thread.sleep(50);
-        System.out.println(touch.isPressed()); // prints: false
-        System.out.println(light.getNormalizedLightValue() + " " + light.getLightValue()); // prints: 423 41
+        System.out.println(touch.isPressed());
+        System.out.println(light.getNormalizedLightValue() + " " + light.getLightValue()); // screen 423 41
         light.calibrateLow();
         Thread.sleep(100);
-        System.out.println(touch.isPressed()); // prints: true
+        System.out.println(touch.isPressed()); // screen true
         light.calibrateHigh();
-        System.out.println(light.getLow() + " " + light.getHigh() + " " + light.getLightValue()); // prints: 423 523 100
-        System.out.println(light.isFloodlightOn()); // prints: true
+        System.out.println(light.getLow() + " " + light.getHigh() + " " + light.getLightValue()); // screen 423 523 100
+        System.out.println(light.isFloodlightOn()); // screen true
         light.setFloodlight(false);
-        System.out.println(light.isFloodlightOn() + " " + light.getFloodlight()); // prints: false -1
-        System.out.println(SensorPort.S1.readRawValue() + " " + SensorPort.S1.readBooleanValue()); // prints: 183 true
-        System.out.println(SensorPort.S1.getId() + " " + SensorPort.getInstance(3).getId()); // prints: 0 3
+        System.out.println(light.isFloodlightOn() + " " + light.getFloodlight()); // screen false -1
+        System.out.println(SensorPort.S1.readRawValue() + " " + SensorPort.S1.readBooleanValue()); // screen 183 true
+        System.out.println(SensorPort.S1.getId() + " " + SensorPort.getInstance(3).getId()); // screen 0 3
+        Thread.sleep(300);
     }
 }

@@ -14,10 +14,10 @@ public class Arbitrators {
 
         public void action() {
             isSuppressed = false;
-            System.out.println("drive"); // prints 3 times: drive
+            System.out.println("drive");
             clock++;
             while (!isSuppressed) Thread.yield();
-            System.out.println("suppressed"); // prints 3 times: suppressed
+            System.out.println("suppressed");
         }
 
         public void suppress() {
@@ -35,7 +35,7 @@ public class Arbitrators {
 
         public void action() {
             done = clock;
-            System.out.println("avoid " + done); // prints: avoid 1 | avoid 2 | avoid 3
+            System.out.println("avoid " + done);
         }
 
         public void suppress() {
@@ -45,6 +45,18 @@ public class Arbitrators {
     public static void main(String[] arguments) {
         Arbitrator arbitrator = new Arbitrator(new Behavior[] {new Drive(), new Avoid()}, true);
         arbitrator.start();
-        System.out.println("nobody wants control"); // prints: nobody wants control
+        System.out.println("nobody wants control");
     }
 }
+
+// It prints:
+// expect drive
+// expect suppressed
+// expect avoid 1
+// expect drive
+// expect suppressed
+// expect avoid 2
+// expect drive
+// expect suppressed
+// expect avoid 3
+// expect nobody wants control

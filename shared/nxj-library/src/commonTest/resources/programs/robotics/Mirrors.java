@@ -157,25 +157,39 @@ public class Mirrors {
         RegulatedMotor mirror = MirrorMotor.invertMotor(wheel);
         mirror.addListener(new RegulatedMotorListener() {
             public void rotationStarted(RegulatedMotor motor, int count, boolean stalled, long time) {
-                System.out.println("start " + count); // prints: start 0 | start 0 | start 0 | start 90
+                System.out.println("start " + count);
             }
 
             public void rotationStopped(RegulatedMotor motor, int count, boolean stalled, long time) {
-                System.out.println("stop " + count); // prints: stop 90 | stop 100
+                System.out.println("stop " + count);
             }
         });
         mirror.forward();
         mirror.backward();
         mirror.rotate(90);
-        System.out.println(told()); // prints: W- W+ Wr-90
-        System.out.println(wheel.getTachoCount() + " " + mirror.getTachoCount()); // prints: -90 90
+        System.out.println(told());
+        System.out.println(wheel.getTachoCount() + " " + mirror.getTachoCount());
         mirror.rotateTo(100);
-        System.out.println(told() + " " + mirror.getTachoCount()); // prints: Wr-10 100
+        System.out.println(told() + " " + mirror.getTachoCount());
         mirror.setSpeed(200);
-        System.out.println(wheel.getSpeed() + " " + mirror.getSpeed()); // prints: 200 200
-        System.out.println(MirrorMotor.invertMotor(mirror) == wheel); // prints: true
+        System.out.println(wheel.getSpeed() + " " + mirror.getSpeed());
+        System.out.println(MirrorMotor.invertMotor(mirror) == wheel);
         mirror.stop();
         mirror.flt();
-        System.out.println(told()); // prints: W0 W~
+        System.out.println(told());
     }
 }
+
+// It prints:
+// expect start 0
+// expect start 0
+// expect start 0
+// expect stop 90
+// expect W- W+ Wr-90
+// expect -90 90
+// expect start 90
+// expect stop 100
+// expect Wr-10 100
+// expect 200 200
+// expect true
+// expect W0 W~

@@ -166,36 +166,54 @@ public class Navigators {
         Navigator navigator = new Navigator(pilot);
         navigator.addNavigationListener(new NavigationListener() {
             public void atWaypoint(Waypoint waypoint, Pose pose, int sequence) {
-                System.out.println("at " + shown(pose)); // prints: at 60 0 0 | at 61 80 180 | at 0 80 180 | at -1 0 0 | at 20 0 0
+                System.out.println("at " + shown(pose));
             }
 
             public void pathComplete(Waypoint waypoint, Pose pose, int sequence) {
-                System.out.println("complete " + shown(pose)); // prints: complete 60 0 0 | complete 61 80 180 | complete -1 0 0
+                System.out.println("complete " + shown(pose));
             }
 
             public void pathInterrupted(Waypoint waypoint, Pose pose, int sequence) {
                 System.out.println("interrupted");
             }
         });
-        System.out.println(navigator.getWaypoint() == null); // prints: true
+        System.out.println(navigator.getWaypoint() == null);
         navigator.goTo(60, 0);
-        System.out.println(navigator.waitForStop()); // prints: true
+        System.out.println(navigator.waitForStop());
         navigator.goTo(60, 80, 180);
-        System.out.println(navigator.waitForStop()); // prints: true
+        System.out.println(navigator.waitForStop());
         Path path = new Path();
         path.add(new Waypoint(0, 80));
         path.add(new Waypoint(0, 0, 0));
         navigator.followPath(path);
-        System.out.println(navigator.waitForStop()); // prints: true
-        System.out.println(shown(navigator.getPoseProvider().getPose())); // prints: -1 0 0
-        System.out.println(navigator.pathCompleted() + " " + navigator.isMoving()); // prints: true false
+        System.out.println(navigator.waitForStop());
+        System.out.println(shown(navigator.getPoseProvider().getPose()));
+        System.out.println(navigator.pathCompleted() + " " + navigator.isMoving());
         navigator.addWaypoint(20, 0);
         navigator.addWaypoint(40, 0);
         navigator.singleStep(true);
         navigator.followPath();
         navigator.waitForStop();
-        System.out.println(shown(navigator.getPoseProvider().getPose()) + " " + navigator.pathCompleted()); // prints: 20 0 0 false
+        System.out.println(shown(navigator.getPoseProvider().getPose()) + " " + navigator.pathCompleted());
         navigator.clearPath();
-        System.out.println(navigator.pathCompleted()); // prints: true
+        System.out.println(navigator.pathCompleted());
     }
 }
+
+// It prints:
+// expect true
+// expect at 60 0 0
+// expect complete 60 0 0
+// expect true
+// expect at 61 80 180
+// expect complete 61 80 180
+// expect true
+// expect at 0 80 180
+// expect at -1 0 0
+// expect complete -1 0 0
+// expect true
+// expect -1 0 0
+// expect true false
+// expect at 20 0 0
+// expect 20 0 0 false
+// expect true

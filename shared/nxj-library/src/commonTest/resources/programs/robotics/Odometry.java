@@ -161,24 +161,24 @@ public class Odometry {
     public static void main(String[] arguments) {
         DifferentialPilot pilot = new DifferentialPilot(5.6, 11.2, new Wheel("L"), new Wheel("R"));
         OdometryPoseProvider odometry = new OdometryPoseProvider(pilot);
-        System.out.println(shown(odometry.getPose())); // prints: 0 0 0
+        System.out.println(shown(odometry.getPose())); // expect 0 0 0
         pilot.travel(50);
-        System.out.println(shown(odometry.getPose())); // prints: 50 0 0
+        System.out.println(shown(odometry.getPose())); // expect 50 0 0
         pilot.rotate(90);
-        System.out.println(shown(odometry.getPose())); // prints: 50 0 90
+        System.out.println(shown(odometry.getPose())); // expect 50 0 90
         pilot.travel(30);
-        System.out.println(shown(odometry.getPose())); // prints: 50 30 90
+        System.out.println(shown(odometry.getPose())); // expect 50 30 90
         pilot.arc(20, 180);
-        System.out.println(shown(odometry.getPose())); // prints: 10 30 -90
+        System.out.println(shown(odometry.getPose())); // expect 10 30 -90
         pilot.travel(-10);
-        System.out.println(shown(odometry.getPose())); // prints: 10 40 -90
+        System.out.println(shown(odometry.getPose())); // expect 10 40 -90
         for (int side = 0; side < 4; side++) {
             pilot.travel(100);
             pilot.rotate(-90);
         }
-        System.out.println(shown(odometry.getPose())); // prints: 10 40 -90
+        System.out.println(shown(odometry.getPose())); // expect 10 40 -90
         odometry.setPose(new Pose(1, 2, 45));
         pilot.travel(14.142);
-        System.out.println(shown(odometry.getPose())); // prints: 11 12 45
+        System.out.println(shown(odometry.getPose())); // expect 11 12 45
     }
 }

@@ -159,54 +159,78 @@ public class Pilots {
         Wheel left = new Wheel("L");
         Wheel right = new Wheel("R");
         DifferentialPilot pilot = new DifferentialPilot(5.6, 11.2, left, right);
-        System.out.println(Math.round(pilot.getMaxTravelSpeed() * 100) + " " + Math.round(pilot.getTravelSpeed() * 100)); // prints: 3910 3128
-        System.out.println(Math.round(pilot.getMaxRotateSpeed()) + " " + Math.round(pilot.getRotateSpeed())); // prints: 400 320
-        System.out.println(left.getSpeed() + " " + right.getSpeed()); // prints: 640 640
+        System.out.println(Math.round(pilot.getMaxTravelSpeed() * 100) + " " + Math.round(pilot.getTravelSpeed() * 100));
+        System.out.println(Math.round(pilot.getMaxRotateSpeed()) + " " + Math.round(pilot.getRotateSpeed()));
+        System.out.println(left.getSpeed() + " " + right.getSpeed());
         pilot.setTravelSpeed(20);
         pilot.setRotateSpeed(90);
-        System.out.println(left.getSpeed()); // prints: 180
+        System.out.println(left.getSpeed());
         pilot.travel(10);
-        System.out.println(told() + " " + left.getSpeed()); // prints: Lr204 Rr204 409
-        System.out.println(Math.round(pilot.getMovementIncrement() * 10) + " " + Math.round(pilot.getAngleIncrement())); // prints: 100 0
+        System.out.println(told() + " " + left.getSpeed());
+        System.out.println(Math.round(pilot.getMovementIncrement() * 10) + " " + Math.round(pilot.getAngleIncrement()));
         pilot.travel(-5, true);
-        System.out.println(told()); // prints: Lr-102 Rr-102
+        System.out.println(told());
         pilot.rotate(90);
-        System.out.println(told() + " " + left.getSpeed()); // prints: Lr-180 Rr180 180
-        System.out.println(Math.round(pilot.getAngleIncrement())); // prints: 90
+        System.out.println(told() + " " + left.getSpeed());
+        System.out.println(Math.round(pilot.getAngleIncrement()));
         pilot.rotate(-45);
-        System.out.println(told()); // prints: Lr90 Rr-90
+        System.out.println(told());
         pilot.forward();
-        System.out.println(told() + " " + pilot.isMoving()); // prints: L+ R+ true
+        System.out.println(told() + " " + pilot.isMoving());
         pilot.stop();
-        System.out.println(told() + " " + pilot.isMoving()); // prints: L0 R0 false
+        System.out.println(told() + " " + pilot.isMoving());
         pilot.backward();
         pilot.stop();
-        System.out.println(told()); // prints: L- R- L0 R0
+        System.out.println(told());
         pilot.rotateLeft();
         pilot.rotateRight();
         pilot.stop();
-        System.out.println(told()); // prints: L- R+ L+ R- L0 R0
+        System.out.println(told());
         DifferentialPilot reversed = new DifferentialPilot(5.6, 11.2, left, right, true);
         reversed.travel(10);
-        System.out.println(told()); // prints: Lr-204 Rr-204
-        System.out.println(Math.round(reversed.getMovementIncrement() * 10)); // prints: 100
+        System.out.println(told());
+        System.out.println(Math.round(reversed.getMovementIncrement() * 10));
         DifferentialPilot uneven = new DifferentialPilot(5.0, 6.0, 12, left, right, false);
         uneven.travel(10);
-        System.out.println(told()); // prints: Lr229 Rr190
+        System.out.println(told());
         uneven.rotate(90);
-        System.out.println(told()); // prints: Lr-216 Rr180
+        System.out.println(told());
         pilot = new DifferentialPilot(5.6f, 11.2f, left, right);
         pilot.addMoveListener(new MoveListener() {
             public void moveStarted(Move move, MoveProvider provider) {
-                System.out.println("start " + move.getMoveType() + " " + move.isMoving()); // prints: start TRAVEL true | start ROTATE true
+                System.out.println("start " + move.getMoveType() + " " + move.isMoving());
             }
 
             public void moveStopped(Move move, MoveProvider provider) {
                 int turned = Math.round(move.getAngleTurned());
-                System.out.println("stop " + Math.round(move.getDistanceTraveled()) + " " + turned); // prints: stop 30 0 | stop 0 180
+                System.out.println("stop " + Math.round(move.getDistanceTraveled()) + " " + turned);
             }
         });
         pilot.travel(30);
         pilot.rotate(180);
     }
 }
+
+// It prints:
+// expect 3910 3128
+// expect 400 320
+// expect 640 640
+// expect 180
+// expect Lr204 Rr204 409
+// expect 100 0
+// expect Lr-102 Rr-102
+// expect Lr-180 Rr180 180
+// expect 90
+// expect Lr90 Rr-90
+// expect L+ R+ true
+// expect L0 R0 false
+// expect L- R- L0 R0
+// expect L- R+ L+ R- L0 R0
+// expect Lr-204 Rr-204
+// expect 100
+// expect Lr229 Rr190
+// expect Lr-216 Rr180
+// expect start TRAVEL true
+// expect stop 30 0
+// expect start ROTATE true
+// expect stop 0 180

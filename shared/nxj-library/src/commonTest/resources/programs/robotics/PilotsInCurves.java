@@ -158,45 +158,45 @@ public class PilotsInCurves {
         DifferentialPilot pilot = new DifferentialPilot(5.6, 11.2, left, right);
         pilot.setTravelSpeed(20);
         pilot.arc(20, 90);
-        System.out.println(told() + " " + left.getSpeed() + " " + right.getSpeed()); // prints: Lr462 Rr822 230 409
+        System.out.println(told() + " " + left.getSpeed() + " " + right.getSpeed()); // expect Lr462 Rr822 230 409
         pilot.arc(-20, 90);
-        System.out.println(told() + " " + left.getSpeed() + " " + right.getSpeed()); // prints: Lr-822 Rr-462 409 230
+        System.out.println(told() + " " + left.getSpeed() + " " + right.getSpeed()); // expect Lr-822 Rr-462 409 230
         pilot.arc(20, -90);
-        System.out.println(told()); // prints: Lr-462 Rr-822
+        System.out.println(told()); // expect Lr-462 Rr-822
         pilot.arc(0, 45);
-        System.out.println(told()); // prints: Lr-90 Rr90
+        System.out.println(told()); // expect Lr-90 Rr90
         pilot.travelArc(30, 15);
-        System.out.println(told()); // prints: Lr249 Rr364
+        System.out.println(told()); // expect Lr249 Rr364
         pilot.travelArc(Double.POSITIVE_INFINITY, 10);
-        System.out.println(told()); // prints: Lr204 Rr204
+        System.out.println(told()); // expect Lr204 Rr204
         try {
             pilot.travelArc(0, 10);
         } catch (IllegalArgumentException wrong) {
-            System.out.println("no radius"); // prints: no radius
+            System.out.println("no radius"); // expect no radius
         }
         pilot.steer(50);
-        System.out.println(told() + " " + left.getSpeed() + " " + right.getSpeed()); // prints: L+ R+ 205 409
+        System.out.println(told() + " " + left.getSpeed() + " " + right.getSpeed()); // expect L+ R+ 205 409
         pilot.steer(-100);
-        System.out.println(told()); // prints: L+ R0
+        System.out.println(told()); // expect L+ R0
         pilot.steer(200);
-        System.out.println(told()); // prints: L- R+
+        System.out.println(told()); // expect L- R+
         pilot.steer(0);
-        System.out.println(told()); // prints: L+ R+
+        System.out.println(told()); // expect L+ R+
         pilot.steerBackward(50);
-        System.out.println(told()); // prints: L- R-
+        System.out.println(told()); // expect L- R-
         pilot.stop();
-        System.out.println(told()); // prints: L0 R0
+        System.out.println(told()); // expect L0 R0
         pilot.steer(50, 90);
-        System.out.println(told()); // prints: Lr360 Rr720
+        System.out.println(told()); // expect Lr360 Rr720
         pilot.steer(-50, -90, true);
-        System.out.println(told()); // prints: Lr720 Rr360
+        System.out.println(told()); // expect Lr720 Rr360
         pilot.arcForward(15);
-        System.out.println(told()); // prints: L+ R+
+        System.out.println(told()); // expect L+ R+
         pilot.arcBackward(-15);
-        System.out.println(told()); // prints: L- R-
+        System.out.println(told()); // expect L- R-
         pilot.quickStop();
-        System.out.println(told() + " " + left.getAcceleration()); // prints: L0 R0 2558
+        System.out.println(told() + " " + left.getAcceleration()); // expect L0 R0 2558
         pilot.setMinRadius(7);
-        System.out.println(pilot.getMinRadius()); // prints: 7.0
+        System.out.println(pilot.getMinRadius()); // expect 7.0
     }
 }

@@ -38,12 +38,12 @@ public class DeadlockFree {
             movers[i].start();
         }
         for (Thread mover : movers) mover.join();
-        System.out.println(ACCOUNTS[0].money() + " " + ACCOUNTS[1].money() + " " + ACCOUNTS[2].money()); // prints: 160 70 70
+        System.out.println(ACCOUNTS[0].money() + " " + ACCOUNTS[1].money() + " " + ACCOUNTS[2].money()); // expect 160 70 70
         synchronized (ACCOUNTS) {
             synchronized (ACCOUNTS) {
                 ACCOUNTS[0].change(1);
             }
         }
-        System.out.println(ACCOUNTS[0].money()); // prints: 161
+        System.out.println(ACCOUNTS[0].money()); // expect 161
     }
 }

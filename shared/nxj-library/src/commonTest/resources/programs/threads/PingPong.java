@@ -34,7 +34,7 @@ public class PingPong {
         first.start();
         first.join();
         second.join();
-        System.out.println(game.log.toString().trim()); // prints: ping pong ping pong ping pong ping pong ping pong
+        System.out.println(game.log.toString().trim()); // expect ping pong ping pong ping pong ping pong ping pong
         final Object lock = new Object();
         Thread waiting = new Thread() {
             @Override
@@ -44,7 +44,7 @@ public class PingPong {
                         lock.wait();
                         System.out.println("notified");
                     } catch (InterruptedException woken) {
-                        System.out.println("interrupted " + isInterrupted()); // prints: interrupted false
+                        System.out.println("interrupted " + isInterrupted()); // expect interrupted false
                     }
                 }
             }

@@ -22,7 +22,7 @@ public class TimersOfJava {
         }, 5, 10);
         while (ticks < 3 || !once) Thread.sleep(5);
         Thread.sleep(40);
-        System.out.println(ticks + " " + once); // prints: 3 true
+        System.out.println(ticks + " " + once); // expect 3 true
         timer.cancel();
         try {
             timer.schedule(new TimerTask() {
@@ -31,7 +31,7 @@ public class TimersOfJava {
                 }
             }, 1);
         } catch (IllegalStateException wrong) {
-            System.out.println("cancelled"); // prints: cancelled
+            System.out.println("cancelled"); // expect cancelled
         }
     }
 }

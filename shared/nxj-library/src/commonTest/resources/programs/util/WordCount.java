@@ -49,9 +49,9 @@ public class WordCount {
         }
         List<Count> sorted = new ArrayList<Count>(counts.values());
         sort(sorted);
-        System.out.println(sorted); // prints: [the=6, robot=3, and=2, line=2, at=1, end=1, of=1, sees=1, stops=1, turns=1]
+        System.out.println(sorted); // expect [the=6, robot=3, and=2, line=2, at=1, end=1, of=1, sees=1, stops=1, turns=1]
         int letters = 0;
         for (String word : counts.keySet()) letters += word.length();
-        System.out.println(letters); // prints: 36
+        System.out.println(letters); // expect 36
     }
 }

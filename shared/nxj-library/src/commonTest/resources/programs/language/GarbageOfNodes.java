@@ -1,4 +1,4 @@
-public class Garbage {
+public class GarbageOfNodes {
     static class Node {
         Node next;
         int[] data = new int[20];
@@ -23,22 +23,22 @@ public class Garbage {
                 sum += made.data[i % 20] + made.name.length();
             }
         }
-        System.out.println(sum); // prints: 12518804
+        System.out.println(sum); // expect 12518804
         int count = 0;
         for (Node node = kept; node != null; node = node.next) {
             count++;
             sum += node.data[0] + node.name.length();
         }
-        System.out.println(count + " " + sum); // prints: 10 12541390
+        System.out.println(count + " " + sum); // expect 10 12541390
         long[][] grid = null;
         for (int i = 0; i < 300; i++) {
             grid = new long[10][20];
             grid[9][19] = i;
         }
-        System.out.println(grid[9][19]); // prints: 299
+        System.out.println(grid[9][19]); // expect 299
         String text = "";
         for (int i = 0; i < 300; i++) text = (text + i).substring(Math.max(0, text.length() - 20));
-        System.out.println(text); // prints: 92293294295296297298299
+        System.out.println(text); // expect 92293294295296297298299
         Node circle = new Node(null, 1);
         circle.next = circle;
         circle = null;
@@ -46,6 +46,6 @@ public class Garbage {
         holder[0] = holder;
         holder[1] = "self";
         System.gc();
-        System.out.println(((Object[]) holder[0])[1]); // prints: self
+        System.out.println(((Object[]) holder[0])[1]); // expect self
     }
 }
