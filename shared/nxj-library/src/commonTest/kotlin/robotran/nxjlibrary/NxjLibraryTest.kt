@@ -48,7 +48,8 @@ class NxjLibraryTest {
 
     @Test
     fun `what leJOS NXJ lacks is not there`() = runTest {
-        val absent = listOf("java/util/Collections", "java/util/Scanner", "java/util/TreeMap", "java/util/LinkedHashMap")
+        val absent =
+            listOf("java/util/Collections", "java/util/Scanner", "java/util/TreeMap", "java/util/LinkedHashMap")
         for (name in absent) assertNull(NxjLibrary.load().classFile(name), name)
     }
 }

@@ -20,19 +20,20 @@ public class DataStreams {
         output.writeChar('x');
         output.flush();
         byte[] written = bytes.toByteArray();
-        System.out.println(written.length + " " + bytes.size()); // prints: 39 39
+        System.out.println(written.length + " " + bytes.size()); // expect 39 39
         int sum = 0;
         for (byte one : written) sum += one;
-        System.out.println(sum); // prints: 785
+        System.out.println(sum); // expect 785
         DataInputStream input = new DataInputStream(new ByteArrayInputStream(written));
-        System.out.println(input.readInt() + " " + input.readLong() + " " + input.readDouble() + " " + input.readFloat()); // prints: -123456 1125899906842624 3.141592653589793 2.5
-        System.out.println(input.readUTF().length() + " " + input.readBoolean() + " " + input.readShort()); // prints: 6 true -2
-        System.out.println(input.readUnsignedByte() + " " + input.readChar() + " " + input.available()); // prints: 200 x 0
-        System.out.println(input.read()); // prints: -1
+        System.out.println(input.readInt() + " " + input.readLong() + " " + input.readDouble() + " " + input.readFloat());
+        // expect -123456 1125899906842624 3.141592653589793 2.5
+        System.out.println(input.readUTF().length() + " " + input.readBoolean() + " " + input.readShort()); // expect 6 true -2
+        System.out.println(input.readUnsignedByte() + " " + input.readChar() + " " + input.available()); // expect 200 x 0
+        System.out.println(input.read()); // expect -1
         try {
             input.readInt();
         } catch (EOFException end) {
-            System.out.println("end"); // prints: end
+            System.out.println("end"); // expect end
         }
     }
 }

@@ -19,16 +19,19 @@ public class LinesAndPrinting {
         printer.print((Object) null);
         printer.print(new char[] {'x', 'y'});
         printer.flush();
-        System.out.println(bytes.toString()); // prints: a12.5ctrue7nullxy
+        System.out.println(bytes.toString()); // expect a12.5ctrue7nullxy
         InputStream lines = new ByteArrayInputStream("first\nsecond\r\n\nlast".getBytes());
         BufferedReader reader = new BufferedReader(new InputStreamReader(lines));
-        for (String line = reader.readLine(); line != null; line = reader.readLine()) System.out.println("[" + line + "]"); // prints: [first] | [second] | [] | [last]
+        for (String line = reader.readLine(); line != null; line = reader.readLine()) System.out.println("[" + line + "]"); // expect [first]
+        // expect [second]
+        // expect []
+        // expect [last]
         reader.close();
         InputStream input = new ByteArrayInputStream(new byte[] {1, 2, 3, 4, 5});
         byte[] part = new byte[3];
-        System.out.println(input.read(part) + " " + part[2] + " " + input.skip(1) + " " + input.read() + " " + input.read()); // prints: 3 3 1 5 -1
+        System.out.println(input.read(part) + " " + part[2] + " " + input.skip(1) + " " + input.read() + " " + input.read()); // expect 3 3 1 5 -1
         System.out.print("in ");
         System.out.print("one ");
-        System.out.println("line"); // prints: in one line
+        System.out.println("line"); // expect in one line
     }
 }

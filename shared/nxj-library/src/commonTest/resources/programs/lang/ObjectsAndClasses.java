@@ -15,23 +15,23 @@ public class ObjectsAndClasses implements Cloneable {
     public static void main(String[] arguments) throws CloneNotSupportedException {
         ObjectsAndClasses first = new ObjectsAndClasses();
         ObjectsAndClasses second = new ObjectsAndClasses();
-        System.out.println(first.equals(second) + " " + (first == second) + " " + (first.hashCode() == second.hashCode())); // prints: true false true
+        System.out.println(first.equals(second) + " " + (first == second) + " " + (first.hashCode() == second.hashCode())); // expect true false true
         ObjectsAndClasses copy = (ObjectsAndClasses) first.clone();
         copy.value = 4;
         copy.shared[0] = 9;
-        System.out.println(first.value + " " + copy.value + " " + first.shared[0]); // prints: 3 4 9
+        System.out.println(first.value + " " + copy.value + " " + first.shared[0]); // expect 3 4 9
         Object plain = new Object();
-        System.out.println(plain.equals(plain) + " " + plain.equals(new Object())); // prints: true false
-        System.out.println(plain.hashCode() == plain.hashCode()); // prints: true
-        System.out.println(System.identityHashCode(plain) == plain.hashCode()); // prints: true
-        System.out.println(plain.getClass() == Object.class); // prints: true
-        System.out.println(int[].class == new int[0].getClass()); // prints: true
-        System.out.println(Runnable.class.isInterface() + " " + int[].class.isArray() + " " + String.class.isInterface()); // prints: true true false
-        System.out.println(Number.class.isAssignableFrom(Integer.class) + " " + Integer.class.isAssignableFrom(Number.class)); // prints: true false
+        System.out.println(plain.equals(plain) + " " + plain.equals(new Object())); // expect true false
+        System.out.println(plain.hashCode() == plain.hashCode()); // expect true
+        System.out.println(System.identityHashCode(plain) == plain.hashCode()); // expect true
+        System.out.println(plain.getClass() == Object.class); // expect true
+        System.out.println(int[].class == new int[0].getClass()); // expect true
+        System.out.println(Runnable.class.isInterface() + " " + int[].class.isArray() + " " + String.class.isInterface()); // expect true true false
+        System.out.println(Number.class.isAssignableFrom(Integer.class) + " " + Integer.class.isAssignableFrom(Number.class)); // expect true false
         try {
             new Tight().copy();
         } catch (CloneNotSupportedException wrong) {
-            System.out.println("not cloneable"); // prints: not cloneable
+            System.out.println("not cloneable"); // expect not cloneable
         }
     }
 

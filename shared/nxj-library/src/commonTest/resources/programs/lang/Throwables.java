@@ -1,24 +1,24 @@
 public class Throwables {
     public static void main(String[] arguments) {
         Throwable plain = new Exception();
-        System.out.println(plain.getMessage()); // prints: null
+        System.out.println(plain.getMessage()); // expect null
         Throwable told = new RuntimeException("told", plain);
-        System.out.println(told.getMessage() + " " + (told.getCause() == plain)); // prints: told true
-        System.out.println(new Error("error").getMessage()); // prints: error
-        System.out.println(new RuntimeException(plain).getCause() == plain); // prints: true
+        System.out.println(told.getMessage() + " " + (told.getCause() == plain)); // expect told true
+        System.out.println(new Error("error").getMessage()); // expect error
+        System.out.println(new RuntimeException(plain).getCause() == plain); // expect true
         try {
             Integer.parseInt("x");
         } catch (IllegalArgumentException wrong) {
-            System.out.println(wrong instanceof NumberFormatException); // prints: true
+            System.out.println(wrong instanceof NumberFormatException); // expect true
         }
         Throwable open = new Throwable("open");
         open.initCause(plain);
-        System.out.println(open.getCause() == plain); // prints: true
-        System.out.println(open.getLocalizedMessage()); // prints: open
+        System.out.println(open.getCause() == plain); // expect true
+        System.out.println(open.getLocalizedMessage()); // expect open
         try {
             throw new Error("thrown");
         } catch (Throwable any) {
-            System.out.println(any.getMessage()); // prints: thrown
+            System.out.println(any.getMessage()); // expect thrown
         }
     }
 }

@@ -59,22 +59,22 @@ public class AbstractAndInterfaces {
     public static void main(String[] arguments) {
         Animal dog = new Dog();
         Sized puppy = new Puppy();
-        System.out.println(dog); // prints: I am a dog!
-        System.out.println(puppy); // prints: I am not a dog!
-        System.out.println(dog.compareTo(puppy)); // prints: 25
-        System.out.println(over(dog) + " " + over((Dog) dog) + " " + over(new Puppy())); // prints: animal dog dog
-        System.out.println(puppy instanceof Named); // prints: true
-        System.out.println(dog instanceof Puppy); // prints: false
+        System.out.println(dog); // expect I am a dog!
+        System.out.println(puppy); // expect I am not a dog!
+        System.out.println(dog.compareTo(puppy)); // expect 25
+        System.out.println(over(dog) + " " + over((Dog) dog) + " " + over(new Puppy())); // expect animal dog dog
+        System.out.println(puppy instanceof Named); // expect true
+        System.out.println(dog instanceof Puppy); // expect false
         Named named = (Named) puppy;
-        System.out.println(named.name()); // prints: not a dog
+        System.out.println(named.name()); // expect not a dog
         try {
             System.out.println(((Puppy) dog).size());
         } catch (ClassCastException wrong) {
-            System.out.println("only a dog"); // prints: only a dog
+            System.out.println("only a dog"); // expect only a dog
         }
-        System.out.println(dog.getClass() == puppy.getClass()); // prints: false
-        System.out.println(dog.getClass() == Dog.class); // prints: true
-        System.out.println(puppy.getClass().getSuperclass() == Dog.class); // prints: true
-        System.out.println(Animal.class.isInstance(puppy)); // prints: true
+        System.out.println(dog.getClass() == puppy.getClass()); // expect false
+        System.out.println(dog.getClass() == Dog.class); // expect true
+        System.out.println(puppy.getClass().getSuperclass() == Dog.class); // expect true
+        System.out.println(Animal.class.isInstance(puppy)); // expect true
     }
 }

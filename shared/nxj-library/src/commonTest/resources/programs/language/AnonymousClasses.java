@@ -17,13 +17,13 @@ public class AnonymousClasses {
                 return number * factor + calls;
             }
         };
-        System.out.println(apply(triple, 10)); // prints: 41
-        System.out.println(apply(triple, 10)); // prints: 42
+        System.out.println(apply(triple, 10)); // expect 41
+        System.out.println(apply(triple, 10)); // expect 42
         class Local implements Rule {
             public int apply(int number) {
                 return number - factor;
             }
         }
-        System.out.println(apply(new Local(), 10)); // prints: 6
+        System.out.println(apply(new Local(), 10)); // expect 6
     }
 }

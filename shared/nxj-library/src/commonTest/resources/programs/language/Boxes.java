@@ -26,39 +26,41 @@ public class Boxes {
         boxed++;
         boxed += 10;
         int plain = boxed * 2;
-        System.out.println(boxed + " " + plain); // prints: 16 32
-        System.out.println(kind(3) + " " + kind(3L) + " " + kind(3.0) + " " + kind('3') + " " + kind(true) + " " + kind((byte) 3)); // prints: Integer Long Double Character Boolean Byte
-        System.out.println(over(3)); // prints: long
-        System.out.println(over(Integer.valueOf(3))); // prints: Integer
-        System.out.println(over("3")); // prints: Object
+        System.out.println(boxed + " " + plain); // expect 16 32
+        System.out.println(kind(3) + " " + kind(3L) + " " + kind(3.0) + " " + kind('3') + " " + kind(true) + " " + kind((byte) 3));
+        // expect Integer Long Double Character Boolean Byte
+        System.out.println(over(3)); // expect long
+        System.out.println(over(Integer.valueOf(3))); // expect Integer
+        System.out.println(over("3")); // expect Object
         Integer small = 100;
         Integer same = 100;
-        System.out.println(small == same); // prints: true
-        System.out.println(small.equals(100)); // prints: true
-        System.out.println(new Integer(100).equals(new Integer(100))); // prints: true
-        System.out.println(Long.valueOf(3).equals(3)); // prints: false
+        System.out.println(small == same); // expect true
+        System.out.println(small.equals(100)); // expect true
+        System.out.println(new Integer(100).equals(new Integer(100))); // expect true
+        System.out.println(Long.valueOf(3).equals(3)); // expect false
         Character letter = 'x';
         letter++;
-        System.out.println(letter); // prints: y
+        System.out.println(letter); // expect y
         Boolean flag = false;
-        if (!flag) System.out.println(flag); // prints: false
+        if (!flag) System.out.println(flag); // expect false
         Double real = 1.5;
         real /= 2;
-        System.out.println(real); // prints: 0.75
+        System.out.println(real); // expect 0.75
         Object choice = true ? 1 : "one";
-        System.out.println(choice); // prints: 1
-        System.out.println(true ? 1 : 2.0); // prints: 1.0
+        System.out.println(choice); // expect 1
+        System.out.println(true ? 1 : 2.0); // expect 1.0
         Integer none = null;
         try {
             int fails = none;
             System.out.println(fails);
         } catch (NullPointerException missing) {
-            System.out.println("none"); // prints: none
+            System.out.println("none"); // expect none
         }
         int[] counts = new int[3];
         Integer index = 1;
         counts[index]++;
-        System.out.println(counts[1]); // prints: 1
-        System.out.println(boxed.hashCode() + " " + letter.hashCode() + " " + flag.hashCode() + " " + Long.valueOf(1L << 33).hashCode()); // prints: 16 121 1237 2
+        System.out.println(counts[1]); // expect 1
+        System.out.println(boxed.hashCode() + " " + letter.hashCode() + " " + flag.hashCode() + " " + Long.valueOf(1L << 33).hashCode());
+        // expect 16 121 1237 2
     }
 }

@@ -26,6 +26,12 @@ public class BuiltInExceptions {
     }
 
     public static void main(String[] arguments) {
-        for (int kind = 0; kind < 7; kind++) System.out.println(fail(kind)); // prints: 10 | 10 | 20 | 30 | 30 | 40 | 50
+        for (int kind = 0; kind < 7; kind++) System.out.println(fail(kind)); // expect 10
+        // expect 10
+        // expect 20
+        // expect 30
+        // expect 30
+        // expect 40
+        // expect 50
     }
 }

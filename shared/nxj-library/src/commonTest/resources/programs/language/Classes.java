@@ -26,9 +26,9 @@ public class Classes {
         Account mine = new Account();
         Account yours = new Account(5);
         mine.pay(20);
-        System.out.println(mine.balance()); // prints: 120
-        System.out.println(yours.balance()); // prints: 5
-        System.out.println(yours.number); // prints: 2
-        System.out.println(Account.accounts); // prints: 2
+        System.out.println(mine.balance()); // expect 120
+        System.out.println(yours.balance()); // expect 5
+        System.out.println(yours.number); // expect 2
+        System.out.println(Account.accounts); // expect 2
     }
 }

@@ -17,16 +17,16 @@ public class Decisions {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(grade(95)); // prints: 1
-        System.out.println(grade(50)); // prints: 3
-        System.out.println(grade(-1)); // prints: 6
+        System.out.println(grade(95)); // expect 1
+        System.out.println(grade(50)); // expect 3
+        System.out.println(grade(-1)); // expect 6
         boolean result = false && yes();
-        System.out.println(calls); // prints: 0
+        System.out.println(calls); // expect 0
         result = true || yes();
-        System.out.println(calls); // prints: 0
+        System.out.println(calls); // expect 0
         result = false & yes() | yes();
-        System.out.println(calls); // prints: 2
-        System.out.println(result ? 7 : 8); // prints: 7
-        System.out.println(!result ^ true ? 7 : 8); // prints: 7
+        System.out.println(calls); // expect 2
+        System.out.println(result ? 7 : 8); // expect 7
+        System.out.println(!result ^ true ? 7 : 8); // expect 7
     }
 }

@@ -59,24 +59,27 @@ public class Enums {
 
     public static void main(String[] arguments) {
         for (Colour colour : Colour.values()) {
-            System.out.println(colour + " " + colour.ordinal() + " " + colour.letter + " " + colour.weight() + " " + told(colour)); // prints: RED 0 r 3 stop | GREEN 1 g -1 go | BLUE 2 b 7 what
+            System.out.println(colour + " " + colour.ordinal() + " " + colour.letter + " " + colour.weight() + " " + told(colour)); // expect RED 0 r 3 stop
+            // expect GREEN 1 g -1 go
+            // expect BLUE 2 b 7 what
         }
-        System.out.println(Colour.made); // prints: 2
-        System.out.println(Colour.BLUE.next()); // prints: RED
-        System.out.println(Colour.valueOf("GREEN").name()); // prints: GREEN
+        System.out.println(Colour.made); // expect 2
+        System.out.println(Colour.BLUE.next()); // expect RED
+        System.out.println(Colour.valueOf("GREEN").name()); // expect GREEN
         try {
             Colour.valueOf("PINK");
         } catch (IllegalArgumentException wrong) {
-            System.out.println("no such colour"); // prints: no such colour
+            System.out.println("no such colour"); // expect no such colour
         }
-        System.out.println(Side.LEFT == Side.values()[0]); // prints: true
-        System.out.println(Side.LEFT.compareTo(Side.RIGHT) < 0); // prints: true
-        System.out.println(Side.LEFT.equals(Side.RIGHT)); // prints: false
+        System.out.println(Side.LEFT == Side.values()[0]); // expect true
+        System.out.println(Side.LEFT.compareTo(Side.RIGHT) < 0); // expect true
+        System.out.println(Side.LEFT.equals(Side.RIGHT)); // expect false
         Side.values()[0] = Side.RIGHT;
-        System.out.println(Side.values()[0]); // prints: LEFT
-        for (Shape unit : Unit.values()) System.out.println(unit.area()); // prints: 1 | 4
+        System.out.println(Side.values()[0]); // expect LEFT
+        for (Shape unit : Unit.values()) System.out.println(unit.area()); // expect 1
+        // expect 4
         Object thing = Colour.GREEN;
-        System.out.println(thing instanceof Colour); // prints: true
-        System.out.println(Colour.GREEN.getDeclaringClass() == Colour.RED.getDeclaringClass()); // prints: true
+        System.out.println(thing instanceof Colour); // expect true
+        System.out.println(Colour.GREEN.getDeclaringClass() == Colour.RED.getDeclaringClass()); // expect true
     }
 }

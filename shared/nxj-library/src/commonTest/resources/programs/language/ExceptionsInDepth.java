@@ -15,7 +15,9 @@ public class ExceptionsInDepth {
         } catch (IllegalStateException wrong) {
             throw new Trouble("at " + level, level, wrong);
         } finally {
-            System.out.println("leaving " + level); // prints: leaving 0 | leaving 1 | leaving 2
+            System.out.println("leaving " + level); // expect leaving 0
+            // expect leaving 1
+            // expect leaving 2
         }
     }
 
@@ -42,56 +44,56 @@ public class ExceptionsInDepth {
         try {
             depth(2);
         } catch (Trouble trouble) {
-            System.out.println(trouble.getMessage() + " " + trouble.level); // prints: at 0 0
-            System.out.println(trouble.getCause().getMessage()); // prints: bottom
-            System.out.println(trouble.getCause().getCause() == null); // prints: true
+            System.out.println(trouble.getMessage() + " " + trouble.level); // expect at 0 0
+            System.out.println(trouble.getCause().getMessage()); // expect bottom
+            System.out.println(trouble.getCause().getCause() == null); // expect true
         }
-        System.out.println(returns() + " " + hides()); // prints: 2 4
+        System.out.println(returns() + " " + hides()); // expect 2 4
         try {
             Object text = "text";
             System.out.println((Integer) text);
         } catch (ClassCastException wrong) {
-            System.out.println("cast"); // prints: cast
+            System.out.println("cast"); // expect cast
         }
         try {
             Object[] texts = new String[1];
             texts[0] = 3;
         } catch (ArrayStoreException wrong) {
-            System.out.println("store"); // prints: store
+            System.out.println("store"); // expect store
         }
         try {
             System.out.println(new int[-1].length);
         } catch (NegativeArraySizeException wrong) {
-            System.out.println("size"); // prints: size
+            System.out.println("size"); // expect size
         }
         try {
             System.out.println(1 / (arguments.length));
         } catch (ArithmeticException wrong) {
-            System.out.println("zero"); // prints: zero
+            System.out.println("zero"); // expect zero
         }
         try {
             System.out.println(1L % arguments.length);
         } catch (ArithmeticException wrong) {
-            System.out.println("zero too"); // prints: zero too
+            System.out.println("zero too"); // expect zero too
         }
         try {
             throw null;
         } catch (NullPointerException wrong) {
-            System.out.println("null"); // prints: null
+            System.out.println("null"); // expect null
         }
         try {
             deep(0);
         } catch (StackOverflowError wrong) {
-            System.out.println("too deep"); // prints: too deep
+            System.out.println("too deep"); // expect too deep
         }
         try {
             try {
                 throw new IllegalArgumentException("first");
             } finally {
-                System.out.println("between"); // prints: between
+                System.out.println("between"); // expect between
             }
         } catch (RuntimeException wrong) {
-            System.out.println(wrong.getMessage()); // prints: first
+            System.out.println(wrong.getMessage()); // expect first
         }
     }
 

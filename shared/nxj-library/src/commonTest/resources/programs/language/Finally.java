@@ -3,7 +3,7 @@ public class Finally {
         try {
             return 1;
         } finally {
-            System.out.println(10); // prints: 10
+            System.out.println(10);
         }
     }
 
@@ -23,27 +23,38 @@ public class Finally {
             int[] none = new int[0];
             none[0] = 1;
         } finally {
-            System.out.println(20); // prints: 20
+            System.out.println(20);
         }
     }
 
     public static void main(String[] arguments) {
-        System.out.println(early()); // prints: 1
-        System.out.println(overruled()); // prints: 2
+        System.out.println(early());
+        System.out.println(overruled());
         try {
             fail();
         } catch (ArrayIndexOutOfBoundsException wrong) {
-            System.out.println(30); // prints: 30
+            System.out.println(30);
         } finally {
-            System.out.println(40); // prints: 40
+            System.out.println(40);
         }
         for (int lap = 0; lap < 2; lap++) {
             try {
                 if (lap == 0) continue;
-                System.out.println(50); // prints: 50
+                System.out.println(50);
             } finally {
-                System.out.println(60 + lap); // prints: 60 | 61
+                System.out.println(60 + lap);
             }
         }
     }
 }
+
+// It prints:
+// expect 10
+// expect 1
+// expect 2
+// expect 20
+// expect 30
+// expect 40
+// expect 60
+// expect 50
+// expect 61

@@ -87,32 +87,32 @@ public class Generics {
 
     public static void main(String[] arguments) {
         Pair<String, Integer> pair = new Pair<String, Integer>("b", 3);
-        System.out.println(pair); // prints: b:3
-        System.out.println(pair.with(2.5)); // prints: b:2.5
-        System.out.println(pair.isBefore(new Pair<String, Object>("c", null))); // prints: true
+        System.out.println(pair); // expect b:3
+        System.out.println(pair.with(2.5)); // expect b:2.5
+        System.out.println(pair.isBefore(new Pair<String, Object>("c", null))); // expect true
         int sum = 0;
         for (int number : new Countdown(4)) sum = sum * 10 + number;
-        System.out.println(sum); // prints: 4321
-        System.out.println(new Doubler().twice("ab")); // prints: abababab
+        System.out.println(sum); // expect 4321
+        System.out.println(new Doubler().twice("ab")); // expect abababab
         Maker<String> maker = new Doubler();
-        System.out.println(maker.make("x")); // prints: xx
+        System.out.println(maker.make("x")); // expect xx
         List<Integer> numbers = new ArrayList<Integer>();
         numbers.add(3);
         numbers.add(11);
         numbers.add(7);
-        System.out.println(largest(numbers)); // prints: 11
-        System.out.println(sum(numbers)); // prints: 21.0
+        System.out.println(largest(numbers)); // expect 11
+        System.out.println(sum(numbers)); // expect 21.0
         List<Object> objects = new ArrayList<Object>();
         Generics.<String>fill(objects, "z", 3);
         fill(objects, 1, 1);
-        System.out.println(objects); // prints: [z, z, z, 1]
+        System.out.println(objects); // expect [z, z, z, 1]
         @SuppressWarnings({"unchecked", "rawtypes"})
         List<String> wrong = (List) numbers;
         try {
             String text = wrong.get(0);
             System.out.println(text);
         } catch (ClassCastException cast) {
-            System.out.println("no text"); // prints: no text
+            System.out.println("no text"); // expect no text
         }
     }
 }

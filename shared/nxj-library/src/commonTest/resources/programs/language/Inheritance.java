@@ -29,11 +29,11 @@ public class Inheritance {
 
     public static void main(String[] arguments) {
         Animal animal = new Animal();
-        System.out.println(animal.twice()); // prints: 2
+        System.out.println(animal.twice()); // expect 2
         animal = new Bird();
-        System.out.println(animal.twice()); // prints: 22
-        System.out.println(animal.legs); // prints: 2
+        System.out.println(animal.twice()); // expect 22
+        System.out.println(animal.legs); // expect 2
         animal = new Parrot();
-        System.out.println(animal.twice()); // prints: 222
+        System.out.println(animal.twice()); // expect 222
     }
 }

@@ -45,15 +45,15 @@ public class InitialisationOrder {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(Constants.FIXED + Constants.TEXT + log); // prints: 7fixed
+        System.out.println(Constants.FIXED + Constants.TEXT + log); // expect 7fixed
         new Second();
-        System.out.println(log.trim()); // prints: First.a First.static Second.c argument b block First() d Second(int) Second()
+        System.out.println(log.trim()); // expect First.a First.static Second.c argument b block First() d Second(int) Second()
         log = "";
         new Second(1);
-        System.out.println(log.trim()); // prints: b block First() d Second(int)
+        System.out.println(log.trim()); // expect b block First() d Second(int)
         log = "";
-        System.out.println(Constants.MADE + log.trim()); // prints: 8Constants
+        System.out.println(Constants.MADE + log.trim()); // expect 8Constants
         First[] none = new First[2];
-        System.out.println(none.length); // prints: 2
+        System.out.println(none.length); // expect 2
     }
 }

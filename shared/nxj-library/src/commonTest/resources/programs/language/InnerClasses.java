@@ -24,11 +24,11 @@ public class InnerClasses {
 
     public static void main(String[] arguments) {
         InnerClasses outer = new InnerClasses();
-        System.out.println(outer.measure()); // prints: 9
+        System.out.println(outer.measure()); // expect 9
         InnerClasses.Inner inner = outer.new Inner();
-        System.out.println(inner.sum()); // prints: 7
+        System.out.println(inner.sum()); // expect 7
         Inner.Innermost innermost = inner.new Innermost();
-        System.out.println(innermost.all()); // prints: 44
-        System.out.println(outer.value); // prints: 4
+        System.out.println(innermost.all()); // expect 44
+        System.out.println(outer.value); // expect 4
     }
 }

@@ -41,9 +41,9 @@ public class Interfaces {
         Shape[] shapes = {new Square(5), new Circle()};
         int sum = 0;
         for (int index = 0; index < shapes.length; index++) sum += shapes[index].area();
-        System.out.println(sum); // prints: 339
-        System.out.println(new Circle().half()); // prints: 157
-        System.out.println(Shape.SIDES); // prints: 4
-        System.out.println(((Named) shapes[0]).name().length()); // prints: 2
+        System.out.println(sum); // expect 339
+        System.out.println(new Circle().half()); // expect 157
+        System.out.println(Shape.SIDES); // expect 4
+        System.out.println(((Named) shapes[0]).name().length()); // expect 2
     }
 }

@@ -14,6 +14,6 @@ public class LinkedObjects {
         for (int load = 1; load <= 4; load++) train = new Wagon(load, train);
         int sum = 0;
         for (Wagon wagon = train; wagon != null; wagon = wagon.next) sum = sum * 10 + wagon.load;
-        System.out.println(sum); // prints: 4321
+        System.out.println(sum); // expect 4321
     }
 }

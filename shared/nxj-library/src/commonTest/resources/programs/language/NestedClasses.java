@@ -28,7 +28,7 @@ public class NestedClasses {
 
         @Override
         void describe() {
-            System.out.println("derived " + own + " " + name); // prints: derived null base | derived own base
+            System.out.println("derived " + own + " " + name);
         }
     }
 
@@ -57,10 +57,10 @@ public class NestedClasses {
         NestedClasses outer = new NestedClasses();
         Inner inner = outer.new Inner();
         Inner.Deeper deeper = inner.new Deeper();
-        System.out.println(inner.number + " " + outer.counter + " " + deeper.sum()); // prints: 10 11 21
+        System.out.println(inner.number + " " + outer.counter + " " + deeper.sum());
         new Derived().describe();
-        System.out.println(chained(adding(3), adding(4)).run(5)); // prints: 12
-        System.out.println(new Object() { // prints: anonymous 7
+        System.out.println(chained(adding(3), adding(4)).run(5));
+        System.out.println(new Object() {
             int hidden = 7;
 
             @Override
@@ -70,3 +70,10 @@ public class NestedClasses {
         });
     }
 }
+
+// It prints:
+// expect 10 11 21
+// expect derived null base
+// expect derived own base
+// expect 12
+// expect anonymous 7

@@ -24,11 +24,11 @@ public class Overloading {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(kind((byte) 1)); // prints: 1
-        System.out.println(kind(1L)); // prints: 2
-        System.out.println(kind('1')); // prints: 3
-        System.out.println(kind(new int[1])); // prints: 4
-        System.out.println(kind("1")); // prints: 5
-        System.out.println(kind(1, 1)); // prints: 6
+        System.out.println(kind((byte) 1)); // expect 1
+        System.out.println(kind(1L)); // expect 2
+        System.out.println(kind('1')); // expect 3
+        System.out.println(kind(new int[1])); // expect 4
+        System.out.println(kind("1")); // expect 5
+        System.out.println(kind(1, 1)); // expect 6
     }
 }

@@ -16,8 +16,8 @@ public class Recursion {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(factorial(7)); // prints: 5040
-        System.out.println(fibonacci(10)); // prints: 55
-        System.out.println(isEven(10) ? 1 : 0); // prints: 1
+        System.out.println(factorial(7)); // expect 5040
+        System.out.println(fibonacci(10)); // expect 55
+        System.out.println(isEven(10) ? 1 : 0); // expect 1
     }
 }

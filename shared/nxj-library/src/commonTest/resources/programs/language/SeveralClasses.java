@@ -14,6 +14,6 @@ class Doubler {
 
 public class SeveralClasses {
     public static void main(String[] arguments) {
-        System.out.println(Numbers.doubled()); // prints: 22
+        System.out.println(Numbers.doubled()); // expect 22
     }
 }

@@ -14,6 +14,10 @@ public class Sorting {
     public static void main(String[] arguments) {
         int[] numbers = {5, 2, 9, 1, 7};
         sort(numbers);
-        for (int index = 0; index < numbers.length; index++) System.out.println(numbers[index]); // prints: 1 | 2 | 5 | 7 | 9
+        for (int index = 0; index < numbers.length; index++) System.out.println(numbers[index]); // expect 1
+        // expect 2
+        // expect 5
+        // expect 7
+        // expect 9
     }
 }

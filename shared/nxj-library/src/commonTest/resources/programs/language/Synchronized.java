@@ -35,9 +35,9 @@ public class Synchronized {
         synchronized (counter) {
             while (Adder.ready < 2) counter.wait();
             synchronized (counter) {
-                System.out.println(counter.count); // prints: 40
+                System.out.println(counter.count); // expect 40
             }
         }
-        System.out.println(twice(4)); // prints: 8
+        System.out.println(twice(4)); // expect 8
     }
 }

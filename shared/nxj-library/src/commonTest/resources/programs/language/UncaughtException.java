@@ -7,7 +7,12 @@ public class UncaughtException {
 
     public static void main(String[] arguments) {
         for (int place = 0; ; place++) {
-            System.out.println(at(place)); // prints: 1 | 2 | 3
+            System.out.println(at(place));
         }
     }
 }
+
+// It prints:
+// expect 1
+// expect 2
+// expect 3

@@ -23,16 +23,16 @@ public class Varargs {
     }
 
     public static void main(String... arguments) {
-        System.out.println(sum()); // prints: 0
-        System.out.println(sum(4)); // prints: 4
-        System.out.println(sum(1, 2, 3)); // prints: 6
-        System.out.println(sum(new int[] {5, 6})); // prints: 11
-        System.out.println(join(", ", 1, 'c', "text", 2.5, 7L, true, null)); // prints: 1, c, text, 2.5, 7, true, null
-        System.out.println(join("-")); // prints:
-        System.out.println(join("-", (Object) new String[] {"a"}.length)); // prints: 1
-        System.out.println(join("/", (Object[]) new String[] {"a", "b"})); // prints: a/b
-        System.out.println(which(1)); // prints: one
-        System.out.println(which(1, 2)); // prints: many 2
-        System.out.println(which()); // prints: many 0
+        System.out.println(sum()); // expect 0
+        System.out.println(sum(4)); // expect 4
+        System.out.println(sum(1, 2, 3)); // expect 6
+        System.out.println(sum(new int[] {5, 6})); // expect 11
+        System.out.println(join(", ", 1, 'c', "text", 2.5, 7L, true, null)); // expect 1, c, text, 2.5, 7, true, null
+        System.out.println(join("-")); // expect
+        System.out.println(join("-", (Object) new String[] {"a"}.length)); // expect 1
+        System.out.println(join("/", (Object[]) new String[] {"a", "b"})); // expect a/b
+        System.out.println(which(1)); // expect one
+        System.out.println(which(1, 2)); // expect many 2
+        System.out.println(which()); // expect many 0
     }
 }

@@ -12,17 +12,17 @@ public class Daemons {
             }
         };
         daemon.setDaemon(true);
-        System.out.println(daemon.isDaemon() + " " + Thread.currentThread().isDaemon()); // prints: true false
+        System.out.println(daemon.isDaemon() + " " + Thread.currentThread().isDaemon()); // expect true false
         daemon.start();
         while (laps < 10) Thread.sleep(5);
-        System.out.println("runs"); // prints: runs
-        System.out.println(daemon.getPriority() + " " + Thread.currentThread().getPriority()); // prints: 5 5
+        System.out.println("runs"); // expect runs
+        System.out.println(daemon.getPriority() + " " + Thread.currentThread().getPriority()); // expect 5 5
         daemon.setPriority(Thread.MIN_PRIORITY);
-        System.out.println(daemon.getPriority()); // prints: 1
+        System.out.println(daemon.getPriority()); // expect 1
         try {
             daemon.setPriority(11);
         } catch (IllegalArgumentException wrong) {
-            System.out.println("too important"); // prints: too important
+            System.out.println("too important"); // expect too important
         }
     }
 }

@@ -15,35 +15,35 @@ public class Joining {
                 }
             });
         }
-        System.out.println(workers[0].isAlive()); // prints: false
+        System.out.println(workers[0].isAlive());
         for (Thread worker : workers) worker.start();
         for (Thread worker : workers) worker.join();
-        System.out.println(total); // prints: 79800
-        System.out.println(workers[0].isAlive()); // prints: false
+        System.out.println(total);
+        System.out.println(workers[0].isAlive());
         Thread slow = new Thread() {
             @Override
             public void run() {
                 try {
                     Thread.sleep(300);
                 } catch (InterruptedException woken) {
-                    System.out.println("woken"); // prints: woken
+                    System.out.println("woken");
                 }
             }
         };
         slow.start();
         slow.join(50);
-        System.out.println(slow.isAlive()); // prints: true
+        System.out.println(slow.isAlive());
         slow.interrupt();
         slow.join();
-        System.out.println(slow.isAlive()); // prints: false
-        System.out.println(Thread.currentThread().isInterrupted()); // prints: false
+        System.out.println(slow.isAlive());
+        System.out.println(Thread.currentThread().isInterrupted());
         Thread.currentThread().interrupt();
         try {
             Thread.sleep(10);
         } catch (InterruptedException woken) {
-            System.out.println("at once"); // prints: at once
+            System.out.println("at once");
         }
-        System.out.println(Thread.interrupted()); // prints: false
+        System.out.println(Thread.interrupted());
         try {
             slow.start(); // fails IllegalThreadStateException
         } catch (IllegalStateException wrong) {
@@ -51,3 +51,14 @@ public class Joining {
         }
     }
 }
+
+// It prints:
+// expect false
+// expect 79800
+// expect false
+// expect true
+// expect woken
+// expect false
+// expect false
+// expect at once
+// expect false

@@ -38,7 +38,7 @@ public class SynchronizedCounters {
         second.start();
         first.join();
         second.join();
-        System.out.println(counter.value + " " + shared); // prints: 200 200
-        System.out.println(counter.twice()); // prints: 202
+        System.out.println(counter.value + " " + shared); // expect 200 200
+        System.out.println(counter.twice()); // expect 202
     }
 }

@@ -36,23 +36,23 @@ public class WaitAndNotify {
         producer.start();
         int sum = 0;
         for (int value = buffer.take(); value >= 0; value = buffer.take()) sum = sum * 3 + value;
-        System.out.println(sum); // prints: 935209074
+        System.out.println(sum); // expect 935209074
         producer.join();
         Object lock = new Object();
         long before = System.currentTimeMillis();
         synchronized (lock) {
             lock.wait(30);
         }
-        System.out.println(System.currentTimeMillis() - before >= 30); // prints: true
+        System.out.println(System.currentTimeMillis() - before >= 30); // expect true
         try {
             lock.notify();
         } catch (IllegalMonitorStateException wrong) {
-            System.out.println("not mine"); // prints: not mine
+            System.out.println("not mine"); // expect not mine
         }
         try {
             lock.wait();
         } catch (IllegalMonitorStateException wrong) {
-            System.out.println("not mine either"); // prints: not mine either
+            System.out.println("not mine either"); // expect not mine either
         }
     }
 }

@@ -55,9 +55,9 @@ public class CollectionsTogether {
     }
 
     public static void main(String[] arguments) {
-        System.out.println(steps(new Point(0, 0), new Point(4, 4))); // prints: 8
-        System.out.println(steps(new Point(0, 0), new Point(2, 2))); // prints: 6
-        System.out.println(steps(new Point(0, 0), new Point(4, 0))); // prints: -1
+        System.out.println(steps(new Point(0, 0), new Point(4, 4))); // expect 8
+        System.out.println(steps(new Point(0, 0), new Point(2, 2))); // expect 6
+        System.out.println(steps(new Point(0, 0), new Point(4, 0))); // expect -1
         Map<String, List<Point>> groups = new HashMap<String, List<Point>>();
         for (int i = 0; i < 9; i++) {
             String key = i % 3 == 0 ? "fizz" : "other";
@@ -68,8 +68,8 @@ public class CollectionsTogether {
             }
             group.add(new Point(i, i * i));
         }
-        System.out.println(groups.get("fizz")); // prints: [(0,0), (3,9), (6,36)]
-        System.out.println(groups.get("other").size()); // prints: 6
-        System.out.println(groups.get("fizz").contains(new Point(3, 9))); // prints: true
+        System.out.println(groups.get("fizz")); // expect [(0,0), (3,9), (6,36)]
+        System.out.println(groups.get("other").size()); // expect 6
+        System.out.println(groups.get("fizz").contains(new Point(3, 9))); // expect true
     }
 }

@@ -9,20 +9,20 @@ public class LinkedLists {
             list.addFirst(i);
             list.addLast(-i);
         }
-        System.out.println(list); // prints: [5, 4, 3, 2, 1, -1, -2, -3, -4, -5]
-        System.out.println(list.getFirst() + " " + list.getLast() + " " + list.get(3)); // prints: 5 -5 2
-        System.out.println(list.removeFirst() + " " + list.removeLast() + " " + list.size()); // prints: 5 -5 8
+        System.out.println(list); // expect [5, 4, 3, 2, 1, -1, -2, -3, -4, -5]
+        System.out.println(list.getFirst() + " " + list.getLast() + " " + list.get(3)); // expect 5 -5 2
+        System.out.println(list.removeFirst() + " " + list.removeLast() + " " + list.size()); // expect 5 -5 8
         list.add(2, 99);
         list.remove(Integer.valueOf(1));
-        System.out.println(list); // prints: [4, 3, 99, 2, -1, -2, -3, -4]
+        System.out.println(list); // expect [4, 3, 99, 2, -1, -2, -3, -4]
         Queue<String> queue = new LinkedList<String>();
         queue.offer("first");
         queue.offer("second");
-        System.out.println(queue.peek() + " " + queue.poll() + " " + queue.poll() + " " + queue.poll()); // prints: first first second null
+        System.out.println(queue.peek() + " " + queue.poll() + " " + queue.poll() + " " + queue.poll()); // expect first first second null
         try {
             queue.remove();
         } catch (NoSuchElementException wrong) {
-            System.out.println("empty"); // prints: empty
+            System.out.println("empty"); // expect empty
         }
     }
 }

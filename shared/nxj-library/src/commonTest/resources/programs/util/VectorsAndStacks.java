@@ -9,20 +9,21 @@ public class VectorsAndStacks {
         vector.addElement("a");
         vector.add("b");
         vector.insertElementAt("c", 0);
-        System.out.println(vector + " " + vector.elementAt(0) + " " + vector.firstElement() + " " + vector.lastElement()); // prints: [c, a, b] c c b
+        System.out.println(vector + " " + vector.elementAt(0) + " " + vector.firstElement() + " " + vector.lastElement()); // expect [c, a, b] c c b
         vector.removeElementAt(1);
         vector.setElementAt("z", 0);
-        System.out.println(vector.size() + " " + vector.contains("b") + " " + vector.indexOf("q")); // prints: 2 true -1
-        for (Enumeration<String> all = vector.elements(); all.hasMoreElements();) System.out.println(all.nextElement()); // prints: z | b
+        System.out.println(vector.size() + " " + vector.contains("b") + " " + vector.indexOf("q")); // expect 2 true -1
+        for (Enumeration<String> all = vector.elements(); all.hasMoreElements();) System.out.println(all.nextElement()); // expect z
+        // expect b
         Stack<Integer> stack = new Stack<Integer>();
         for (int i = 0; i < 4; i++) stack.push(i * i);
-        System.out.println(stack.peek() + " " + stack.pop() + " " + stack.pop() + " " + stack.size()); // prints: 9 9 4 2
-        System.out.println(stack.search(0) + " " + stack.empty()); // prints: 2 false
+        System.out.println(stack.peek() + " " + stack.pop() + " " + stack.pop() + " " + stack.size()); // expect 9 9 4 2
+        System.out.println(stack.search(0) + " " + stack.empty()); // expect 2 false
         stack.clear();
         try {
             stack.pop();
         } catch (EmptyStackException wrong) {
-            System.out.println("empty"); // prints: empty
+            System.out.println("empty"); // expect empty
         }
     }
 }

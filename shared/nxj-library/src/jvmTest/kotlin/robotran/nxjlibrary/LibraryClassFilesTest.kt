@@ -36,7 +36,13 @@ class LibraryClassFilesTest {
     @Test
     fun `threads, texts and natives of motors need no initialiser`() {
         for (name in listOf("java.lang.Thread", "lejos.nxt.MotorRegulation")) {
-            assertEquals(0, libraryClasses.single { it.className == name }.methods.count { it.name == "<clinit>" }, name)
+            assertEquals(
+                0,
+                libraryClasses.single {
+                    it.className == name
+                }.methods.count { it.name == "<clinit>" },
+                name,
+            )
         }
     }
 

@@ -11,17 +11,31 @@ import org.apache.bcel.generic.Type
 
 /**
  * Runs classes of the library on this JVM, so that they can be held against those of the same name that it has itself.
- * The classes of `java.lang`, `java.util` and `java.io` that need no brick get the package `nxj.java` in front; objects,
- * texts and what builds them, threads, exceptions, interfaces and the streams that others extend remain those of the JVM. Native methods call
- * those of the JVM.
+ * The classes of `java.lang`, `java.util` and `java.io` that need no brick get the package `nxj.java` in front. Objects,
+ * texts and what builds them, threads, exceptions, interfaces and the streams that others extend remain those of the
+ * JVM. Native methods call those of the JVM.
  */
 internal object LibraryOnJvm : ClassLoader(LibraryOnJvm::class.java.classLoader) {
     private const val FRONT = "nxj/"
 
     private val ofJvm = setOf(
-        "java/lang/Object", "java/lang/String", "java/lang/Class", "java/lang/Enum", "java/lang/Thread",
-        "java/lang/Throwable", "java/lang/StringBuilder", "java/lang/StringBuffer", "java/lang/System", "java/lang/Runtime", "java/lang/Shutdown", "java/io/InputStream",
-        "java/io/OutputStream", "java/io/Reader", "java/io/Writer", "java/util/Timer", "java/util/TimerTask",
+        "java/lang/Object",
+        "java/lang/String",
+        "java/lang/Class",
+        "java/lang/Enum",
+        "java/lang/Thread",
+        "java/lang/Throwable",
+        "java/lang/StringBuilder",
+        "java/lang/StringBuffer",
+        "java/lang/System",
+        "java/lang/Runtime",
+        "java/lang/Shutdown",
+        "java/io/InputStream",
+        "java/io/OutputStream",
+        "java/io/Reader",
+        "java/io/Writer",
+        "java/util/Timer",
+        "java/util/TimerTask",
     )
 
     private val renamed: Set<String> = libraryClasses.filter { type ->
@@ -38,7 +52,8 @@ internal object LibraryOnJvm : ClassLoader(LibraryOnJvm::class.java.classLoader)
     /** A new object of the library's class [name]. */
     @Suppress("UNCHECKED_CAST")
     fun <T> make(name: String, vararg arguments: Any): T = type(name).constructors.first { maker ->
-        maker.parameterCount == arguments.size && maker.parameterTypes.zip(arguments).all { (wanted, given) -> fits(wanted, given) }
+        maker.parameterCount == arguments.size &&
+            maker.parameterTypes.zip(arguments).all { (wanted, given) -> fits(wanted, given) }
     }.newInstance(*arguments) as T
 
     override fun findClass(name: String): Class<*> {
@@ -48,7 +63,8 @@ internal object LibraryOnJvm : ClassLoader(LibraryOnJvm::class.java.classLoader)
         return defineClass(name, bytes, 0, bytes.size)
     }
 
-    private fun fits(wanted: Class<*>, given: Any) = wanted.isInstance(given) || wanted.kotlin.javaObjectType.isInstance(given)
+    private fun fits(wanted: Class<*>, given: Any) =
+        wanted.isInstance(given) || wanted.kotlin.javaObjectType.isInstance(given)
 
     private fun translated(type: JavaClass): ByteArray {
         val pool = type.constantPool

@@ -25,7 +25,8 @@ class LibrarySourcesTest {
             }
             val problems = StringWriter()
             val output = PrintWriter(problems)
-            val options = listOf("-source", version, "-target", version, "-proc:none", "-encoding", "UTF-8", "-d", "none")
+            val options =
+                listOf("-source", version, "-target", version, "-proc:none", "-encoding", "UTF-8", "-d", "none")
             val places = listOf("-bootclasspath", empty, "-classpath", empty)
             BatchCompiler.compile((options + places + files).toTypedArray(), output, output, null)
             return problems.toString().replace(folder.path, "")

@@ -11,9 +11,31 @@ class MathOnJvmTest {
     private val random = Random(26)
 
     private val special = listOf(
-        0.0, -0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.5, 1e-300, 4.9e-324, -4.9e-324, 1e300, Double.MAX_VALUE, Double.NaN,
-        Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 4503599627370495.5, 9007199254740993.0, 2147483647.5,
-        -2147483648.5, 9.3e18, Math.PI, Math.PI / 2, 0.49999999999999994,
+        0.0,
+        -0.0,
+        0.5,
+        -0.5,
+        1.0,
+        -1.0,
+        1.5,
+        -1.5,
+        2.5,
+        1e-300,
+        4.9e-324,
+        -4.9e-324,
+        1e300,
+        Double.MAX_VALUE,
+        Double.NaN,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY,
+        4503599627370495.5,
+        9007199254740993.0,
+        2147483647.5,
+        -2147483648.5,
+        9.3e18,
+        Math.PI,
+        Math.PI / 2,
+        0.49999999999999994,
     )
 
     /** Numbers of all sizes, and of those that programs have. */
@@ -49,8 +71,14 @@ class MathOnJvmTest {
     @Test
     fun `functions of one number are within two units in the last place of Java's`() {
         val functions = mapOf<String, (Double) -> Double>(
-            "sin" to StrictMath::sin, "cos" to StrictMath::cos, "tan" to StrictMath::tan, "asin" to StrictMath::asin,
-            "acos" to StrictMath::acos, "atan" to StrictMath::atan, "exp" to StrictMath::exp, "log" to StrictMath::log,
+            "sin" to StrictMath::sin,
+            "cos" to StrictMath::cos,
+            "tan" to StrictMath::tan,
+            "asin" to StrictMath::asin,
+            "acos" to StrictMath::acos,
+            "atan" to StrictMath::atan,
+            "exp" to StrictMath::exp,
+            "log" to StrictMath::log,
         )
         for (x in numbers(1500)) {
             for ((name, function) in functions) assertNear(function(x), ours.call(name, x), "$name($x)")
@@ -80,7 +108,7 @@ class MathOnJvmTest {
 
     private fun assertNear(expected: Double, found: Any?, where: String) {
         val value = found as Double
-        val isSame = expected == value || expected.isNaN() && value.isNaN()
+        val isSame = expected == value || (expected.isNaN() && value.isNaN())
         assertTrue(isSame || Math.abs(expected - value) <= 2 * Math.ulp(expected), "$where: $expected, not $found")
     }
 }

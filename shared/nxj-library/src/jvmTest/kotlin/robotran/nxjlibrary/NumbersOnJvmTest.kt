@@ -18,9 +18,27 @@ class NumbersOnJvmTest {
         List(2000) { random.nextLong() shr random.nextInt(64) }
 
     private val decimals = listOf(
-        0.0, -0.0, 1.0, 0.1, 100.0, 1e7, 9999999.0, 1e-3, 9.999e-4, 1e21, 4.9e-324, 2.2250738585072014e-308, 1.0 / 3,
-        Double.MAX_VALUE, Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 2e23, 9007199254740993.0,
-    ) + List(6000) { Double.fromBits(random.nextLong()) } + List(6000) { (random.nextInt(2_000_000) - 1_000_000) / 1000.0 }
+        0.0,
+        -0.0,
+        1.0,
+        0.1,
+        100.0,
+        1e7,
+        9999999.0,
+        1e-3,
+        9.999e-4,
+        1e21,
+        4.9e-324,
+        2.2250738585072014e-308,
+        1.0 / 3,
+        Double.MAX_VALUE,
+        Double.NaN,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY,
+        2e23,
+        9007199254740993.0,
+    ) + List(6000) { Double.fromBits(random.nextLong()) } +
+        List(6000) { (random.nextInt(2_000_000) - 1_000_000) / 1000.0 }
 
     @Test
     fun `whole numbers are written and read as in Java`() {
@@ -44,7 +62,8 @@ class NumbersOnJvmTest {
     fun `what is no whole number is refused`() {
         for (text in listOf("", "-", "+", "12a", " 1", "1 ", "2147483648", "-2147483649", "1.5", "0x10", "--1")) {
             assertFailsWith<NumberFormatException>(text) { text.toInt() }
-            val thrown = assertFailsWith<java.lang.reflect.InvocationTargetException>(text) { integer.call("parseInt", text) }
+            val thrown =
+                assertFailsWith<java.lang.reflect.InvocationTargetException>(text) { integer.call("parseInt", text) }
             assertTrue(thrown.targetException is NumberFormatException, text)
         }
     }
@@ -66,7 +85,21 @@ class NumbersOnJvmTest {
     @Test
     fun `decimal numbers are read as in Java`() {
         val texts = decimals.map { it.toString() } + List(5000) { randomDecimal() } +
-            listOf("1", "1.", ".5", "+1e5", "-1E-5", "1e400", "1e-400", "0.1f", "3d", "  2.5 ", "NaN", "Infinity", "-Infinity")
+            listOf(
+                "1",
+                "1.",
+                ".5",
+                "+1e5",
+                "-1E-5",
+                "1e400",
+                "1e-400",
+                "0.1f",
+                "3d",
+                "  2.5 ",
+                "NaN",
+                "Infinity",
+                "-Infinity",
+            )
         for (text in texts) {
             assertEquals(text.toDouble().toBits(), (double.call("parseDouble", text) as Double).toBits(), text)
             assertEquals(text.toFloat().toBits(), (float.call("parseFloat", text) as Float).toBits(), text)
@@ -109,6 +142,14 @@ class NumbersOnJvmTest {
     private fun randomDecimal(): String {
         val digits = List(1 + random.nextInt(25)) { random.nextInt(10) }.joinToString("")
         val point = random.nextInt(digits.length + 1)
-        return "${digits.take(point)}.${digits.drop(point)}e${random.nextInt(-330, 310)}".let { if (it[0] == '.') "0$it" else it }
+        return "${digits.take(point)}.${digits.drop(point)}e${random.nextInt(-330, 310)}".let {
+            if (it[0] ==
+                '.'
+            ) {
+                "0$it"
+            } else {
+                it
+            }
+        }
     }
 }

@@ -1,29 +1,25 @@
 package robotran.nxjlibrary
 
-/** What the comments of a test program say; the README of this module has the notation. */
+/** What the comments of a test program say about a run on a JVM; the README of this module has the notation. */
 internal class ProgramExpectations(source: String) {
-    private val lines = source.lines().withIndex().associate { it.index + 1 to it.value }
-
-    /** What each line prints, by its number. */
-    val prints: Map<Int, List<String>> = lines.mapNotNull { (line, text) -> printed(text)?.let { line to it } }.toMap()
-
-    /** The exceptions that leave a thread, by the line that throws. */
-    val failures: Map<Int, String> = lines.mapNotNull { (line, text) ->
-        FAILS.find(text)?.let { line to it.groupValues[1] }
-    }.toMap()
-
-    /** Whether the program uses nothing but Java, so that a JVM can run it. */
-    val isPlainJava: Boolean = lines.values.none { it.startsWith("import lejos.") || it.startsWith(ONLY_NXJ) }
-
-    private fun printed(line: String): List<String>? {
-        val (times, text) = PRINTS.find(line)?.destructured ?: return null
-        val values = text.split(" | ")
-        return if (times.isEmpty()) values else List(times.toInt()) { text }
+    private val comments = source.lines().withIndex().mapNotNull { (index, line) ->
+        COMMENT.find(line)?.let { index + 1 to it.groupValues[1] }
     }
 
+    val printed: List<String> = after("expect").map { it.second }
+
+    /** The exceptions that leave a thread, by the line that throws. */
+    val failures: Map<Int, String> = after("fails").toMap()
+
+    /** Whether the program uses nothing of the brick itself, so that a JVM can run it. */
+    val needsNoBrick: Boolean = source.lines().none { it.startsWith("import lejos.nxt.") } &&
+        comments.none { (_, text) -> BRICK_ONLY.any { text.startsWith(it) } }
+
+    private fun after(mark: String) = comments.filter { (_, text) -> text == mark || text.startsWith("$mark ") }
+        .map { (line, text) -> line to text.removePrefix(mark).removePrefix(" ") }
+
     private companion object {
-        const val ONLY_NXJ = "// nxj only"
-        val PRINTS = Regex("""// prints(?: (\d+) times)?: ?(.*?)(?: // .*)?$""")
-        val FAILS = Regex("""// fails (\w+)""")
+        val BRICK_ONLY = listOf("only here", "screen", "calls", "press", "sensor")
+        val COMMENT = Regex("""// ((?:expect|fails|only here|screen|calls|press|sensor)\b.*)$""")
     }
 }

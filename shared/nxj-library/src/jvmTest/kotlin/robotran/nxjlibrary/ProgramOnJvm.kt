@@ -1,7 +1,7 @@
 package robotran.nxjlibrary
 
+import java.io.ByteArrayOutputStream
 import java.io.File
-import java.io.OutputStream
 import java.io.PrintStream
 import java.lang.reflect.InvocationTargetException
 import java.net.URLClassLoader
@@ -9,85 +9,69 @@ import javax.tools.ToolProvider
 import kotlin.io.path.createTempDirectory
 
 /**
- * What the test program at [path] does when the JDK's own compiler and JVM run it: what each line of it prints, and on
- * which line an exception leaves a thread.
+ * A run of the test program at [path] by the JDK's own compiler and JVM, with its own `java` and the library's `lejos`.
  */
 internal class ProgramOnJvm(private val path: String, private val source: String) {
     private val name = path.substringAfterLast('/').removeSuffix(".java")
-    private val prints = mutableMapOf<Int, MutableList<String>>()
-    private val failures = mutableMapOf<Int, String>()
+    private val output = ByteArrayOutputStream()
+    private val thrown = mutableMapOf<Int, String>()
 
-    /** The printed lines by the line of the program, and the simple names of exceptions. */
-    fun run(): Pair<Map<Int, List<String>>, Map<Int, String>> {
+    val printed: List<String> get() = output.toString().replace("\r", "").removeSuffix("\n").lines()
+
+    /** The simple names of exceptions that left a thread, by the line of the program that threw them. */
+    val failures: Map<Int, String> get() = thrown
+
+    fun run() {
         val folder = createTempDirectory("program").toFile()
         try {
-            compile(folder)
-            URLClassLoader(arrayOf(folder.toURI().toURL()), null).use { run(it) }
-            return prints to failures
+            val library = folder.resolve("library")
+            for ((name, bytes) in robotran.nxjlibrary.library.classFiles.filterKeys { it.startsWith("lejos/") }) {
+                library.resolve("$name.class").apply { parentFile.mkdirs() }.writeBytes(bytes)
+            }
+            compile(folder, library)
+            val places = listOf(folder, library).map { it.toURI().toURL() }
+            URLClassLoader(places.toTypedArray(), null).use { run(it, namesIn(folder)) }
         } finally {
             folder.deleteRecursively()
         }
     }
 
-    private fun compile(folder: File) {
+    private fun compile(folder: File, library: File) {
         val file = folder.resolve("$name.java").apply { writeText(source) }
-        val options = arrayOf("-nowarn", "-Xlint:none", "--release", "8", "-d", folder.path, file.path)
-        val problems = java.io.ByteArrayOutputStream()
-        check(ToolProvider.getSystemJavaCompiler().run(null, problems, problems, *options) == 0) { "$path: $problems" }
+        val options = listOf("-nowarn", "-Xlint:none", "--release", "8", "-cp", library.path, "-d", folder.path, file.path)
+        val problems = ByteArrayOutputStream()
+        val result = ToolProvider.getSystemJavaCompiler().run(null, problems, problems, *options.toTypedArray())
+        check(result == 0) { "$path: $problems" }
     }
 
-    private fun run(loader: ClassLoader) {
+    private fun namesIn(folder: File): Set<String> =
+        folder.list().orEmpty().filter { it.endsWith(".class") }.map { it.removeSuffix(".class") }.toSet()
+
+    private fun run(loader: ClassLoader, names: Set<String>) {
         val before = System.out
         val handler = Thread.getDefaultUncaughtExceptionHandler()
-        System.setOut(PrintStream(LinesByPlace(loader), true))
-        Thread.setDefaultUncaughtExceptionHandler { _, thrown -> fail(thrown, loader) }
+        System.setOut(PrintStream(output, true))
+        Thread.setDefaultUncaughtExceptionHandler { _, failure -> fail(failure, names) }
         try {
             val group = ThreadGroup(path)
             Thread(group) {
                 try {
                     loader.loadClass(name).getMethod("main", Array<String>::class.java).invoke(null, arrayOf<String>())
                 } catch (exception: InvocationTargetException) {
-                    fail(exception.targetException, loader)
+                    fail(exception.targetException, names)
                 }
             }.apply { start() }.join(LONGEST)
-            waitFor(group)
+            val threads = arrayOfNulls<Thread>(MOST_THREADS)
+            repeat(group.enumerate(threads)) { index -> threads[index]?.takeUnless { it.isDaemon }?.join(LONGEST) }
         } finally {
             System.setOut(before)
             Thread.setDefaultUncaughtExceptionHandler(handler)
         }
     }
 
-    private fun waitFor(group: ThreadGroup) {
-        val threads = arrayOfNulls<Thread>(MOST_THREADS)
-        repeat(group.enumerate(threads)) { index -> threads[index]?.takeUnless { it.isDaemon }?.join(LONGEST) }
-    }
-
-    private fun fail(thrown: Throwable, loader: ClassLoader) {
-        val names = namesIn(loader)
-        val line = thrown.stackTrace.firstOrNull { it.className in names }?.lineNumber ?: 0
-        synchronized(failures) { failures[line] = thrown.javaClass.simpleName }
-    }
-
-    private fun namesIn(loader: ClassLoader): Set<String> =
-        File((loader as URLClassLoader).urLs.single().toURI()).list().orEmpty().filter { it.endsWith(".class") }
-            .map { it.removeSuffix(".class") }.toSet()
-
-    /** Adds each line that is printed to those of the innermost line of the program that is being executed. */
-    private inner class LinesByPlace(loader: ClassLoader) : OutputStream() {
-        private val names = namesIn(loader)
-        private val line = StringBuilder()
-
-        override fun write(octet: Int) {
-            if (octet.toChar() != '\n') {
-                line.append(octet.toChar())
-                return
-            }
-            val place = StackWalker.getInstance().walk { frames ->
-                frames.filter { it.className in names }.findFirst().map { it.lineNumber }.orElse(0)
-            }
-            prints.getOrPut(place) { mutableListOf() } += line.toString()
-            line.clear()
-        }
+    private fun fail(failure: Throwable, names: Set<String>) {
+        val line = failure.stackTrace.firstOrNull { it.className in names }?.lineNumber ?: 0
+        synchronized(thrown) { thrown[line] = failure.javaClass.simpleName }
     }
 
     private companion object {

@@ -96,7 +96,10 @@ class StreamsOnJvmTest {
         }
         output.flush()
         assertContentEquals(bytes, sink.toByteArray())
-        val input = LibraryOnJvm.make<InputStream>("java.io.BufferedInputStream", ByteArrayInputStream(bytes) as InputStream)
+        val input = LibraryOnJvm.make<InputStream>(
+            "java.io.BufferedInputStream",
+            ByteArrayInputStream(bytes) as InputStream,
+        )
         val found = ByteArrayOutputStream()
         val part = ByteArray(170)
         while (true) {

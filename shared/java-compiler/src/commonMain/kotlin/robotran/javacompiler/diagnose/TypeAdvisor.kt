@@ -88,8 +88,16 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         val message = messages.wrongArguments(method, needed, given)
         return when {
             given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
-            isBoxing(given, needed) -> ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING).takeUnless { boxes })
+
+            isBoxing(given, needed) -> ProblemExplanation(
+                message,
+                messages.insteadOf(NewerJava.AUTOBOXING).takeUnless {
+                    boxes
+                },
+            )
+
             needed == "String" && given in NUMBERS -> ProblemExplanation(message, messages.makeText())
+
             else -> ProblemExplanation(message)
         }
     }

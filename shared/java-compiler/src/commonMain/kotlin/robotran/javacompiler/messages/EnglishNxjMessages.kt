@@ -34,7 +34,7 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.BLUETOOTH -> "Robots talk by Bluetooth, see the class Bluetooth of lejos.nxt.comm."
         NxjRemedy.LINE_FEED -> "Write \"\\n\"."
         NxjRemedy.NXT_MOTOR -> "A motor whose power you set is new NXTMotor(MotorPort.A). Motor.A has setSpeed()."
-        NxjRemedy.ALWAYS_REGULATED -> "Leave it out: the motor keeps its speed anyway. setAcceleration() makes it gentle."
+        NxjRemedy.ALWAYS_REGULATED -> "Leave it out: the motor keeps its speed. setAcceleration() makes it gentle."
         NxjRemedy.ROTATION_SPEED -> "It is getRotationSpeed() now."
         NxjRemedy.IS_MOVING -> "It is isMoving() now."
         NxjRemedy.DIFFERENTIAL_PILOT -> "Use new DifferentialPilot(wheelDiameter, trackWidth, Motor.A, Motor.C)."

@@ -1,4 +1,4 @@
-public class Switches {
+public class SwitchStatements {
     static String name(int number) {
         switch (number) {
             case 0:
@@ -33,8 +33,17 @@ public class Switches {
 
     public static void main(String[] arguments) {
         int[] numbers = {0, 1, 2, 3, 100000, -5, 99999};
-        for (int number : numbers) System.out.println(name(number)); // prints: zero | few | few | some | many | minus | some
-        for (char letter = 'a'; letter < 'e'; letter++) System.out.println(fall(letter)); // prints: 11 | 10 | 1000 | 1100
+        for (int number : numbers) System.out.println(name(number)); // expect zero
+        // expect few
+        // expect few
+        // expect some
+        // expect many
+        // expect minus
+        // expect some
+        for (char letter = 'a'; letter < 'e'; letter++) System.out.println(fall(letter)); // expect 11
+        // expect 10
+        // expect 1000
+        // expect 1100
         int laps = 0;
         outer:
         for (int i = 0; i < 10; i++) {
@@ -49,14 +58,14 @@ public class Switches {
             }
             laps += 10;
         }
-        System.out.println(laps); // prints: 64
+        System.out.println(laps); // expect 64
         byte small = 7;
         switch (small) {
         }
         switch (small) {
             case 7:
                 int inner = 5;
-                System.out.println(inner); // prints: 5
+                System.out.println(inner); // expect 5
         }
     }
 }

@@ -1,4 +1,4 @@
-public class Exceptions {
+public class ThrowingAndCatching {
     static class TooHot extends Exception {
         final int degrees;
 
@@ -15,24 +15,24 @@ public class Exceptions {
     public static void main(String[] arguments) {
         try {
             measure(20);
-            System.out.println(1); // prints: 1
+            System.out.println(1); // expect 1
             measure(35);
             System.out.println(2);
         } catch (TooHot heat) {
-            System.out.println(heat.degrees); // prints: 35
-            System.out.println(heat.getMessage().length()); // prints: 7
+            System.out.println(heat.degrees); // expect 35
+            System.out.println(heat.getMessage().length()); // expect 7
         }
         try {
             measure(40);
         } catch (Exception any) {
-            System.out.println(any instanceof TooHot ? 1 : 0); // prints: 1
+            System.out.println(any instanceof TooHot ? 1 : 0); // expect 1
         }
         try {
             throw new IllegalStateException();
         } catch (IllegalArgumentException wrong) {
             System.out.println(5);
         } catch (RuntimeException right) {
-            System.out.println(right.getMessage() == null ? 6 : 7); // prints: 6
+            System.out.println(right.getMessage() == null ? 6 : 7); // expect 6
         }
     }
 }
