@@ -29,7 +29,7 @@ internal class Inspector(private val machine: VirtualMachine) {
 
     fun activityOf(thread: VmThread): ThreadActivity = when (thread.state) {
         ThreadState.SLEEPING -> ThreadActivity.SLEEPING
-        ThreadState.WAITING -> ThreadActivity.WAITING_FOR_NOTIFICATION
+        ThreadState.WAITING, ThreadState.JOINING -> ThreadActivity.WAITING_FOR_NOTIFICATION
         ThreadState.BLOCKED -> ThreadActivity.WAITING_FOR_MONITOR
         else -> ThreadActivity.RUNNABLE
     }

@@ -7,6 +7,7 @@ package robotran.tinyvm.link
  * @param depths the operand words before each position.
  * @param isJoin whether a jump or branch goes to a position.
  * @param locals the number of locals, which is the register of the lowest operand.
+ * @param switches the tables of its `switch` statements.
  * @param argumentWords the argument words of a method, by its number.
  */
 internal class BlockCompiler(
@@ -14,6 +15,7 @@ internal class BlockCompiler(
     private val depths: IntArray,
     private val isJoin: BooleanArray,
     private val locals: Int,
+    private val switches: List<SwitchTable>,
     private val argumentWords: (Int) -> Int,
 ) {
     private val instructions = ArrayList<RegisterInstruction>()
@@ -23,7 +25,7 @@ internal class BlockCompiler(
     private var position = 0
     private var bytecodes = 0
     private var statements = 0
-    private var continuation: Int? = null
+    private var continuations: List<Int> = emptyList()
 
     /**
      * Compiles the block at [start]. It contains also what follows it without a condition, up to a limit, so code after
@@ -32,7 +34,7 @@ internal class BlockCompiler(
     fun compile(start: Int): RegisterBlock {
         instructions.clear()
         joined.clear()
-        continuation = null
+        continuations = emptyList()
         position = start
         bytecodes = 0
         statements = 0
@@ -40,7 +42,7 @@ internal class BlockCompiler(
         val startExit = exit()
         while (continuesBlock()) compileOperation()
         val fused = InstructionFusion.fuse(instructions, locals)
-        return RegisterBlock(fused, startExit, bytecodes, statements, continuation)
+        return RegisterBlock(fused, startExit, bytecodes, statements, continuations)
     }
 
     /** Whether the block contains the operation at [position], unless its end was reached. If not, jumps there. */
@@ -142,14 +144,15 @@ internal class BlockCompiler(
         val first = operands.end - argumentWords
         val receiver = if (operation == Operation.CALL_STATIC) 0 else operands.leaveReceiver(argumentWords)
         operands.complete()
-        instructions += RegisterInstruction(
-            RegisterOperation.CALL_STATIC + operation - Operation.CALL_STATIC,
-            first,
-            code[position + 1],
-            receiver,
-            words = intArrayOf(next),
-        )
-        continuation = next
+        val method = code[position + 1]
+        instructions += if (operation != Operation.CALL_VIRTUAL && method !in RegisterInstruction.REGISTERS) {
+            val far = RegisterOperation.CALL_STATIC_FAR + operation - Operation.CALL_STATIC
+            RegisterInstruction(far, first, 0, receiver, words = intArrayOf(next, method))
+        } else {
+            val near = RegisterOperation.CALL_STATIC + operation - Operation.CALL_STATIC
+            RegisterInstruction(near, first, method, receiver, words = intArrayOf(next))
+        }
+        continuations = listOf(next)
         position = END
     }
 
@@ -166,7 +169,11 @@ internal class BlockCompiler(
     private fun plain() {
         operands.complete()
         instructions += RegisterInstruction(RegisterOperation.PLAIN, operands.end, words = intArrayOf(position))
-        if (code[position] != Operation.THROW) continuation = position + lengthOf(code[position])
+        continuations = when (code[position]) {
+            Operation.THROW -> emptyList()
+            Operation.SWITCH -> switches[code[position + 1]].targets.asList()
+            else -> listOf(position + lengthOf(code[position]))
+        }
         position = END
     }
 

@@ -150,7 +150,17 @@ internal object RegisterOperation {
     /** Next words: the blocks if field B of A is less than C, a constant, and if not. */
     const val IF_FIELD_LESS_CONSTANT = 72
 
+    /** [CALL_STATIC] and [CALL_EXACTLY] of the method in the word behind the next. */
+    const val CALL_STATIC_FAR = 73
+    const val CALL_EXACTLY_FAR = 74
+
+    /** A = the static field in the next word. */
+    const val STATIC_FAR = 75
+
+    /** The static field in the next word = A. */
+    const val SET_STATIC_FAR = 76
+
     /** The operations whose result is in A. */
-    val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH) +
+    val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH, STATIC_FAR) +
         (ADD..AND_CONSTANT) + (NEGATE..COMPARE_FLOAT)
 }

@@ -22,7 +22,14 @@ internal class Failures(private val machine: VirtualMachine, private val message
         if (type.name == SpecialNumbers.THREAD_DEATH) return
         val method = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
         val number = machine.program.numberOf(type)
-        val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, number)
+        val name = type.sourceName.substringAfterLast('.')
+        if (machine.model.isExact) {
+            val at = thread.uncaughtAt ?: UncaughtPlace(machine.lineOf(thread), machine.fileOf(thread))
+            val message = messages.nxt.uncaught(name, textOf(exception), number)
+            unseen = ProgramFailure(message, at.line, method, number, at.file)
+            return
+        }
+        val message = messages.uncaught(name, textOf(exception), method, number)
         val failure = ProgramFailure(message, machine.lineOf(thread), method, number, machine.fileOf(thread))
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
     }

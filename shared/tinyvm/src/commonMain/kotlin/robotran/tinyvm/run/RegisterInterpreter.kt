@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.Operation
 import robotran.tinyvm.link.RegisterCode
 import robotran.tinyvm.link.RegisterOperation
 
@@ -33,6 +34,7 @@ internal class RegisterInterpreter(
     private val methods = machine.program.methods.toTypedArray()
     private val numbers = rare.numbers
     private val objects = rare.objects
+    private val exact = rare.exact
 
     /** The code to execute for a call of each method, null if the call is not as simple. */
     private val callable = Array(methods.size) { number ->
@@ -477,7 +479,11 @@ internal class RegisterInterpreter(
                         save(left, begun)
                         begun = 0
                         val operation = frame.body.code[position]
-                        if (!numbers.execute(frame, stack, operation)) objects.execute(thread, frame, operation)
+                        if (operation >= Operation.FIRST_EXACT) {
+                            exact.execute(thread, frame, operation)
+                        } else if (!numbers.execute(frame, stack, operation)) {
+                            objects.execute(thread, frame, operation)
+                        }
                         if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) {
                             return Result.CONTINUE
                         }
@@ -485,6 +491,29 @@ internal class RegisterInterpreter(
                         at = registers.entries[frame.next]
                         if (at < 0) return Result.CONTINUE
                         continue@blocks
+                    }
+
+                    RegisterOperation.CALL_STATIC_FAR -> {
+                        number = code[at + 2]
+                        callWords = CALL_WORDS
+                        receiver = NO_RECEIVER
+                        break
+                    }
+
+                    RegisterOperation.CALL_EXACTLY_FAR -> {
+                        number = code[at + 2]
+                        callWords = CALL_WORDS
+                        receiver = stack[c]
+                        stack[a] = receiver
+                        break
+                    }
+
+                    RegisterOperation.STATIC_FAR -> {
+                        stack[a] = statics[code[++at]]
+                    }
+
+                    RegisterOperation.SET_STATIC_FAR -> {
+                        statics[code[++at]] = stack[a]
                     }
 
                     else -> {

@@ -11,8 +11,14 @@ internal enum class ThreadState {
 
     /** Waits for a notification. */
     WAITING,
+
+    /** Waits for the end of another thread; not on an RCX. */
+    JOINING,
     DEAD,
 }
+
+/** A place in the source of the program: [line] is 0 if it is unknown, [file] null if the program has only one. */
+internal class UncaughtPlace(val line: Int, val file: String?)
 
 /** A thread of the program, whose Java object is [reference]; [isMain] is true for the thread that runs main. */
 internal class VmThread(val reference: Int, var priority: Int, val isMain: Boolean = false) {
@@ -35,6 +41,15 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
 
     /** The brick's time at which a sleep or wait ends by itself, in milliseconds; 0 for never. */
     var wakeTime = 0L
+
+    /** The thread whose end it waits for. */
+    var awaitedThread: VmThread? = null
+
+    /** The exception that left its first method and that the class library is told of; 0 for none. */
+    var uncaught = 0
+
+    /** Where [uncaught] was thrown. */
+    var uncaughtAt: UncaughtPlace? = null
 
     /** The object whose monitor or notification it waits for. */
     var awaitedLock = 0
