@@ -1,6 +1,7 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -9,7 +10,6 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
 import robotran.robolang.robot.Calibration
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine

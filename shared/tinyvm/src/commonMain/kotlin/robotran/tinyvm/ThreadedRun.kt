@@ -1,13 +1,13 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.ThreadActivity
-import robotran.rcxrom.program.ThreadView
-import robotran.rcxrom.program.VariableScope
+import robotran.brick.program.CallFrame
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.ThreadActivity
+import robotran.brick.program.ThreadView
+import robotran.brick.program.VariableScope
 import robotran.tinyvm.debug.Inspector
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.LinkedProgram
@@ -125,7 +125,8 @@ internal abstract class ThreadedRun(
     private fun nextThread(): VmThread? {
         val current = machine.current
         val continuesCurrent =
-            current != null && current.state == ThreadState.READY && !machine.isYielding && machine.milliseconds < sliceEnds
+            current != null && current.state == ThreadState.READY && !machine.isYielding &&
+                machine.milliseconds < sliceEnds
         if (continuesCurrent) return current
         machine.isYielding = false
         machine.charge(machine.model.switchCost(machine.scheduler.threads.size))

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.brick.program.RuntimeWarning
 import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.QuirkHandling
@@ -39,6 +39,7 @@ internal class RuntimeWarnings(
 
     private fun messageOf(quirk: Quirk): String = when {
         model.isExact -> messages.nxt.memoryFull()
+
         model.quirks == QuirkHandling.WARN -> messages.quirkWarning(quirk)
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
