@@ -55,6 +55,10 @@ gradlePlugin {
             id = "robotran.lejos-library"
             implementationClass = "robotran.build.lejos.LejosLibraryPlugin"
         }
+        create("nxjLibrary") {
+            id = "robotran.nxj-library"
+            implementationClass = "robotran.build.lejos.NxjLibraryPlugin"
+        }
         create("brickPrograms") {
             id = "robotran.brick-programs"
             implementationClass = "robotran.build.lejos.BrickProgramsPlugin"

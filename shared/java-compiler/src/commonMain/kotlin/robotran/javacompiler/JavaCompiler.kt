@@ -10,7 +10,7 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.lejoslibrary.LejosDifference
 
 /**
- * Compiles leJOS programs in Java 1.3 for the virtual machine of a brick. The class files are the same on every
+ * Compiles leJOS programs for the virtual machine of a brick, see [BrickTarget]. The class files are the same on every
  * platform.
  */
 class JavaCompiler internal constructor(private val ecj: Ecj, private val messages: JavaMessages) {
@@ -21,17 +21,18 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
      * Compiles all [sources] together. Never throws for any input. Takes bounded time, because it rejects long sources.
      *
      * @param library the class files of the brick's class library by internal name, such as `java/lang/Object`. The map
-     * must not change. If the caller passes the same map again, its classes are not read again.
+     * must not change. If the caller passes the same map again for a target, its classes are not read again.
      * @param missing what a program must not use although it is in [library], since a real brick lacks it.
      */
     fun compile(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         missing: List<LejosDifference> = emptyList(),
+        target: BrickTarget = BrickTarget.LEJOS_RCX,
     ): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
         val gaps = MissingMembers(missing)
-        val compilation = ecj.compile(texts, library, gaps.keys)
+        val compilation = ecj.compile(texts, library, gaps.keys, target)
         val diagnosis = Diagnosis(texts, library.keys, compilation, messages, gaps)
         val diagnostics = diagnosis.diagnostics()
         val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }

@@ -1,0 +1,20 @@
+package robotran.nxjlibrary
+
+import kotlin.concurrent.Volatile
+
+/** The Java of [NxjLibrary], whose comments are its help. */
+class NxjSources private constructor(private val sources: Map<String, ByteArray>) {
+    /**
+     * The Java of the class [name], with slashes; null if the library has none. Inner classes are in their outer
+     * class's.
+     */
+    fun source(name: String): String? = sources["${name.substringBefore('$')}.java"]?.decodeToString()
+
+    companion object {
+        @Volatile
+        private var loaded: NxjSources? = null
+
+        /** Returns the sources, as [NxjLibrary.load] returns the library. */
+        suspend fun load(): NxjSources = loaded ?: NxjSources(unpacked(packedSources())).also { loaded = it }
+    }
+}
