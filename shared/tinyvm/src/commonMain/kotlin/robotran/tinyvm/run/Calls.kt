@@ -146,21 +146,28 @@ internal class Calls(
     }
 
     /**
-     * Lets the class library deal with [exception], which has left the first method of [thread]; false if it has no method
-     * for that, or if the exception comes out of that method.
+     * Lets the class library deal with [exception], which leaves the first method of [thread], before the next operation;
+     * false if it has no method for that, or if the exception comes out of that method.
      */
     private fun tellLibrary(thread: VmThread, exception: Int): Boolean {
-        val handler = machine.program.uncaughtHandler ?: return false
-        if (thread.uncaught != 0) return false
-        thread.uncaught = exception
-        thread.uncaughtAt = UncaughtPlace(machine.lineOf(thread), machine.fileOf(thread))
-        val method = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
+        if (machine.program.uncaughtHandler == null || thread.uncaught != 0) return false
+        val number = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
         val byte = if (thread.depth > 0) thread.frame.byte else 0
+        thread.uncaught = exception
+        thread.uncaughtAt = UncaughtPlace(machine.lineOf(thread), machine.fileOf(thread), number, byte)
         while (thread.depth > 0) drop(thread, thread.frame)
-        thread.stack[0] = exception
-        thread.stack[1] = method
-        thread.stack[2] = byte
-        return enter(thread, handler, 0, 0)
+        thread.pending = exception
+        return true
+    }
+
+    /** Calls what the class library has for the exception that has left the first method of [thread]. */
+    fun beginUncaught(thread: VmThread) {
+        val at = thread.uncaughtAt
+        val handler = machine.program.uncaughtHandler
+        thread.stack[0] = thread.uncaught
+        thread.stack[1] = at?.methodNumber ?: 0
+        thread.stack[2] = at?.byte ?: 0
+        if (handler == null || !enter(thread, handler, 0, 0)) machine.end(thread)
     }
 
     /** @param isOfCall whether the exception comes out of a method that [frame] has called. */

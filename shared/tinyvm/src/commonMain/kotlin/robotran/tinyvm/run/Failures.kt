@@ -24,9 +24,9 @@ internal class Failures(private val machine: VirtualMachine, private val message
         val number = machine.program.numberOf(type)
         val name = type.sourceName.substringAfterLast('.')
         if (machine.model.isExact) {
-            val at = thread.uncaughtAt ?: UncaughtPlace(machine.lineOf(thread), machine.fileOf(thread))
+            val at = thread.uncaughtAt ?: UncaughtPlace(machine.lineOf(thread), machine.fileOf(thread), method)
             val message = messages.nxt.uncaught(name, textOf(exception), number)
-            unseen = ProgramFailure(message, at.line, method, number, at.file)
+            unseen = ProgramFailure(message, at.line, at.methodNumber, number, at.file)
             return
         }
         val message = messages.uncaught(name, textOf(exception), method, number)

@@ -17,8 +17,15 @@ internal enum class ThreadState {
     DEAD,
 }
 
-/** A place in the source of the program: [line] is 0 if it is unknown, [file] null if the program has only one. */
-internal class UncaughtPlace(val line: Int, val file: String?)
+/**
+ * Where an exception was thrown that nobody has caught.
+ *
+ * @property line in the source of the program, 0 if it is unknown.
+ * @property file the source file, null if the program has only one.
+ * @property methodNumber the number of the method that threw it.
+ * @property byte the byte in that method.
+ */
+internal class UncaughtPlace(val line: Int, val file: String?, val methodNumber: Int = 0, val byte: Int = 0)
 
 /** A thread of the program, whose Java object is [reference]; [isMain] is true for the thread that runs main. */
 internal class VmThread(val reference: Int, var priority: Int, val isMain: Boolean = false) {
