@@ -35,6 +35,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
+            api(project(":shared:nxt"))
         }
         commonTest.dependencies {
             implementation(project(":shared:lejos-library"))

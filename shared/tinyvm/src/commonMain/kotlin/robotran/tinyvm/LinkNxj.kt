@@ -1,5 +1,8 @@
 package robotran.tinyvm
 
+import robotran.brick.program.DebuggableRun
+import robotran.nxt.program.Nxt
+import robotran.nxt.program.NxtProgram
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.NxtCosts
@@ -14,25 +17,31 @@ import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.nxj.NxjNatives
 import robotran.tinyvm.run.NativeMethod
+import robotran.tinyvm.run.NxtPeripherals
 import robotran.tinyvm.run.Peripherals
 
 /** The result of [linkNxj]. */
-internal sealed interface NxjResult {
+sealed interface NxjResult {
+    /** [program] can be loaded into a brick. */
     class Ready(val program: NxjProgram) : NxjResult
 
     /** The program cannot run; [refusal] says why. */
     class Rejected(val refusal: LinkError) : NxjResult
 }
 
-/** A program linked for an NXT with leJOS NXJ. Immutable, so it can be started from several threads. */
-internal class NxjProgram(
-    val name: String,
-    val linked: LinkedProgram,
+/**
+ * A linked program for an NXT with leJOS NXJ; created by [linkNxj]. Immutable, so it can be started from several threads.
+ */
+class NxjProgram internal constructor(
+    override val name: String,
+    internal val linked: LinkedProgram,
     private val messages: TinyVmMessages,
     private val speed: TinyVmSpeed,
     private val nativeOf: (LinkedMethod) -> NativeMethod?,
-) {
-    fun start(peripherals: Peripherals): NxjRun = NxjRun(linked, peripherals, messages, bytecodesPerStep(), nativeOf)
+) : NxtProgram {
+    override fun start(nxt: Nxt): DebuggableRun = start(NxtPeripherals(nxt))
+
+    internal fun start(peripherals: Peripherals): NxjRun = NxjRun(linked, peripherals, messages, bytecodesPerStep(), nativeOf)
 
     private fun bytecodesPerStep(): Int = when (speed) {
         TinyVmSpeed.BRICK -> NxtCosts.BYTECODES_PER_MILLISECOND / NxtCosts.STEPS_PER_MILLISECOND
@@ -47,16 +56,25 @@ internal class NxjProgram(
  * @param program the program's class files, under arbitrary names.
  * @param library the class files of leJOS NXJ by internal name.
  * @param mainClass the internal name of the main class; null for the first class with a main method.
- * @param nativeOf finds what a native method does.
  */
-internal fun linkNxj(
+fun linkNxj(
     name: String,
     program: Map<String, ByteArray>,
     library: Map<String, ByteArray>,
     mainClass: String? = null,
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
-    nativeOf: (LinkedMethod) -> NativeMethod? = NxjNatives::find,
+): NxjResult = linkNxj(name, program, library, mainClass, messages, speed, NxjNatives::find)
+
+/** The same with other native methods, which [nativeOf] finds. */
+internal fun linkNxj(
+    name: String,
+    program: Map<String, ByteArray>,
+    library: Map<String, ByteArray>,
+    mainClass: String?,
+    messages: TinyVmMessages,
+    speed: TinyVmSpeed,
+    nativeOf: (LinkedMethod) -> NativeMethod?,
 ): NxjResult = try {
     val files = ClassPath(program, library, messages)
     try {

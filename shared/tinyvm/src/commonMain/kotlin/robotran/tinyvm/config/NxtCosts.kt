@@ -22,6 +22,22 @@ object NxtCosts {
     /** What a native method takes beside the bytecode that calls it, unless it says more. */
     const val NATIVE_METHOD = 1
 
+    /** What a native method takes that sets something. */
+    const val SETTING = 2
+    const val I2C_ENABLE = 4
+    const val I2C_START = 5
+
+    /** In leJOS NXJ, Java asks a colour sensor bit by bit. */
+    const val READ_COLOUR = 30
+    const val CLEAR_DISPLAY = 8
+    const val DRAW_NUMBER = 12
+    const val DRAW_TEXT = 4
+    const val DRAW_CHARACTER = 2
+    const val DRAW_PICTURE = 8
+
+    /** Dots of a picture that are drawn in the time of one bytecode. */
+    const val DOTS_IN_A_BYTECODE = 32
+
     /** Words of four bytes that are filled, copied or searched in the time of one bytecode. */
     const val WORDS_IN_A_BYTECODE = 16
 

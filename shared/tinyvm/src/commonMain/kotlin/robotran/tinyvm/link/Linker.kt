@@ -43,6 +43,7 @@ internal class Linker(
         val characters = types.typeOf("[C", start) as ArrayType
         val classType = if (model.isExact) types.classNamed("java/lang/Class", start) else null
         val wholeNumbers = if (model.isExact) types.typeOf("[I", start) as ArrayType else null
+        val bytes8 = if (model.isExact) types.typeOf("[B", start) as ArrayType else null
         val uncaughtHandler = if (model.isExact) thread.methods.find { it.signature == UNCAUGHT_HANDLER } else null
         if (model.isExact) {
             linkReachable(main, run, uncaughtHandler, exceptions + listOfNotNull(types.root, text, thread, classType))
@@ -69,6 +70,7 @@ internal class Linker(
             types.throwable,
             layout,
             wholeNumbers,
+            bytes8,
             classType,
             uncaughtHandler,
         )

@@ -151,10 +151,8 @@ internal class Calls(
      */
     private fun tellLibrary(thread: VmThread, exception: Int): Boolean {
         if (machine.program.uncaughtHandler == null || thread.uncaught != 0) return false
-        val number = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
-        val byte = if (thread.depth > 0) thread.frame.byte else 0
         thread.uncaught = exception
-        thread.uncaughtAt = UncaughtPlace(machine.lineOf(thread), machine.fileOf(thread), number, byte)
+        thread.uncaughtAt = machine.placeOf(thread)
         while (thread.depth > 0) drop(thread, thread.frame)
         thread.pending = exception
         return true

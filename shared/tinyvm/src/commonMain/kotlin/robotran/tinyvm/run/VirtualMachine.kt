@@ -1,5 +1,6 @@
 package robotran.tinyvm.run
 
+import robotran.brick.program.FailureFrame
 import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.NxtCosts
 import robotran.tinyvm.config.Quirk
@@ -164,6 +165,16 @@ internal class VirtualMachine(
                 (program.numberOf(frame.method) shl HALF_BITS) or frame.byte.coerceAtMost(LOW_HALF)
         }
         return array
+    }
+
+    /** Where [thread] is. */
+    fun placeOf(thread: VmThread): UncaughtPlace {
+        val calls = thread.callStack.map {
+            val owner = it.method.owner
+            val name = "${owner.sourceName.substringAfterLast('.')}.${it.method.name}"
+            FailureFrame(program.numberOf(it.method), it.byte, name, it.line, owner.sourceFile)
+        }
+        return UncaughtPlace(lineOf(thread), fileOf(thread), calls)
     }
 
     /** The object that stands for [type], always the same one; 0 if there is no memory. */

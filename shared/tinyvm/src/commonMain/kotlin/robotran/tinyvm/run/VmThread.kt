@@ -1,5 +1,7 @@
 package robotran.tinyvm.run
 
+import robotran.brick.program.FailureFrame
+
 internal enum class ThreadState {
     /** Created, but not started. */
     NEW,
@@ -22,10 +24,15 @@ internal enum class ThreadState {
  *
  * @property line in the source of the program, 0 if it is unknown.
  * @property file the source file, null if the program has only one.
- * @property methodNumber the number of the method that threw it.
- * @property byte the byte in that method.
+ * @property calls those that were active, the innermost first.
  */
-internal class UncaughtPlace(val line: Int, val file: String?, val methodNumber: Int = 0, val byte: Int = 0)
+internal class UncaughtPlace(val line: Int, val file: String?, val calls: List<FailureFrame>) {
+    /** The number of the method that threw it. */
+    val methodNumber: Int get() = calls.firstOrNull()?.methodNumber ?: 0
+
+    /** The byte in that method. */
+    val byte: Int get() = calls.firstOrNull()?.offset ?: 0
+}
 
 /** A thread of the program, whose Java object is [reference]; [isMain] is true for the thread that runs main. */
 internal class VmThread(val reference: Int, var priority: Int, val isMain: Boolean = false) {

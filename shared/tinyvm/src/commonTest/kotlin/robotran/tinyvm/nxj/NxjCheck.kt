@@ -8,6 +8,7 @@ import robotran.tinyvm.NxjRun
 import robotran.tinyvm.config.NxtCosts
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
+import robotran.tinyvm.messages.EnglishTinyVmMessages
 
 /** What a program for an NXT did. */
 internal class NxjOutcome(
@@ -28,7 +29,15 @@ internal fun runNxj(
     steps: Int = NxtCosts.STEPS_PER_MILLISECOND,
 ): NxjOutcome {
     val peripherals = PrintingPeripherals()
-    val result = linkNxj("Program", program, library + peripherals.classes, speed = speed, nativeOf = peripherals::find)
+    val result = linkNxj(
+        "Program",
+        program,
+        library + peripherals.classes,
+        null,
+        EnglishTinyVmMessages,
+        speed,
+        peripherals::find,
+    )
     val linked = when (result) {
         is NxjResult.Ready -> result.program
         is NxjResult.Rejected -> throw AssertionError(result.refusal.toString())

@@ -34,7 +34,13 @@ internal class PrintingPeripherals : Peripherals {
     override fun delaysEnd() = false
 
     fun find(method: LinkedMethod): NativeMethod? =
-        if (method.owner.name == STREAM && method.name == "write") write else NxjNatives.find(method)
+        when ("${method.owner.name}.${method.name}") {
+            "$STREAM.write" -> write
+            "java/lang/Shutdown.halt" -> halt
+            else -> NxjNatives.find(method)
+        }
+
+    private val halt = action { machine, _, _ -> machine.isExited = true }
 
     private val write = action { _, thread, first -> text.append((thread.stack[first + 1] and 0xFF).toChar()) }
 

@@ -11,7 +11,7 @@ import robotran.tinyvm.run.action
 private const val NANOSECONDS = 1_000_000L
 private const val CLOCK_BITS = 0xFFFFFFFFL
 
-/** `java.lang.System`, `Runtime`, `Shutdown`, and what of `lejos.nxt.VM` belongs to exceptions. */
+/** `java.lang.System` and `Runtime`, and what of `lejos.nxt.VM` belongs to exceptions. */
 internal val nxjSystemMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/System.currentTimeMillis()J" to
         NativeMethod { machine, _, _ -> long(machine, machine.milliseconds and CLOCK_BITS) },
@@ -25,7 +25,6 @@ internal val nxjSystemMethods: Map<String, NativeMethod> = mapOf(
         NativeMethod { machine, _, _ -> long(machine, machine.heap.freeBytes.toLong()) },
     "java/lang/Runtime.totalMemory()J" to
         NativeMethod { machine, _, _ -> long(machine, machine.heap.totalBytes.toLong()) },
-    "java/lang/Shutdown.halt(I)V" to action { machine, _, _ -> machine.isExited = true },
     "lejos/nxt/VM.createStackTrace(Ljava/lang/Thread;Ljava/lang/Object;)[I" to
         NativeMethod { machine, thread, first ->
             val traced = thread.stack[first]
