@@ -104,6 +104,46 @@ private fun differences(expected: NxjExpectations, outcome: NxjOutcome): List<St
     )
 }
 
+/** The differences between a program that acts on the brick and what the comments of its [source] say, one per line. */
+internal fun brickDifferences(
+    path: String,
+    source: String,
+    program: Map<String, ByteArray>,
+    library: Map<String, ByteArray>,
+): List<String> {
+    val expected = NxjExpectations(source)
+    val linked = when (val result = linkNxj(path, program, library)) {
+        is NxjResult.Ready -> result.program
+        is NxjResult.Rejected -> return listOf("$path is refused: ${result.refusal}")
+    }
+    val brick = NxjBrickRun(linked, expected.presses, expected.analog)
+    brick.run(expected.runsOnAfter ?: LONGEST)
+    val made = brick.calls.filter { it.sourceLine > 0 }.groupBy({ it.sourceLine }, { it.callText.trim() })
+    val failure = brick.failure
+    val failures = listOfNotNull(failure?.let { (NAME.find(it.message)?.groupValues?.get(1) ?: it.message) to it.sourceLine })
+    return listOfNotNull(
+        "shows ${brick.screen} instead of ${expected.screen}".takeIf { brick.screen != expected.screen },
+        "fails with $failures instead of ${expected.failures}".takeIf { failures != expected.failures },
+        "runs on".takeIf { expected.runsOnAfter == null && brick.endedAt < 0 && failure == null },
+        "has ended at ${brick.endedAt}".takeIf { expected.runsOnAfter != null && brick.endedAt >= 0 },
+        expected.takes?.let { wanted ->
+            "takes ${brick.endedAt} ms instead of $wanted"
+                .takeIf { brick.endedAt !in wanted * 9 / 10 - MARGIN..wanted * 11 / 10 + MARGIN }
+        },
+    ).map { "$path $it" } + expected.calls.mapNotNull { (line, wanted) ->
+        val calls = made[line].orEmpty()
+        val isSame = calls.size == wanted.size && calls.indices.all { isSameCall(wanted[it], calls[it]) }
+        "$path, line $line makes the calls $calls instead of $wanted".takeIf { !isSame }
+    }
+}
+
+private fun isSameCall(wanted: String, made: String): Boolean {
+    val words = made.split(' ')
+    val wantedWords = wanted.split(' ')
+    return words.size == wantedWords.size &&
+        words.indices.all { wantedWords[it] == "?" || wantedWords[it] == words[it] }
+}
+
 private val NAME = Regex("""the (\w+)""")
 private const val LONGEST = 60_000L
 private const val MARGIN = 20
