@@ -8,6 +8,7 @@ package robotran.tinyvm.link
  * @param isJoin whether a jump or branch goes to a position.
  * @param locals the number of locals, which is the register of the lowest operand.
  * @param switches the tables of its `switch` statements.
+ * @param isExact whether it is for an exact machine.
  * @param argumentWords the argument words of a method, by its number.
  */
 internal class BlockCompiler(
@@ -16,11 +17,13 @@ internal class BlockCompiler(
     private val isJoin: BooleanArray,
     private val locals: Int,
     private val switches: List<SwitchTable>,
+    private val isExact: Boolean,
     private val argumentWords: (Int) -> Int,
 ) {
     private val instructions = ArrayList<RegisterInstruction>()
     private val operands = OperandStack(locals, instructions)
     private val calculations = CalculationCompiler(operands, instructions, ::exit)
+    private val wide = WideCompiler(operands, instructions, ::exit)
     private val joined = HashSet<Int>()
     private var position = 0
     private var bytecodes = 0
@@ -95,11 +98,59 @@ internal class BlockCompiler(
                 leave(operation)
             }
 
+            Operation.SWITCH -> {
+                switch()
+            }
+
             else -> {
-                if (!calculations.compile(operation, code, position)) plain() else position = next
+                other(operation, next)
             }
         }
         bytecodes++
+    }
+
+    private fun other(operation: Int, next: Int) {
+        val first = code.getOrElse(position + 1) { 0 }
+        val second = code.getOrElse(position + 2) { 0 }
+        when {
+            isExact && operation == Operation.CALL_INTERFACE && first in RegisterInstruction.REGISTERS -> {
+                callInterface(first, second, next)
+            }
+
+            isExact && wide.compile(operation, first, second) -> {
+                bytecodes += ExactCosts.of(operation)
+                position = next
+            }
+
+            calculations.compile(operation, code, position) -> {
+                position = next
+            }
+
+            else -> {
+                plain()
+            }
+        }
+    }
+
+    private fun switch() {
+        val index = code[position + 1]
+        val register = operands.popRegister()
+        operands.complete()
+        val successors = switches[index].targets
+        instructions +=
+            RegisterInstruction(RegisterOperation.SWITCH, register, words = intArrayOf(index), successors = successors)
+        position = END
+    }
+
+    private fun callInterface(method: Int, argumentWords: Int, next: Int) {
+        val exit = exit()
+        val first = operands.end - argumentWords
+        val receiver = operands.leaveReceiver(argumentWords)
+        operands.complete()
+        val words = intArrayOf(next)
+        instructions += RegisterInstruction(RegisterOperation.CALL_INTERFACE, first, method, receiver, exit, words)
+        continuations = listOf(next)
+        position = END
     }
 
     private fun branch(operation: Int, successors: IntArray) {
@@ -158,6 +209,11 @@ internal class BlockCompiler(
 
     private fun leave(operation: Int) {
         val exit = exit()
+        if (isExact && operation == Operation.RETURN_WIDE) {
+            instructions += RegisterInstruction(RegisterOperation.RETURN_LONG, operands.popPair(), exit = exit)
+            position = END
+            return
+        }
         if (operation == Operation.RETURN_WIDE) operands.pop()
         val register = if (operation == Operation.RETURN) 0 else operands.popRegister()
         val first = RegisterOperation.RETURN - Operation.RETURN
@@ -171,7 +227,6 @@ internal class BlockCompiler(
         instructions += RegisterInstruction(RegisterOperation.PLAIN, operands.end, words = intArrayOf(position))
         continuations = when (code[position]) {
             Operation.THROW -> emptyList()
-            Operation.SWITCH -> switches[code[position + 1]].targets.asList()
             else -> listOf(position + lengthOf(code[position]))
         }
         position = END

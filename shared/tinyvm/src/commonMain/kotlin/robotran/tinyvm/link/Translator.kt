@@ -42,7 +42,7 @@ internal class Translator(
         for (branch in writer.branchPositions) isJoin[words[branch]] = true
         for (table in writer.switches) for (target in table.targets) isJoin[target] = true
         val depths = IntArray(words.size) { code.depths[places[it]] }
-        val blocks = BlockCompiler(words, depths, isJoin, method.maxLocals, writer.switches) {
+        val blocks = BlockCompiler(words, depths, isJoin, method.maxLocals, writer.switches, isExact) {
             types.members.methods[it].argumentWords
         }
         val targets = handlers.indices.filter { it % HANDLER_NUMBERS == HANDLER_TARGET }.map { handlers[it] }

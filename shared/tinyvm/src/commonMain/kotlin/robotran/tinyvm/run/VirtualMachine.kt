@@ -271,6 +271,9 @@ internal class VirtualMachine(
         return textReferences[number]
     }
 
+    /** The string constant [number], which an exact machine makes only once; 0 if it has not been made yet. */
+    fun knownText(number: Int): Int = textReferences[number]
+
     /** The content of the string object [reference]. */
     fun textOf(reference: Int): String {
         val characters = heap.words[reference + Heap.HEADER_WORDS + program.textField.slot]
