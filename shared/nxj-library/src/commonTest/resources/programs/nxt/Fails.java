@@ -1,9 +1,10 @@
+// screen 0: before
 /** An exception that nobody catches. */
-class Fails {
+public class Fails {
     static int[] numbers = new int[3];
 
     public static void main(String[] args) throws Exception {
-        System.out.println("before"); // screen before
+        System.out.println("before"); // prints: before
         Thread.sleep(300);
         set(5);
         System.out.println("after");

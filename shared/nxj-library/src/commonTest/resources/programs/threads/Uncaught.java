@@ -1,14 +1,7 @@
-/** A thread that fails does not keep the others from going on. */
-class Uncaught { // only here
+// nxj only
+/** A handler deals with an exception that nobody catches; without one, all threads stand still and the program ends. */
+public class Uncaught {
     public static void main(String[] args) throws Exception {
-        Thread failing = new Thread() {
-            public void run() {
-                throw new IllegalStateException("no way"); // fails IllegalStateException
-            }
-        };
-        failing.start();
-        failing.join();
-        System.out.println("goes on"); // expect goes on
         Thread told = new Thread() {
             public void run() {
                 String text = null;
@@ -17,11 +10,19 @@ class Uncaught { // only here
         };
         told.setUncaughtExceptionHandler(new Thread.UncaughtExceptionHandler() {
             public void uncaughtException(Thread thread, Throwable thrown) {
-                System.out.println(thrown instanceof NullPointerException); // expect true
+                System.out.println(thrown instanceof NullPointerException); // prints: true
             }
         });
         told.start();
         told.join();
-        System.out.println("end"); // expect end
+        System.out.println("goes on"); // prints: goes on
+        Thread failing = new Thread() {
+            public void run() {
+                throw new IllegalStateException("no way"); // fails IllegalStateException
+            }
+        };
+        failing.start();
+        failing.join();
+        System.out.println("never");
     }
 }

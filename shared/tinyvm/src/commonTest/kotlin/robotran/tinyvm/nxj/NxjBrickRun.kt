@@ -5,24 +5,22 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.log.LoggedCall
 import robotran.brick.program.ProgramFailure
+import robotran.brick.program.StatementWatch
 import robotran.brick.state.RunState
 import robotran.nxt.NxtBrick
-import robotran.tinyvm.NxjProgram
-
-/** A press of a button for some time. */
-internal class Press(val button: BrickButton, val from: Long, val until: Long)
+import robotran.nxt.program.NxtProgram
 
 /** Runs a program on an NXT whose motors turn freely, at ten degrees a second for each percent of power. */
-internal class NxjBrickRun(program: NxjProgram, private val presses: List<Press>, private val analog: List<Analog>) {
+internal class NxjBrickRun(
+    program: NxtProgram,
+    private val inputs: List<NxjInput> = emptyList(),
+    private val isWatched: Boolean = false,
+) {
     val brick = NxtBrick(listOf(program))
     private val degrees = DoubleArray(MotorPort.entries.size)
     private val speeds = DoubleArray(MotorPort.entries.size)
-    private val screens = ArrayList<List<String>>()
 
-    /** What the analog pin of a port, 0..3, measures from a time on. */
-    class Analog(val port: Int, val from: Long, val raw: Int)
-
-    /** The first failure. */
+    /** The failure with which the program ended, null if it ended otherwise. */
     var failure: ProgramFailure? = null
         private set
 
@@ -32,29 +30,33 @@ internal class NxjBrickRun(program: NxjProgram, private val presses: List<Press>
 
     val calls: List<LoggedCall> get() = brick.log.entries
 
-    /** The rows of the screen in the last millisecond of the program, without empty ones at the end. */
-    val screen: List<String> get() = screens.last()
+    /** The rows of the display in the last millisecond of the program. */
+    var screen: List<String> = emptyList()
+        private set
 
     fun run(longest: Long) {
-        screens += emptyList<String>()
         brick.press(BrickButton.ENTER)
         brick.release(BrickButton.ENTER)
+        if (isWatched) brick.debuggableRun?.watch = StatementWatch { false }
         while (brick.state.milliseconds < longest && endedAt < 0) {
             val time = brick.state.milliseconds
-            presses.filter { it.from == time }.forEach { brick.press(it.button) }
-            presses.filter { it.until == time }.forEach { brick.release(it.button) }
-            analog.filter { it.from == time }.forEach { brick.setAnalog(it.port, it.raw) }
+            inputs.filter { it.milliseconds == time }.forEach(::happen)
             MotorPort.entries.forEach(::turn)
             brick.tick()
-            val state = brick.state.run
-            if (state is RunState.Failed && failure == null) failure = state.failure
-            val isOver = state !is RunState.Running && state !is RunState.Failed
-            if (isOver || brick.debuggableRun == null) {
+            val state = brick.state
+            val run = state.run
+            if (run is RunState.Failed) failure = run.failure
+            if (run is RunState.Running) {
+                screen = state.display.lines.map { it.trimEnd() }
+            } else {
                 endedAt = time
-            } else if (brick.state.exception == null) {
-                screens[0] = brick.state.display.lines.map { it.trimEnd() }.dropLastWhile { it.isEmpty() }
             }
         }
+    }
+
+    private fun happen(input: NxjInput) = when (input) {
+        is NxjInput.Analog -> brick.setAnalog(input.port, input.raw)
+        is NxjInput.Button -> if (input.isPressed) brick.press(input.button) else brick.release(input.button)
     }
 
     private fun turn(port: MotorPort) {

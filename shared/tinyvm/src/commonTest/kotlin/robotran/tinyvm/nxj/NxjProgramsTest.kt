@@ -9,44 +9,50 @@ import kotlin.io.encoding.Base64
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 /** The class files of the test program at [path], by name. */
 internal fun nxjClassFilesOf(path: String): Map<String, ByteArray> =
     compiledNxjPrograms.filterKeys { it.startsWith("$path/") }
         .entries.associate { it.key.removePrefix("$path/").removeSuffix(".class") to Base64.decode(it.value) }
 
-/** Runs the test programs of the class library of an NXT on the virtual machine. */
+/** Runs the test programs of the class library of an NXT on the virtual brick. */
 class NxjProgramsTest {
-    private fun check(folder: String): TestResult = runTest {
+    private fun check(vararg folders: String): TestResult = runTest(timeout = LONGEST) {
         val library = NxjLibrary.load().classFiles
-        val programs = nxjPrograms.filterKeys { it.startsWith("$folder/") }
-        assertTrue(programs.isNotEmpty(), "There are no programs in $folder.")
+        val programs = nxjPrograms.filterKeys { it.substringBefore('/') in folders }
+        assertTrue(programs.isNotEmpty(), "There are no programs in ${folders.toList()}.")
         val differences = programs.flatMap { (path, source) ->
-            if (folder in ON_BRICK) {
-                brickDifferences(path, source, nxjClassFilesOf(path), library)
-            } else {
-                nxjDifferences(path, source, nxjClassFilesOf(path), library)
-            }
+            nxjDifferences(path, source, nxjClassFilesOf(path), library)
         }
         assertEquals("", differences.joinToString("\n"))
     }
 
     @Test
     fun `all programs are run`() {
-        assertEquals(setOf("language", "threads") + ON_BRICK, nxjPrograms.keys.map { it.substringBefore('/') }.toSet())
+        val folders = setOf("io", "lang", "language", "lejosutil", "nxt", "robotics", "threads", "util")
+        assertEquals(folders, nxjPrograms.keys.map { it.substringBefore('/') }.toSet())
     }
-
-    @Test
-    fun `programs about motors sensors display and buttons do what they say`() = check("nxt")
 
     @Test
     fun `programs about the Java language do what they say`() = check("language")
 
     @Test
+    fun `programs about what java lang and java io have do what they say`() = check("lang", "io")
+
+    @Test
+    fun `programs about collections and helpers do what they say`() = check("util", "lejosutil")
+
+    @Test
     fun `programs about threads do what they say`() = check("threads")
 
+    @Test
+    fun `programs about motors sensors display and buttons do what they say`() = check("nxt")
+
+    @Test
+    fun `programs about pilots behaviours and detectors do what they say`() = check("robotics")
+
     private companion object {
-        /** The folders whose programs need a brick. */
-        val ON_BRICK = setOf("nxt")
+        val LONGEST = 10.minutes
     }
 }

@@ -1,5 +1,6 @@
+// nxj only
 /** A program that makes far more objects than there is room for at once. */
-class Garbage { // only here
+public class GarbageCollected {
     static class Node {
         Node next;
         long number;
@@ -13,7 +14,7 @@ class Garbage { // only here
             numbers[999] = i;
             text = text.length() > 20 ? "" : text + i;
         }
-        System.out.println(numbers[999] + " " + (text.length() < 30)); // expect 499 true
+        System.out.println(numbers[999] + " " + (text.length() < 30)); // prints: 499 true
         Node first = null;
         int made = 0;
         try {
@@ -27,12 +28,12 @@ class Garbage { // only here
         } catch (OutOfMemoryError e) {
             first = first.next;
         }
-        System.out.println(made > 2000 && made < 4000); // expect true
+        System.out.println(made > 2000 && made < 4000); // prints: true
         long sum = 0;
         for (Node node = first; node != null; node = node.next) sum += node.number;
-        System.out.println(sum == (made - 2L) * (made - 1) / 2); // expect true
+        System.out.println(sum == (made - 2L) * (made - 1) / 2); // prints: true
         first = null;
-        System.out.println(new byte[30000].length); // expect 30000
-        System.out.println(Runtime.getRuntime().freeMemory() < Runtime.getRuntime().totalMemory()); // expect true
+        System.out.println(new byte[30000].length); // prints: 30000
+        System.out.println(Runtime.getRuntime().freeMemory() < Runtime.getRuntime().totalMemory()); // prints: true
     }
 }
