@@ -142,12 +142,17 @@ public final class EcjCompiler {
 
     private List<String> members(CategorizedProblem problem, List<String> arguments, String text) {
         if (problem.getID() == IProblem.UndefinedMethod) {
-            return library.memberNames(arguments.get(0));
+            return library.memberNames(withoutTypeArguments(arguments.get(0)));
         }
         if (problem.getID() == IProblem.UndefinedField) {
             return library.memberNames(nameBefore(text, problem.getSourceStart()));
         }
         return Collections.emptyList();
+    }
+
+    private static String withoutTypeArguments(String type) {
+        int start = type.indexOf('<');
+        return start < 0 ? type : type.substring(0, start);
     }
 
     /** The name before the dot before {@code place}. */

@@ -33,7 +33,7 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
         val gaps = MissingMembers(missing)
         val compilation = ecj.compile(texts, library, gaps.keys, target)
-        val diagnosis = Diagnosis(texts, library.keys, compilation, messages, gaps)
+        val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
         val diagnostics = diagnosis.diagnostics()
         val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
         return if (errors.isEmpty()) {

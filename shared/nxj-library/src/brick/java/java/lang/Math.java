@@ -164,8 +164,8 @@ public final class Math {
         } else {
             mantissa |= 0x10000000000000L;
         }
-        exponent -= 1023;
-        if ((exponent & 1) != 0) mantissa <<= 1;
+        int power = exponent - 1023;
+        if ((power & 1) != 0) mantissa <<= 1;
         // The root of a number from 1 to 4, by Newton, and then its last bit by whole numbers.
         double square = mantissa / WHOLE_FROM;
         double root = 0.68 + square * 0.34;
@@ -180,7 +180,7 @@ public final class Math {
         } else if (rest <= -whole) {
             whole--;
         }
-        return Double.longBitsToDouble(((long) ((exponent >> 1) + 1022) << 52) + whole);
+        return Double.longBitsToDouble(((long) ((power >> 1) + 1022) << 52) + whole);
     }
 
     /** Gives the sine of an angle in radians. */

@@ -6,9 +6,14 @@ import java.io.OutputStream;
 /** Writes characters onto the display, row by row; everything moves up when it is full. */
 public class LCDOutputStream extends OutputStream {
     private static final int TAB = 8;
+    private static final int LONGEST_LINE = 256;
 
     private int x;
     private int y;
+
+    /** What has been written of a line, for the log. */
+    private byte[] line = new byte[LCD.DISPLAY_CHAR_WIDTH];
+    private int length;
 
     /** Makes one that begins in the upper left corner. */
     public LCDOutputStream() {
@@ -18,8 +23,13 @@ public class LCDOutputStream extends OutputStream {
     public void write(int value) throws IOException {
         char character = (char) (value & 0xFF);
         if (character == '\n') {
+            consoleLine(line, length);
+            length = 0;
             nextRow();
-        } else if (character == '\r') {
+            return;
+        }
+        log((byte) value);
+        if (character == '\r') {
             x = 0;
         } else if (character == '\t') {
             x = x / TAB * TAB + TAB;
@@ -30,6 +40,16 @@ public class LCDOutputStream extends OutputStream {
         }
     }
 
+    private void log(byte character) {
+        if (length == line.length) {
+            if (length == LONGEST_LINE) return;
+            byte[] longer = new byte[2 * length];
+            System.arraycopy(line, 0, longer, 0, length);
+            line = longer;
+        }
+        line[length++] = character;
+    }
+
     private void nextRow() {
         x = 0;
         if (y < LCD.DISPLAY_CHAR_DEPTH - 1) {
@@ -38,4 +58,6 @@ public class LCDOutputStream extends OutputStream {
             LCD.scroll();
         }
     }
+
+    private static native void consoleLine(byte[] line, int length);
 }

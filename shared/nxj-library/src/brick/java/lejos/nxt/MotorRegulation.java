@@ -1,77 +1,43 @@
 package lejos.nxt;
 
-/** Looks after all regulated motors, every four milliseconds; its monitor guards their moves. */
-class MotorRegulation extends Thread {
-    /** The milliseconds from one look to the next. */
+/**
+ * What the brick itself does for regulated motors: every four milliseconds it works out where each of them should be, and
+ * sets its power.
+ */
+class MotorRegulation {
+    /** The limit of a move without one; the same with a minus for a move backward. */
+    static final int NO_LIMIT = 0x7FFFFFFF;
+
+    /** The milliseconds from one look of the brick at its motors to the next, which begin with one divisible by it. */
     static final int PERIOD = 4;
 
-    private MotorMove[] moves = new MotorMove[0];
-
-    MotorRegulation() {
-        setPriority(MAX_PRIORITY);
-        setDaemon(true);
-        start();
-        Runtime.getRuntime().addShutdownHook(new Release());
+    private MotorRegulation() {
     }
 
-    synchronized void add(MotorMove move) {
-        MotorMove[] more = new MotorMove[moves.length + 1];
-        System.arraycopy(moves, 0, more, 0, moves.length);
-        more[moves.length] = move;
-        moves = more;
+    /** Waits until the brick has looked at its motors again. */
+    static void waitForLook() throws InterruptedException {
+        Thread.sleep(PERIOD - (int) System.currentTimeMillis() % PERIOD);
     }
 
-    public void run() {
-        int last = (int) System.currentTimeMillis();
-        while (true) {
-            try {
-                MotorMove[] active;
-                boolean hasEnded = false;
-                synchronized (this) {
-                    if (!isNeeded()) {
-                        do {
-                            wait();
-                        } while (!isNeeded());
-                        last = (int) System.currentTimeMillis();
-                    }
-                    active = moves;
-                    int now = (int) System.currentTimeMillis();
-                    for (int index = 0; index < active.length; index++) {
-                        if (active[index].isActive() && active[index].update(now, now - last)) hasEnded = true;
-                    }
-                    last = now;
-                }
-                for (int index = 0; index < active.length; index++) active[index].tellEnd();
-                // Only now, so that whoever waits goes on after the listeners.
-                if (hasEnded) wake();
-                int rest = last + PERIOD - (int) System.currentTimeMillis();
-                sleep(rest > 0 ? rest : 1);
-            } catch (InterruptedException lookAgain) {
-                // Nobody has this thread to interrupt it.
-            }
-        }
-    }
+    static native void start(int port, float speed, int acceleration, int limit, boolean hold);
 
-    private synchronized void wake() {
-        notifyAll();
-    }
+    static native void speed(int port, float speed);
 
-    private boolean isNeeded() {
-        for (int index = 0; index < moves.length; index++) {
-            if (moves[index].isActive()) return true;
-        }
-        return false;
-    }
+    static native void acceleration(int port, int acceleration);
 
-    /** Lets all motors roll when the program ends. */
-    private class Release extends Thread {
-        Release() {
-        }
+    static native void roll(int port);
 
-        public void run() {
-            synchronized (MotorRegulation.this) {
-                for (int index = 0; index < moves.length; index++) moves[index].release();
-            }
-        }
-    }
+    static native boolean suspend(int port);
+
+    static native float position(int port);
+
+    static native float velocity(int port);
+
+    static native boolean isMoving(int port);
+
+    static native boolean isStalled(int port);
+
+    static native int limit(int port);
+
+    static native void stallThreshold(int port, int error, int time);
 }

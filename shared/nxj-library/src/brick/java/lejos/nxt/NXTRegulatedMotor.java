@@ -6,28 +6,33 @@ import lejos.robotics.RegulatedMotorListener;
 /**
  * A motor that keeps its speed and finds its place, whatever the load is.
  *
- * <p>Every four milliseconds it looks where it is and where it should be, and sets the power.
+ * <p>Every four milliseconds the brick looks where the motor is and where it should be, and sets the power.
  */
 public class NXTRegulatedMotor implements RegulatedMotor {
-    /** The limit of a move without one. */
-    private static final int NO_LIMIT = 0x7FFFFFFF;
-
-    private static final MotorRegulation regulation = new MotorRegulation();
+    private static final int NO_LIMIT = MotorRegulation.NO_LIMIT;
 
     /** The port of the motor. */
     protected final TachoMotorPort tachoPort;
 
-    private final MotorMove move;
+    private final int port;
     private float speed = 360;
     private int acceleration = 6000;
+
+    /** Whether the motor is held or moves, so it is not free to roll. */
+    private boolean isControlled;
+
     private RegulatedMotorListener listener;
+
+    /** How many moves have begun, and the last one of whose end the listener knows. */
+    private int begun;
+    private int told;
 
     /** Makes the motor of a port. */
     public NXTRegulatedMotor(TachoMotorPort port) {
+        if (!(port instanceof MotorPort)) throw new IllegalArgumentException();
         tachoPort = port;
+        this.port = ((MotorPort) port).getId();
         port.setPWMMode(BasicMotorPort.PWM_BRAKE);
-        move = new MotorMove(this, port);
-        regulation.add(move);
     }
 
     /** Turns the motor forward until it is told otherwise. */
@@ -47,9 +52,7 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Stops the motor and holds it there, and says whether to go on at once. */
     public void stop(boolean immediateReturn) {
-        synchronized (regulation) {
-            if (!move.isHolding()) begin(0, NO_LIMIT);
-        }
+        if (!isControlled || MotorRegulation.isMoving(port)) begin(0, NO_LIMIT);
         if (!immediateReturn) waitComplete();
     }
 
@@ -60,10 +63,8 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Lets the motor roll without power, and says whether to go on at once. */
     public void flt(boolean immediateReturn) {
-        synchronized (regulation) {
-            move.roll();
-            regulation.notifyAll();
-        }
+        isControlled = false;
+        MotorRegulation.roll(port);
         if (!immediateReturn) waitComplete();
     }
 
@@ -74,9 +75,7 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Turns the motor by so many degrees, and says whether to go on at once. */
     public void rotate(int angle, boolean immediateReturn) {
-        synchronized (regulation) {
-            begin(speed, move.getPosition() + angle);
-        }
+        begin(speed, getPosition() + angle);
         if (!immediateReturn) waitComplete();
     }
 
@@ -94,13 +93,11 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     /** Waits until the motor stands where it should, or cannot go on. */
     public void waitComplete() {
         boolean wasInterrupted = false;
-        synchronized (regulation) {
-            while (move.isMoving()) {
-                try {
-                    regulation.wait();
-                } catch (InterruptedException goOnWaiting) {
-                    wasInterrupted = true;
-                }
+        while (isMoving() || hasToTell() && !MotorListeners.isCurrent()) {
+            try {
+                MotorRegulation.waitForLook();
+            } catch (InterruptedException goOnWaiting) {
+                wasInterrupted = true;
             }
         }
         if (wasInterrupted) Thread.currentThread().interrupt();
@@ -108,19 +105,17 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Says whether the motor is on its way. */
     public boolean isMoving() {
-        return move.isMoving();
+        return MotorRegulation.isMoving(port);
     }
 
     /** Says whether something has kept the motor from moving on. */
     public boolean isStalled() {
-        return move.isStalled();
+        return MotorRegulation.isStalled(port);
     }
 
     /** Sets when the motor gives up: so many degrees behind, for so many milliseconds. */
     public void setStallThreshold(int error, int time) {
-        synchronized (regulation) {
-            move.setStallThreshold(error, time / MotorRegulation.PERIOD);
-        }
+        MotorRegulation.stallThreshold(port, error, time);
     }
 
     /** Gives how many degrees the motor has turned since it was counted from 0. */
@@ -131,16 +126,12 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     /** Stops the motor and counts from 0. */
     public void resetTachoCount() {
         if (isMoving()) stop();
-        synchronized (regulation) {
-            move.resetTachoCount();
-        }
+        tachoPort.resetTachoCount();
     }
 
     /** Gives the degrees where the motor should be now. */
     public int getPosition() {
-        synchronized (regulation) {
-            return move.getPosition();
-        }
+        return Math.round(MotorRegulation.position(port));
     }
 
     /** Sets the speed in degrees a second; 360 if nobody sets it. */
@@ -150,10 +141,8 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Sets the speed in degrees a second; 360 if nobody sets it. */
     public void setSpeed(float speed) {
-        synchronized (regulation) {
-            this.speed = Math.abs(speed);
-            move.setSpeed(this.speed);
-        }
+        this.speed = Math.abs(speed);
+        if (isMoving()) MotorRegulation.speed(port, this.speed);
     }
 
     /** Gives the speed that was set, in degrees a second. */
@@ -168,10 +157,8 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Sets how much faster the motor gets in a second, in degrees a second; 6000 if nobody sets it. */
     public void setAcceleration(int acceleration) {
-        synchronized (regulation) {
-            this.acceleration = Math.abs(acceleration);
-            move.setAcceleration(this.acceleration);
-        }
+        this.acceleration = Math.abs(acceleration);
+        if (isMoving()) MotorRegulation.acceleration(port, this.acceleration);
     }
 
     /** Gives the acceleration that was set. */
@@ -181,19 +168,19 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Gives how fast the motor should be now, in degrees a second. */
     public int getRotationSpeed() {
-        synchronized (regulation) {
-            return Math.round(move.getVelocity());
-        }
+        return Math.round(MotorRegulation.velocity(port));
     }
 
     /** Gives the degrees where the move ends. */
     public int getLimitAngle() {
-        return move.getLimit();
+        return MotorRegulation.limit(port);
     }
 
     /** Tells a listener when the motor begins to move and when it stops; there can be only one. */
     public void addListener(RegulatedMotorListener listener) {
+        if (!isMoving()) told = begun;
         this.listener = listener;
+        if (listener != null) MotorListeners.watch(this);
     }
 
     /** Tells the listener no more, and gives it, or null. */
@@ -205,9 +192,8 @@ public class NXTRegulatedMotor implements RegulatedMotor {
 
     /** Lets the motor roll, and does not hold it any more; says whether it was held. */
     public boolean suspendRegulation() {
-        synchronized (regulation) {
-            return move.release();
-        }
+        isControlled = false;
+        return MotorRegulation.suspend(port);
     }
 
     /**
@@ -220,22 +206,29 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         stop(false);
     }
 
-    void tellStarted(int tachoCount) {
-        RegulatedMotorListener told = listener;
-        if (told != null) told.rotationStarted(this, tachoCount, false, System.currentTimeMillis());
+    /** Says whether a move has begun of whose end the listener does not know. */
+    boolean hasToTell() {
+        return listener != null && told != begun;
     }
 
-    void tellStopped(int tachoCount, boolean isStalled) {
-        RegulatedMotorListener told = listener;
-        if (told != null) told.rotationStopped(this, tachoCount, isStalled, System.currentTimeMillis());
+    /** Tells the listener if the motor has stopped. */
+    void tellIfStopped() {
+        if (!hasToTell() || isMoving()) return;
+        int move = begun;
+        RegulatedMotorListener listener = this.listener;
+        if (listener != null) listener.rotationStopped(this, getTachoCount(), isStalled(), System.currentTimeMillis());
+        // Only now, so that whoever waits goes on after the listener.
+        told = move;
     }
 
     private void begin(float speed, int limit) {
-        boolean isNew;
-        synchronized (regulation) {
-            isNew = move.begin(speed, acceleration, limit);
-            regulation.notifyAll();
-        }
-        if (isNew) tellStarted(getTachoCount());
+        boolean isNew = !isMoving();
+        isControlled = true;
+        MotorRegulation.start(port, speed, acceleration, limit, true);
+        begun++;
+        RegulatedMotorListener listener = this.listener;
+        if (listener == null) return;
+        if (isNew) listener.rotationStarted(this, getTachoCount(), false, System.currentTimeMillis());
+        MotorListeners.wake();
     }
 }

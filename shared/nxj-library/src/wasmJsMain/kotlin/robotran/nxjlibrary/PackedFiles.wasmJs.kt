@@ -17,8 +17,7 @@ private external interface NxjLibraryModule : JsAny {
 }
 
 /** Imports the module with the compiler's, which workers know. */
-private fun importModule(): Promise<NxjLibraryModule> =
-    js("import(/* webpackChunkName: 'ecj' */ './nxj-library.mjs')")
+private fun importModule(): Promise<NxjLibraryModule> = js("import(/* webpackChunkName: 'ecj' */ './nxj-library.mjs')")
 
 private fun byteArray(array: JsAny): ByteArray = ByteArray(length(array)) { get(array, it) }
 

@@ -11,6 +11,7 @@ import robotran.javacompiler.messages.JavaMessages
 internal class NameAdvisor(
     private val library: LibraryNames,
     private val suggestions: NameSuggestions,
+    private val gaps: BrickGaps,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
@@ -32,10 +33,10 @@ internal class NameAdvisor(
     private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val message = messages.unknownImport(shortened(name))
         // ECJ reports only the missing part: for lejos.nxt.Motor, only lejos.
-        val absent = absent(source.snippetUntil(problem.start, ';'))
+        val instead = gaps.instead(source.snippetUntil(problem.start, ';'))
         val home = library.packageOf(name)?.let { "$it.$name" }
         return when {
-            absent != null -> ProblemExplanation(message, messages.absent(absent))
+            instead != null -> ProblemExplanation(message, instead)
 
             else -> suggestions.suggested(
                 problem,
@@ -64,7 +65,7 @@ internal class NameAdvisor(
 
     private fun classAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val newer = newerFeature(name)
-        val absent = absent(name)
+        val instead = gaps.instead(name)
         val home = library.packageOf(name)
         val message = messages.unknownClass(shortened(name))
         return when {
@@ -72,8 +73,8 @@ internal class NameAdvisor(
                 ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
             }
 
-            absent != null -> {
-                ProblemExplanation(message, messages.absent(absent))
+            instead != null -> {
+                ProblemExplanation(message, instead)
             }
 
             home != null -> {

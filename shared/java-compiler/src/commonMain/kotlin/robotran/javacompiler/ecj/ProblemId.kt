@@ -87,6 +87,8 @@ internal object ProblemId {
     const val METHOD_REFERENCE = 646
     const val RESOURCE_TOO_OLD = 874
     const val MULTI_CATCH = 875
+    const val TEXT_IN_SWITCH = 881
+    const val DIAMOND = 883
     const val STATIC_INTERFACE_METHOD = 896
     const val PREVIEW_FEATURE = 1107
     const val ARROW_IN_CASE = 1720

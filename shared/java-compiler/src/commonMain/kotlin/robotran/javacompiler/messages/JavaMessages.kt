@@ -13,7 +13,8 @@ interface JavaMessages :
     JavaSemanticMessages,
     JavaClassMessages,
     UnsupportedOnBrickMessages,
-    LejosMessages {
+    LejosMessages,
+    NxjMessages {
     companion object {
         fun of(language: Language): JavaMessages =
             language.choose(EnglishJavaMessages, SpanishJavaMessages, GermanJavaMessages)

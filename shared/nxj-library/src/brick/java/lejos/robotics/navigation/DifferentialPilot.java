@@ -347,10 +347,10 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     }
 
     private void waitComplete() {
-        while (isMoving()) {
+        do {
             left.waitComplete();
             right.waitComplete();
-        }
+        } while (isMoving());
     }
 
     private void turnWheels(int leftAngle, int rightAngle, boolean immediateReturn) {

@@ -18,7 +18,7 @@ internal fun resolvable(project: Project, name: String): Configuration = project
     it.isCanBeResolved = true
 }
 
-/** A task that compiles [sources] with ECJ for [target]. The output folder is `brick/` and [folder] in the build folder. */
+/** A task that compiles [sources] with ECJ for [target], into `brick/` and [folder] in the build folder. */
 internal fun compileForBrick(
     project: Project,
     name: String,

@@ -15,8 +15,8 @@ class BrickProgramsPlugin : Plugin<Project> {
 open class BrickProgramsExtension(private val project: Project) {
     /**
      * Generates the constant [qualifiedName] in [sourceSet] with the class files, in Base64, of the programs in
-     * [folder], relative to the root, for an RCX. Each source is a separate program; the key is the path of the source, a
-     * slash, and the class file name. Programs with expected errors are left out.
+     * [folder], relative to the root, for an RCX. Each source is a separate program; the key is the path of the source,
+     * a slash, and the class file name. Programs with expected errors are left out.
      */
     fun constant(sourceSet: String, qualifiedName: String, folder: String) =
         generate(sourceSet, qualifiedName, folder, BrickTarget.LEJOS_RCX)

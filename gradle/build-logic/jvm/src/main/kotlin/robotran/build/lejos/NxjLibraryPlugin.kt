@@ -6,9 +6,9 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import robotran.build.teavm.WEB_FILES
 
 /**
- * Packs the class files and the sources of a module's Java code in `src/brick/java` into two files: resources on the JVM,
- * and files that a page fetches when it needs them, see [WEB_FILES]. They are too large for what a page loads first.
- * Publishes the folder of the class files to other modules, see [BrickProgramsPlugin].
+ * Packs the class files and the sources of a module's Java code in `src/brick/java` into two files: resources on the
+ * JVM, and files that a page fetches when it needs them, see [WEB_FILES]. They are too large for what a page loads
+ * first. Publishes the folder of the class files to other modules, see [BrickProgramsPlugin].
  */
 class NxjLibraryPlugin : Plugin<Project> {
     override fun apply(project: Project) {

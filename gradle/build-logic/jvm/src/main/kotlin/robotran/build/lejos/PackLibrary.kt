@@ -13,9 +13,9 @@ import java.io.DataOutputStream
 import java.io.File
 
 /**
- * Packs a class library into the files `nxj-classes.bin` and `nxj-sources.bin`, uncompressed, since jars and web servers
- * compress them. Each is a list of files in the order of their paths: the path as `writeUTF` writes it, the length in four
- * bytes, and the content. The output is reproducible.
+ * Packs a class library into the files `nxj-classes.bin` and `nxj-sources.bin`, uncompressed, since jars and web
+ * servers compress them. Each is a list of files in the order of their paths: the path as `writeUTF` writes it, the
+ * length in four bytes, and the content. The output is reproducible.
  */
 @CacheableTask
 abstract class PackLibrary : DefaultTask() {
