@@ -7,31 +7,31 @@ public class Exceptions {
     static int depth;
 
     public static void main(String[] args) {
-        System.out.println(order(1) + " " + order(0)); // prints: 11113 1001
+        System.out.println(order(1) + " " + order(0)); // expect 11113 1001
         try {
             deep(0);
         } catch (Own own) {
-            System.out.println(own.getMessage() + " " + own.getCause().getMessage()); // prints: outer inner
+            System.out.println(own.getMessage() + " " + own.getCause().getMessage()); // expect outer inner
         }
         try {
             endless();
         } catch (StackOverflowError e) {
-            System.out.println(depth > 50); // prints: true
+            System.out.println(depth > 50); // expect true
         }
         try {
             int[] numbers = new int[3];
             numbers[3] = 1;
         } catch (ArrayIndexOutOfBoundsException e) {
-            System.out.println("index"); // prints: index
+            System.out.println("index"); // expect index
         }
         try {
             Object nothing = null;
             nothing.hashCode();
         } catch (NullPointerException e) {
-            System.out.println("null"); // prints: null
+            System.out.println("null"); // expect null
         }
         synchronized (Exceptions.class) {
-            System.out.println(locked()); // prints: 4
+            System.out.println(locked()); // expect 4
         }
         int[] none = null;
         System.out.println(none.length); // fails NullPointerException

@@ -1,6 +1,5 @@
-// nxj only
 /** A program that makes far more objects than there is room for at once. */
-public class GarbageCollected {
+public class GarbageCollected { // only here
     static class Node {
         Node next;
         long number;
@@ -14,7 +13,7 @@ public class GarbageCollected {
             numbers[999] = i;
             text = text.length() > 20 ? "" : text + i;
         }
-        System.out.println(numbers[999] + " " + (text.length() < 30)); // prints: 499 true
+        System.out.println(numbers[999] + " " + (text.length() < 30)); // expect 499 true
         Node first = null;
         int made = 0;
         try {
@@ -28,12 +27,12 @@ public class GarbageCollected {
         } catch (OutOfMemoryError e) {
             first = first.next;
         }
-        System.out.println(made > 2000 && made < 4000); // prints: true
+        System.out.println(made > 2000 && made < 4000); // expect true
         long sum = 0;
         for (Node node = first; node != null; node = node.next) sum += node.number;
-        System.out.println(sum == (made - 2L) * (made - 1) / 2); // prints: true
+        System.out.println(sum == (made - 2L) * (made - 1) / 2); // expect true
         first = null;
-        System.out.println(new byte[30000].length); // prints: 30000
-        System.out.println(Runtime.getRuntime().freeMemory() < Runtime.getRuntime().totalMemory()); // prints: true
+        System.out.println(new byte[30000].length); // expect 30000
+        System.out.println(Runtime.getRuntime().freeMemory() < Runtime.getRuntime().totalMemory()); // expect true
     }
 }

@@ -28,12 +28,12 @@ public class RandomNumbers {
 
     public static void main(String[] args) {
         for (int i = 0; i < 700; i++) whole(i % 3 == 0 ? random() : random() >> (i & 63), random() >> (i * 7 & 63));
-        System.out.println(hash); // prints: 8648755344747962182
+        System.out.println(hash); // expect 8648755344747962182
         for (int i = 0; i < 700; i++) decimal(number(i), number(i / 3));
-        System.out.println(hash); // prints: 1039063015222929017
+        System.out.println(hash); // expect 1039063015222929017
         RandomNumbers numbers = new RandomNumbers();
         for (int i = 0; i < 300; i++) numbers.places(random(), i);
-        System.out.println(hash); // prints: -6808876407841938529
+        System.out.println(hash); // expect -6808876407841938529
     }
 
     static double number(int i) {

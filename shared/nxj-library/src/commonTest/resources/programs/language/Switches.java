@@ -4,13 +4,13 @@ public class Switches {
 
     public static void main(String[] args) {
         for (int i = -1; i < 5; i++) System.out.print(dense(i) + " ");
-        System.out.println(); // prints: none zero one and more  four none 
-        System.out.println(sparse(-1000000) + sparse(7) + sparse(Integer.MAX_VALUE) + sparse(8)); // prints: abc?
-        System.out.println(letters("banana")); // prints: 312
+        System.out.println(); // expect none zero one and more  four none 
+        System.out.println(sparse(-1000000) + sparse(7) + sparse(Integer.MAX_VALUE) + sparse(8)); // expect abc?
+        System.out.println(letters("banana")); // expect 312
         for (Colour colour : Colour.values()) System.out.print(name(colour));
-        System.out.println(); // prints: rgb
-        System.out.println(Colour.GREEN.next() + " " + Colour.BLUE.next()); // prints: BLUE RED
-        System.out.println(nested(2, (char) 120) + " " + nested(2, (char) 121) + " " + nested(3, (char) 120)); // prints: 1002 1000 4
+        System.out.println(); // expect rgb
+        System.out.println(Colour.GREEN.next() + " " + Colour.BLUE.next()); // expect BLUE RED
+        System.out.println(nested(2, (char) 120) + " " + nested(2, (char) 121) + " " + nested(3, (char) 120)); // expect 1002 1000 4
     }
 
     static String dense(int i) {

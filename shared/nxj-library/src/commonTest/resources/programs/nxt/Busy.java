@@ -1,16 +1,11 @@
+import lejos.nxt.Button;
 import lejos.nxt.LCD;
 
-// button ENTER at 1000: pressed
-// button ESCAPE at 1100: pressed
-// button ESCAPE at 1300: released
-// button ENTER at 1300: released
-// screen 0: busy
-// ends at 1100
 /** ENTER and ESCAPE together end a program that never waits. */
-public class Busy {
-    public static void main(String[] args) {
-        LCD.drawString("busy", 0, 0);
+public class Busy { // press ENTER at 1000 for 300
+    public static void main(String[] args) { // press ESCAPE at 1100 for 200
+        LCD.drawString("busy", 0, 0); // screen busy
         int rounds = 0;
-        while (true) rounds++;
+        while (true) rounds++; // takes 1100
     }
 }

@@ -1,10 +1,9 @@
-// screen 0: before
 /** An exception that nobody catches. */
 public class Fails {
     static int[] numbers = new int[3];
 
     public static void main(String[] args) throws Exception {
-        System.out.println("before"); // prints: before
+        System.out.println("before"); // screen before
         Thread.sleep(300);
         set(5);
         System.out.println("after");
@@ -14,3 +13,4 @@ public class Fails {
         numbers[index] = 1; // fails ArrayIndexOutOfBoundsException
     }
 }
+// expect before

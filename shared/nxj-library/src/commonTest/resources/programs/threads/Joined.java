@@ -22,7 +22,7 @@ public class Joined {
             threads[i].start();
         }
         for (Thread thread : threads) thread.join();
-        System.out.println(count); // prints: 4000
+        System.out.println(count); // expect 4000
         Thread sleeper = new Thread(new Runnable() {
             public void run() {
                 try {
@@ -35,10 +35,10 @@ public class Joined {
         sleeper.start();
         Thread.sleep(50);
         sleeper.join(20);
-        System.out.println(sleeper.isAlive()); // prints: true
+        System.out.println(sleeper.isAlive()); // expect true
         sleeper.interrupt();
         sleeper.join();
-        System.out.println(told.toString() + sleeper.isAlive()); // prints: woken false
+        System.out.println(told.toString() + sleeper.isAlive()); // expect woken false
         final boolean[] ready = new boolean[1];
         Thread waiter = new Thread() {
             public void run() {
@@ -61,17 +61,17 @@ public class Joined {
             LOCK.notifyAll();
         }
         waiter.join();
-        System.out.println(told); // prints: woken notified
+        System.out.println(told); // expect woken notified
         synchronized (LOCK) {
             long before = System.currentTimeMillis();
             LOCK.wait(30);
             long waited = System.currentTimeMillis() - before;
-            System.out.println(waited >= 30 && waited < 60); // prints: true
+            System.out.println(waited >= 30 && waited < 60); // expect true
         }
         try {
             LOCK.notify();
         } catch (IllegalMonitorStateException e) {
-            System.out.println("not mine"); // prints: not mine
+            System.out.println("not mine"); // expect not mine
         }
         Thread daemon = new Thread() {
             public void run() {

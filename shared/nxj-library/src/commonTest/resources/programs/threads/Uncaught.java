@@ -1,4 +1,4 @@
-// nxj only
+// only here
 /** A handler deals with an exception that nobody catches; without one, all threads stand still and the program ends. */
 public class Uncaught {
     public static void main(String[] args) throws Exception {
@@ -10,12 +10,12 @@ public class Uncaught {
         };
         told.setUncaughtExceptionHandler(new Thread.UncaughtExceptionHandler() {
             public void uncaughtException(Thread thread, Throwable thrown) {
-                System.out.println(thrown instanceof NullPointerException); // prints: true
+                System.out.println(thrown instanceof NullPointerException); // expect true
             }
         });
         told.start();
         told.join();
-        System.out.println("goes on"); // prints: goes on
+        System.out.println("goes on"); // expect goes on
         Thread failing = new Thread() {
             public void run() {
                 throw new IllegalStateException("no way"); // fails IllegalStateException

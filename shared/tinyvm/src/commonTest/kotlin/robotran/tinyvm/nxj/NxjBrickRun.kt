@@ -8,6 +8,8 @@ import robotran.brick.program.ProgramFailure
 import robotran.brick.program.StatementWatch
 import robotran.brick.state.RunState
 import robotran.nxt.NxtBrick
+import robotran.nxt.log.NxtLogEntry
+import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
 
 /** Runs a program on an NXT whose motors turn freely, at ten degrees a second for each percent of power. */
@@ -30,7 +32,12 @@ internal class NxjBrickRun(
 
     val calls: List<LoggedCall> get() = brick.log.entries
 
-    /** The rows of the display in the last millisecond of the program. */
+    /** The printed lines. */
+    val printed: List<String>
+        get() = calls.filterIsInstance<NxtLogEntry>().filter { it.call.native == NxtNative.CONSOLE_LINE }
+            .map { it.call.text.orEmpty() }
+
+    /** The rows of the display in the last millisecond of the program, without empty ones behind them. */
     var screen: List<String> = emptyList()
         private set
 
@@ -47,7 +54,7 @@ internal class NxjBrickRun(
             val run = state.run
             if (run is RunState.Failed) failure = run.failure
             if (run is RunState.Running) {
-                screen = state.display.lines.map { it.trimEnd() }
+                screen = state.display.lines.map { it.trimEnd() }.dropLastWhile { it.isEmpty() }
             } else {
                 endedAt = time
             }

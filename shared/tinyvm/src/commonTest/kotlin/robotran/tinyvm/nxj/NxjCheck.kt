@@ -1,6 +1,7 @@
 package robotran.tinyvm.nxj
 
-import robotran.tinyvm.NxjProgram
+import robotran.nxt.log.NxtLogEntry
+import robotran.nxt.program.NxtNative
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
@@ -8,8 +9,7 @@ import robotran.tinyvm.messages.EnglishTinyVmMessages
 
 /**
  * The differences between the program at [path] and the expectations in the comments of its [source], one per line. It runs
- * on a brick as it is, for the display, the calls and the end, and three times with [PrintedLines]: at the speed of a brick,
- * with a debugger, and quickly.
+ * three times: at the speed of a brick, with a debugger, and as quickly as possible, where calls may differ.
  */
 internal fun nxjDifferences(
     path: String,
@@ -19,60 +19,62 @@ internal fun nxjDifferences(
 ): List<String> {
     val expected = NxjExpectations(source)
     val mainClass = path.substringAfterLast('/').removeSuffix(".java")
-    val program = when (val result = linkNxj(mainClass, classes, library, mainClass)) {
-        is NxjResult.Ready -> result.program
-        is NxjResult.Rejected -> return listOf("$path is refused: ${result.refusal}")
-    }
-    val run = NxjBrickRun(program, expected.inputs).apply { run(LONGEST) }
-    val differences = brickDifferences(expected, run) + printDifferences(expected, classes, library, mainClass)
+
+    fun run(speed: TinyVmSpeed, isWatched: Boolean): NxjBrickRun? =
+        when (val result = linkNxj(mainClass, classes, library, mainClass, EnglishTinyVmMessages, speed)) {
+            is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply { run(expected.runsOnAfter ?: LONGEST) }
+            is NxjResult.Rejected -> throw AssertionError("$path is refused: ${result.refusal}")
+        }
+    val slow = run(TinyVmSpeed.BRICK, isWatched = false) ?: return emptyList()
+    val watched = run(TinyVmSpeed.BRICK, isWatched = true) ?: return emptyList()
+    val quick = run(TinyVmSpeed.UNLIMITED, isWatched = false) ?: return emptyList()
+    val differences = resultDifferences(expected, slow) + callDifferences(expected, slow) +
+        resultDifferences(expected, quick).map { "quickly: $it" } + listOfNotNull(
+            "with a debugger, ends at ${watched.endedAt} instead of ${slow.endedAt}"
+                .takeIf { watched.endedAt != slow.endedAt },
+            "with a debugger, makes other calls"
+                .takeIf { watched.calls.map { it.text } != slow.calls.map { it.text } },
+        )
     return differences.map { "$path $it" }
 }
 
-private fun brickDifferences(expected: NxjExpectations, run: NxjBrickRun): List<String> {
+private fun resultDifferences(expected: NxjExpectations, run: NxjBrickRun): List<String> {
     val failure = run.failure
-    val failures = if (failure == null) emptyMap() else mapOf(failure.sourceLine to nameOf(failure.message))
-    val made = run.calls.filter { it.sourceLine > 0 }.groupBy({ it.sourceLine }, { it.callText.trim() })
+    val wanted = expected.failures.firstOrNull()
+    val isSame = if (failure == null || wanted == null) {
+        failure == null && wanted == null
+    } else {
+        nameOf(failure.message) == wanted.first && (wanted.second == 0 || wanted.second == failure.sourceLine)
+    }
     return listOfNotNull(
-        "fails with $failure instead of ${expected.failures}".takeIf { failures != expected.failures },
-        "runs on".takeIf { run.endedAt < 0 },
+        "prints ${run.printed} instead of ${expected.printed}".takeIf { run.printed != expected.printed },
+        "fails with $failure instead of ${expected.failures}".takeIf { !isSame },
+        "runs on".takeIf { expected.runsOnAfter == null && run.endedAt < 0 },
+        "has ended".takeIf { expected.runsOnAfter != null && run.endedAt >= 0 },
         expected.screen?.let { "shows ${run.screen} instead of $it".takeIf { run.screen != expected.screen } },
-        expected.endsAt?.let { "ends at ${run.endedAt} instead of $it".takeIf { _ -> run.endedAt !in it..it + MARGIN } },
-    ) + expected.calls.mapNotNull { (line, wanted) ->
-        "line $line makes the calls ${made[line]} instead of $wanted".takeIf { made[line].orEmpty() != wanted }
-    }
+    )
 }
 
-private fun printDifferences(
-    expected: NxjExpectations,
-    classes: Map<String, ByteArray>,
-    library: Map<String, ByteArray>,
-    mainClass: String,
-): List<String> {
-    val runs = listOf(TinyVmSpeed.BRICK to false, TinyVmSpeed.BRICK to true, TinyVmSpeed.UNLIMITED to false)
-    val ends = runs.map { (speed, isWatched) ->
-        val printed = PrintedLines()
-        val program = printed.link(mainClass, classes, library, speed)
-        val run = NxjBrickRun(program, expected.inputs, isWatched).apply { run(LONGEST) }
-        val where = speed.name.lowercase() + if (isWatched) ", watched" else ""
-        val isSame = printed.byLine == expected.printed
-        run.endedAt to "prints ${printed.byLine} instead of ${expected.printed}, $where".takeIf { !isSame }
-    }
-    return ends.mapNotNull { it.second } +
-        listOfNotNull("ends at other times if watched: $ends".takeIf { ends[0].first != ends[1].first })
+private fun callDifferences(expected: NxjExpectations, run: NxjBrickRun): List<String> {
+    val made = run.calls.filter { it.sourceLine > 0 && (it as? NxtLogEntry)?.call?.native != NxtNative.CONSOLE_LINE }
+        .groupBy({ it.sourceLine }, { it.callText.trim() })
+    return expected.calls.mapNotNull { (line, wanted) ->
+        val calls = made[line].orEmpty()
+        val isSame = calls.size == wanted.size && calls.indices.all { isSameCall(wanted[it], calls[it]) }
+        "line $line makes the calls $calls instead of $wanted".takeIf { !isSame }
+    } + listOfNotNull(
+        expected.takes?.let { wanted ->
+            "takes ${run.endedAt} ms instead of $wanted"
+                .takeIf { run.endedAt !in wanted * 9 / 10 - MARGIN..wanted * 11 / 10 + MARGIN }
+        },
+    )
 }
 
-/** Links a program; fails if it is refused. */
-internal fun PrintedLines.link(
-    mainClass: String,
-    classes: Map<String, ByteArray>,
-    library: Map<String, ByteArray>,
-    speed: TinyVmSpeed = TinyVmSpeed.BRICK,
-): NxjProgram {
-    val all = library + replacedClasses
-    return when (val result = linkNxj(mainClass, classes, all, mainClass, EnglishTinyVmMessages, speed, ::find)) {
-        is NxjResult.Ready -> result.program
-        is NxjResult.Rejected -> throw AssertionError(result.refusal.toString())
-    }
+private fun isSameCall(wanted: String, made: String): Boolean {
+    val words = made.split(' ')
+    val wantedWords = wanted.split(' ')
+    return words.size == wantedWords.size &&
+        words.indices.all { wantedWords[it] == "?" || wantedWords[it] == words[it] }
 }
 
 /** The name of the exception in the [message] of a failure. */

@@ -4,48 +4,50 @@ import robotran.brick.controls.BrickButton
 
 /** What the comments of a test program for an NXT say; the README of `shared/nxj-library` has the notation. */
 internal class NxjExpectations(source: String) {
-    private val lines: List<IndexedValue<String>> = source.lines().withIndex().map { IndexedValue(it.index + 1, it.value) }
-
-    /** What each line prints, by its number. */
-    val printed: Map<Int, List<String>> = lines.mapNotNull { (line, text) ->
-        PRINTS.find(text)?.destructured?.let { (times, printed) ->
-            line to if (times.isEmpty()) printed.split(" | ") else List(times.toInt()) { printed }
-        }
-    }.toMap()
-
-    /** The exceptions that nobody catches, by the line that throws. */
-    val failures: Map<Int, String> =
-        lines.mapNotNull { (line, text) -> FAILS.find(text)?.let { line to it.groupValues[1] } }.toMap()
-
-    /** The acting calls of each line that has a comment about them. */
-    val calls: Map<Int, List<String>> = lines.mapNotNull { (line, text) ->
-        CALLS.find(text)?.let { match -> line to match.groupValues[1].split('|').map { it.trim() } }
-    }.toMap()
-
-    /** The rows of the display at the end of the run, null if there is no comment about them. */
-    val screen: List<String>? = lines.mapNotNull { (_, text) ->
-        SCREEN.find(text)?.destructured?.let { (row, shown) -> row.toInt() to shown.trimEnd() }
-    }.toMap().ifEmpty { null }?.let { rows -> List(ROWS) { rows[it].orEmpty() } }
-
-    val inputs: List<NxjInput> = lines.mapNotNull { (_, text) ->
-        SENSOR.find(text)?.destructured?.let { (port, time, raw) ->
-            NxjInput.Analog(time.toLong(), port.toInt() - 1, raw.toInt())
-        } ?: BUTTON.find(text)?.destructured?.let { (button, time, action) ->
-            NxjInput.Button(time.toLong(), BrickButton.valueOf(button), action == "pressed")
-        }
+    private val comments: List<Pair<Int, String>> = source.lines().mapIndexedNotNull { index, line ->
+        COMMENT.find(line)?.let { index + 1 to it.groupValues[1] }
     }
 
-    val endsAt: Long? = lines.firstNotNullOfOrNull { ENDS.find(it.value) }?.groupValues?.get(1)?.toLong()
+    val printed: List<String> = after("expect").map { it.second }
+
+    /** The uncaught exceptions, each with its line; 0 for any. */
+    val failures: List<Pair<String, Int>> = after("fails").map { (line, text) ->
+        text.substringBefore(' ') to if (text.endsWith(" somewhere")) 0 else line
+    }
+
+    val runsOnAfter: Long? = after("runs on after").singleOrNull()?.second?.toLong()
+
+    val takes: Long? = after("takes").singleOrNull()?.second?.toLong()
+
+    /** The rows of the display at the end, without empty ones behind them; null if there is no comment about them. */
+    val screen: List<String>? = after("screen").map { it.second.trimEnd() }.ifEmpty { null }
+
+    /** The calls of each line. */
+    val calls: Map<Int, List<String>> =
+        after("calls").associate { (line, text) -> line to text.split('|').map { it.trim() } }
+
+    val inputs: List<NxjInput> = after("press").flatMap { (_, text) ->
+        val words = text.split(' ')
+        val button = BrickButton.valueOf(words[0])
+        val from = words[2].toLong()
+        val until = from + (words.getOrNull(LENGTH_OF_PRESS)?.toLong() ?: USUAL_PRESS)
+        listOf(NxjInput.Button(from, button, isPressed = true), NxjInput.Button(until, button, isPressed = false))
+    } + after("sensor").map { (_, text) ->
+        val (port, time, raw) = checkNotNull(SENSOR.matchEntire(text)) { "Not a sensor: $text" }.destructured
+        NxjInput.Analog(time.toLong(), port.toInt() - 1, raw.toInt())
+    }
+
+    val isOnlyHere: Boolean = comments.any { it.second == "only here" }
+
+    private fun after(mark: String): List<Pair<Int, String>> =
+        comments.filter { it.second == mark || it.second.startsWith("$mark ") }
+            .map { (line, text) -> line to text.removePrefix(mark).removePrefix(" ") }
 
     private companion object {
-        const val ROWS = 8
-        val PRINTS = Regex("""// prints(?: (\d+) times)?: ?(.*?)(?: // .*)?$""")
-        val FAILS = Regex("""// fails (\w+)""")
-        val CALLS = Regex("""// calls: (.*?)(?: // .*)?$""")
-        val SCREEN = Regex("""// screen (\d): (.*)$""")
-        val SENSOR = Regex("""// sensor (\d) at (\d+): raw (\d+)""")
-        val BUTTON = Regex("""// button (\w+) at (\d+): (pressed|released)""")
-        val ENDS = Regex("""// ends at (\d+)""")
+        const val LENGTH_OF_PRESS = 4
+        const val USUAL_PRESS = 100L
+        val SENSOR = Regex("""(\d) at (\d+): raw (\d+)""")
+        val COMMENT = Regex("""// ((?:expect|fails|runs on after|takes|only here|screen|calls|press|sensor)\b.*)$""")
     }
 }
 

@@ -10,8 +10,9 @@ import robotran.tinyvm.run.wordOf
 
 private const val LINK = "lejos/nxt/comm/BTLink"
 private const val NAME_BYTES = 16
+private const val BYTE = 0xFF
 
-/** `lejos.nxt.comm.BTLink` and `RConsole`. */
+/** `lejos.nxt.comm.BTLink`, and what writes into the log. */
 internal val radioMethods: Map<String, NativeMethod> = mapOf(
     "$LINK.name([B)I" to NativeMethod { machine, thread, first ->
         val into = thread.stack[first]
@@ -53,6 +54,13 @@ internal val radioMethods: Map<String, NativeMethod> = mapOf(
         }
     },
     "$LINK.close(I)V" to calls(NxtNative.CLOSE),
+    "lejos/nxt/LCDOutputStream.consoleLine([BI)V" to action { machine, thread, first ->
+        val bytes = bytesOf(machine, thread, thread.stack[first], 0, thread.stack[first + 1])
+        if (bytes != null) {
+            val text = bytes.map { (it.toInt() and BYTE).toChar() }.joinToString("")
+            machine.brick.call(thread, NxtCall(NxtNative.CONSOLE_LINE, text = text))
+        }
+    },
     "lejos/nxt/comm/RConsole.log(Ljava/lang/String;)V" to action { machine, thread, first ->
         textAt(machine, thread, first)?.let { machine.brick.call(thread, NxtCall(NxtNative.CONSOLE_LINE, text = it)) }
     },
