@@ -9,7 +9,7 @@ import kotlin.test.fail
 
 /** Fails if a reference in the heap or in a static field is invalid or refers to an object of the wrong type. */
 internal fun checkHeap(run: DebuggableRun) {
-    val machine = (run as TinyVmRun).machine
+    val machine = (run as ThreadedRun).machine
     val heap = machine.heap
     val byDescriptor = machine.program.types.associateBy { it.descriptor }
 

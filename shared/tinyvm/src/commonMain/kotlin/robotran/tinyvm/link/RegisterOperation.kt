@@ -150,7 +150,105 @@ internal object RegisterOperation {
     /** Next words: the blocks if field B of A is less than C, a constant, and if not. */
     const val IF_FIELD_LESS_CONSTANT = 72
 
+    /** [CALL_STATIC] and [CALL_EXACTLY] of the method in the word behind the next. */
+    const val CALL_STATIC_FAR = 73
+    const val CALL_EXACTLY_FAR = 74
+
+    /** A = the static field in the next word. */
+    const val STATIC_FAR = 75
+
+    /** The static field in the next word = A. */
+    const val SET_STATIC_FAR = 76
+
+    /**
+     * The instructions from here on are those of an exact machine. Of a long or a double, an operand is its first register.
+     */
+    const val FIRST_EXACT = 77
+
+    /**
+     * Continues with one of the blocks in the words behind the next, which is the index of the table of a `switch`, for the
+     * number in A.
+     */
+    const val SWITCH = 77
+
+    /** Returns the long or double in A. */
+    const val RETURN_LONG = 78
+
+    /** [CALL_VIRTUAL] of interface method B. */
+    const val CALL_INTERFACE = 79
+
+    /** The first one that [robotran.tinyvm.run.WideOperations] executes. */
+    const val FIRST_WIDE = 80
+
+    /** This and the next 31 calculate, compare or convert B and C, or B alone, in the order of [Operation]. */
+    const val ADD_LONG = 80
+    const val SUBTRACT_LONG = 81
+    const val MULTIPLY_LONG = 82
+    const val DIVIDE_LONG = 83
+    const val REMAINDER_LONG = 84
+    const val NEGATE_LONG = 85
+    const val SHIFT_LEFT_LONG = 86
+    const val SHIFT_RIGHT_LONG = 87
+    const val SHIFT_RIGHT_UNSIGNED_LONG = 88
+    const val AND_LONG = 89
+    const val OR_LONG = 90
+    const val XOR_LONG = 91
+    const val REMAINDER_FLOAT = 92
+    const val ADD_DOUBLE = 93
+    const val SUBTRACT_DOUBLE = 94
+    const val MULTIPLY_DOUBLE = 95
+    const val DIVIDE_DOUBLE = 96
+    const val REMAINDER_DOUBLE = 97
+    const val NEGATE_DOUBLE = 98
+    const val INT_TO_LONG = 99
+    const val INT_TO_DOUBLE = 100
+    const val LONG_TO_INT = 101
+    const val LONG_TO_FLOAT = 102
+    const val LONG_TO_DOUBLE = 103
+    const val FLOAT_TO_LONG = 104
+    const val FLOAT_TO_DOUBLE = 105
+    const val DOUBLE_TO_INT = 106
+    const val DOUBLE_TO_LONG = 107
+    const val DOUBLE_TO_FLOAT = 108
+    const val COMPARE_LONG = 109
+    const val COMPARE_DOUBLE_LOW = 110
+    const val COMPARE_DOUBLE_HIGH = 111
+
+    /** A = field C of B. */
+    const val FIELD_LONG = 112
+
+    /** Field B of A = C. */
+    const val SET_FIELD_LONG = 113
+
+    /** A = B[C]. */
+    const val ELEMENT_LONG = 114
+
+    /** A[B] = C. */
+    const val SET_ELEMENT_LONG = 115
+
+    /** A = the static field in the next word. */
+    const val STATIC_LONG = 116
+
+    /** The static field in the next word = A. */
+    const val SET_STATIC_LONG = 117
+
+    /** Ensures that A is null or of the type in the next word. */
+    const val CAST = 118
+
+    /** A = whether B is of the type in the next word. */
+    const val IS_INSTANCE = 119
+
+    /** A = the text whose number is the next word. */
+    const val TEXT = 120
+
+    /** A[B] = C, a reference. */
+    const val SET_REFERENCE = 121
+
+    /** The operations whose result is in A and the next register. */
+    val WITH_WIDE_RESULT: Set<Int> = (ADD_LONG..DOUBLE_TO_FLOAT).toSet() + setOf(FIELD_LONG, ELEMENT_LONG, STATIC_LONG) -
+        setOf(REMAINDER_FLOAT, INT_TO_LONG, LONG_TO_INT, LONG_TO_FLOAT, DOUBLE_TO_INT, DOUBLE_TO_FLOAT)
+
     /** The operations whose result is in A. */
-    val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH) +
+    val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH, STATIC_FAR) +
         (ADD..AND_CONSTANT) + (NEGATE..COMPARE_FLOAT)
 }

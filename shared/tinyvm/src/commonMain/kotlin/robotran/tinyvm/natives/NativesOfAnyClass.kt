@@ -1,6 +1,7 @@
 package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
@@ -63,7 +64,7 @@ internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
     add("josx/platform/rcx/Poll.setPoller()V", isStatic = false)
     put(
         DeclaredNative("setThrottle(I)V", isStatic = false),
-        action { machine, thread, first -> machine.poller.setThrottle(thread.stack[first] and BYTE) },
+        action { machine, thread, first -> machine.rcx.poller.setThrottle(thread.stack[first] and BYTE) },
     )
     put(
         DeclaredNative("test(Ljava/lang/String;Z)V", isStatic = true),

@@ -6,5 +6,6 @@ internal class RareOperations(machine: VirtualMachine, calls: Calls) {
     val places = ArrayAddressing(machine, arithmetic)
     val numbers = NumberOperations(machine, arithmetic)
     val objects = ObjectOperations(machine, calls, places)
+    val exact = ExactOperations(machine, calls, places)
     val division = Division(arithmetic, calls)
 }

@@ -1,6 +1,9 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.HeapType
+import robotran.tinyvm.link.Operation
 import robotran.tinyvm.link.RegisterCode
 import robotran.tinyvm.link.RegisterOperation
 
@@ -33,6 +36,7 @@ internal class RegisterInterpreter(
     private val methods = machine.program.methods.toTypedArray()
     private val numbers = rare.numbers
     private val objects = rare.objects
+    private val exact = rare.exact
 
     /** The code to execute for a call of each method, null if the call is not as simple. */
     private val callable = Array(methods.size) { number ->
@@ -43,6 +47,25 @@ internal class RegisterInterpreter(
     private val virtualMethods = Array(machine.program.types.size) { id ->
         val virtual = machine.program.types[id].virtualMethods
         IntArray(virtual.size) { virtual[it].number }
+    }
+
+    /** The same for interface methods by their numbers, -1 for none; only on an exact machine. */
+    private val interfaceMethods: Array<IntArray> =
+        if (machine.model.isExact) interfaceNumbers(machine.program.types) else emptyArray()
+
+    private val wide = WideOperations(machine)
+
+    private fun interfaceNumbers(types: List<HeapType>): Array<IntArray> {
+        val ofArrays = numbersOf(types.first { it is ArrayType })
+        return Array(types.size) {
+            val type = types[it]
+            if (type is ArrayType) ofArrays else numbersOf(type)
+        }
+    }
+
+    private fun numbersOf(type: HeapType): IntArray {
+        val methods = type.interfaceMethods
+        return IntArray(methods.size) { methods[it]?.number ?: -1 }
     }
 
     /** Executes the innermost frame of [thread], which has register code, and those that it calls and returns to. */
@@ -477,7 +500,11 @@ internal class RegisterInterpreter(
                         save(left, begun)
                         begun = 0
                         val operation = frame.body.code[position]
-                        if (!numbers.execute(frame, stack, operation)) objects.execute(thread, frame, operation)
+                        if (operation >= Operation.FIRST_EXACT) {
+                            exact.execute(thread, frame, operation)
+                        } else if (!numbers.execute(frame, stack, operation)) {
+                            objects.execute(thread, frame, operation)
+                        }
                         if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) {
                             return Result.CONTINUE
                         }
@@ -487,8 +514,67 @@ internal class RegisterInterpreter(
                         continue@blocks
                     }
 
+                    RegisterOperation.CALL_STATIC_FAR -> {
+                        number = code[at + 2]
+                        callWords = CALL_WORDS
+                        receiver = NO_RECEIVER
+                        break
+                    }
+
+                    RegisterOperation.CALL_EXACTLY_FAR -> {
+                        number = code[at + 2]
+                        callWords = CALL_WORDS
+                        receiver = stack[c]
+                        stack[a] = receiver
+                        break
+                    }
+
+                    RegisterOperation.STATIC_FAR -> {
+                        stack[a] = statics[code[++at]]
+                    }
+
+                    RegisterOperation.SET_STATIC_FAR -> {
+                        statics[code[++at]] = stack[a]
+                    }
+
+                    RegisterOperation.SWITCH -> {
+                        at = code[at + 2 + frame.body.switches[code[at + 1]].indexOf(stack[a])]
+                        continue@blocks
+                    }
+
+                    RegisterOperation.RETURN_LONG -> {
+                        if (frame.lock != 0 || thread.depth == 1) break@blocks
+                        stack[base] = stack[a]
+                        stack[base + 1] = stack[a + 1]
+                        thread.pop()
+                        frame = thread.frame
+                        base = frame.base
+                        val caller = frame.body.registerCode
+                        if (caller == null) {
+                            frame.top += 2
+                            save(left, begun)
+                            return Result.CONTINUE
+                        }
+                        registers = caller
+                        code = caller.code
+                        at = caller.entries[frame.next]
+                        continue@blocks
+                    }
+
+                    RegisterOperation.CALL_INTERFACE -> {
+                        receiver = stack[c]
+                        stack[a] = receiver
+                        callWords = VIRTUAL_CALL_WORDS
+                        number = if (receiver == 0) 0 else interfaceMethods[words[receiver]][word ushr SHIFT_B and BYTE]
+                        if (number < 0) break@blocks
+                        break
+                    }
+
                     else -> {
-                        break@blocks
+                        if (word and BYTE < RegisterOperation.FIRST_WIDE) break@blocks
+                        val last = wide.execute(code, at, stack, base)
+                        if (last < 0) break@blocks
+                        at = last
                     }
                 }
                 at++

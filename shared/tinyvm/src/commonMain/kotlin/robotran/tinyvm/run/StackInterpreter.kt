@@ -20,6 +20,7 @@ internal class StackInterpreter(
     private val places = rare.places
     private val numbers = rare.numbers
     private val objects = rare.objects
+    private val exact = rare.exact
     private val division = rare.division
 
     /**
@@ -476,7 +477,12 @@ internal class StackInterpreter(
                     frame.next = next
                     frame.top = top
                     machine.budget = left
-                    if (!numbers.execute(frame, stack, code[next - 1])) objects.execute(thread, frame, code[next - 1])
+                    val operation = code[next - 1]
+                    if (operation >= Operation.FIRST_EXACT) {
+                        exact.execute(thread, frame, operation)
+                    } else if (!numbers.execute(frame, stack, operation)) {
+                        objects.execute(thread, frame, operation)
+                    }
                     if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) return false
                     next = frame.next
                     top = frame.top

@@ -21,7 +21,10 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun throwPending(thread: VmThread) {
         val exception = thread.pending
         thread.pending = 0
-        if (thread.depth > 0) calls.throwObject(thread, exception, isOfNative = true)
+        when {
+            thread.depth > 0 -> calls.throwObject(thread, exception, isOfNative = true)
+            thread.uncaught != 0 -> calls.beginUncaught(thread)
+        }
     }
 
     /** Pushes the initializer above the frame of main, so that it runs first. */
