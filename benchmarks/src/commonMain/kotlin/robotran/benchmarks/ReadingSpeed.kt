@@ -3,11 +3,11 @@ package robotran.benchmarks
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.RobolangLimits
 
 /** An arbitrary calibration; no benchmark depends on it. */
-internal val ANY_CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+internal val ANY_CALIBRATION = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** The time to scan, parse and check a program of max length. */
 internal suspend fun readingSpeed(): Figure {
@@ -29,7 +29,7 @@ internal suspend fun mistakesTime(): Figure {
 }
 
 /** The valid program [source]. */
-internal fun programOf(source: String, calibration: Calibration = ANY_CALIBRATION): RobolangProgram =
+internal fun programOf(source: String, calibration: RobotTarget = ANY_CALIBRATION): RobolangProgram =
     when (val result = compileRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program
         is RobolangResult.HasErrors -> error(result.diagnostics.first().message)

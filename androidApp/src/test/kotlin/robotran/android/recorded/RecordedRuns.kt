@@ -10,7 +10,7 @@ import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
 import robotran.rcxrom.log.toLogText
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -28,7 +28,7 @@ import java.io.File
  * @param tree the folder with the source tree, which contains the programs and the records.
  */
 internal class RecordedRuns(private val tree: File) {
-    private val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    private val calibration = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
 
     /** Repeats all sessions and returns those whose report or ROM log differs from the record. */
     suspend fun differences(): Outcome {

@@ -12,7 +12,7 @@ import robotran.robolang.RobolangWords
 import robotran.robolang.compileRobolang
 import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import kotlin.math.pow
 import kotlin.math.roundToInt
 import kotlin.test.Test
@@ -50,7 +50,7 @@ class PaletteTest {
                 "return" -> inFunction.replace("function", "procedure")
                 else -> block.template
             }
-            val result = compileRobolang(block.id, source, Calibration(50.0, 5.0))
+            val result = compileRobolang(block.id, source, RobotTarget.Rcx(50.0, 5.0))
             assertIs<RobolangResult.Ready>(result, "${block.template}: $result")
             val forms = blocksOf(source).all.mapNotNull { it.head.form }
             assertTrue(

@@ -10,7 +10,7 @@ import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.state.RunState
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -53,7 +53,7 @@ class ExampleTest {
     }
 
     private companion object {
-        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader = ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
         const val LONG_ENOUGH = 30_000
     }
 }

@@ -4,13 +4,13 @@ import robotran.lejoslinker.ImageResult
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.LinkMessages
 
 /** Builds one image of several programs. */
 internal class ImageBuilder(
-    private val calibration: Calibration,
+    private val calibration: RobotTarget,
     private val robolang: RobolangMessages,
     private val java: JavaProgramCompiler?,
     private val translated: TranslatedProgramCompiler?,

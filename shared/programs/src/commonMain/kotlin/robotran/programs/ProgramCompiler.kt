@@ -7,7 +7,7 @@ import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.programs.messages.ProgramMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
@@ -22,7 +22,7 @@ import kotlin.coroutines.cancellation.CancellationException
  * @property language the language of compiler messages and runtime messages.
  */
 class ProgramCompiler(
-    private val calibration: Calibration,
+    private val calibration: RobotTarget,
     private val java: JavaSettings = JavaSettings(),
     val language: Language = Language.ENGLISH,
 ) {

@@ -4,9 +4,9 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 
-internal class RobolangProgramCompiler(private val calibration: Calibration, private val messages: RobolangMessages) {
+internal class RobolangProgramCompiler(private val calibration: RobotTarget, private val messages: RobolangMessages) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
             is RobolangResult.Ready -> ProgramResult.Ready(

@@ -14,11 +14,11 @@ import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.translateRobolang
 
 /** The calibration of the test programs, with round numbers. */
-internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+internal val testCalibration = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** Compiles [text]; null if it has errors. */
 internal fun robolangOf(name: String, text: String): RobolangProgram? =

@@ -1,7 +1,7 @@
 package robotran.projects
 
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.world.Penbot
 
 /** The calibration of the penbot for the compiler. */
-val PENBOT_CALIBRATION = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+val PENBOT_CALIBRATION = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)

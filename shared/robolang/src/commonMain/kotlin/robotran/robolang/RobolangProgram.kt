@@ -5,8 +5,10 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RunMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobolangRun
+import robotran.robolang.run.device.RcxDevice
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
 
@@ -17,10 +19,10 @@ import robotran.robolang.syntax.Facing
 class RobolangProgram internal constructor(
     override val name: String,
     internal val checked: CheckedProgram,
-    internal val calibration: Calibration,
+    internal val robot: RobotTarget,
     private val messages: RunMessages,
 ) : RcxProgram {
-    private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name) }
+    private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name, robot.kind) }
 
     /** The direction of the light sensor in its header; null if the header does not name it. */
     val lightSensorFacing: LightSensorFacing?
@@ -30,5 +32,8 @@ class RobolangProgram internal constructor(
             null -> null
         }
 
-    override fun start(rom: Rom): DebuggableRun = RobolangRun(code, calibration, rom, messages)
+    override fun start(rom: Rom): DebuggableRun {
+        val durations = Durations(robot)
+        return RobolangRun(code, RcxDevice(rom, durations), durations, messages)
+    }
 }

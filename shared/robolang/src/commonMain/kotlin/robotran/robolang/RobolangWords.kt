@@ -1,6 +1,7 @@
 package robotran.robolang
 
 import robotran.robolang.check.BuiltIn
+import robotran.robolang.robot.BrickKind
 import robotran.robolang.syntax.Keyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */
@@ -10,6 +11,10 @@ object RobolangWords {
 
     /** All words of the language. */
     val keywords: List<String> = Keyword.entries.map { it.text }
+
+    /** All words of the language that a program for [brick] can have. */
+    fun keywordsOn(brick: BrickKind): List<String> =
+        Keyword.entries.filter { it.brick == null || it.brick == brick }.map { it.text }
 
     /** The built-in functions with their number of parameters. */
     val functions: Map<String, Int> = BuiltIn.entries.associate { it.text to it.parameters }

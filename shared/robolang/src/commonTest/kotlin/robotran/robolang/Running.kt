@@ -4,12 +4,12 @@ import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 
 /** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */
-internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+internal val testCalibration = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-internal fun read(source: String, calibration: Calibration = testCalibration): RobolangResult =
+internal fun read(source: String, calibration: RobotTarget = testCalibration): RobolangResult =
     compileRobolang("test", source, calibration)
 
 /** The errors of [source]; empty if it can run. */
@@ -18,7 +18,7 @@ internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = r
     is RobolangResult.HasErrors -> result.diagnostics
 }
 
-internal fun programOf(source: String, calibration: Calibration = testCalibration): RcxProgram =
+internal fun programOf(source: String, calibration: RobotTarget = testCalibration): RcxProgram =
     when (val result = read(source, calibration)) {
         is RobolangResult.Ready -> result.program
         is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })

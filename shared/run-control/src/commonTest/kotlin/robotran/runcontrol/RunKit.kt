@@ -5,7 +5,7 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
@@ -16,7 +16,7 @@ import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
 internal fun robolang(source: String): RcxProgram {
-    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    val calibration = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
     return assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
 }
 

@@ -1,18 +1,20 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.program.Rom
 import robotran.robolang.messages.RunMessages
-import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
+import robotran.robolang.run.device.RobotDevice
 
 /**
  * The state shared by all activities of a run: the robot, the main program's variables, lists, random numbers and the
  * timer.
  */
-internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calibration, val messages: RunMessages) {
-    val durations = Durations(calibration)
-    val commands = RobotCommands(rom)
-    val senses = RobotSenses(rom)
+internal class InterpreterState(
+    val code: Code,
+    val robot: RobotDevice,
+    val durations: Durations,
+    val messages: RunMessages,
+) {
+    val timer = ProgramTimer(robot)
     val lists = Lists(messages)
     val globals = IntArray(code.globals)
 
@@ -20,7 +22,7 @@ internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calib
      * Seeded with the clock at the start, rounded to less than millisecond accuracy, since a translation gets there
      * slightly later.
      */
-    val random = LejosRandom(rom.milliseconds.toInt() / SEED_MILLISECONDS)
+    val random = LejosRandom(robot.milliseconds.toInt() / SEED_MILLISECONDS)
 
     /** Whether conditions are evaluated: once the variables that they can use are declared. */
     var isWatching = false

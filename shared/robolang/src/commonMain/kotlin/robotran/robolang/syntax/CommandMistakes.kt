@@ -42,7 +42,7 @@ private val VALUES =
         Keyword.TRUE,
         Keyword.FALSE,
         Keyword.NOT,
-    )
+    ) + NXT_VALUES
 
 /** Words that begin a line in other languages. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
@@ -88,7 +88,7 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
             if (Keyword.of(letters) in Keyword.OPENERS) return BlockEffect.MAY_OPEN
         }
 
-        word.keyword == Keyword.LIGHT && reader.peek(1)?.keyword == Keyword.SENSOR -> {
+        isSetting(reader) -> {
             report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
         }
 
@@ -105,6 +105,14 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
         }
     }
     return BlockEffect.NONE
+}
+
+/** Whether the line is one of the header. */
+internal fun isSetting(reader: LineReader): Boolean = when (reader.first.keyword) {
+    Keyword.LIGHT, Keyword.COLOUR, Keyword.SOUND -> reader.peek(1)?.keyword == Keyword.SENSOR
+    Keyword.SONAR -> reader.peek(1)?.keyword == Keyword.ON
+    Keyword.BRICK -> reader.peek(1)?.keyword in KINDS
+    else -> false
 }
 
 private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: SourceRange) {

@@ -13,7 +13,7 @@ import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 
 /**
  * Checks that any text can be compiled, formatted and, if valid, run without a crash.
@@ -78,7 +78,7 @@ private fun checkRange(range: SourceRange, lines: List<String>) {
     }
 }
 
-private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+private val CALIBRATION = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 private const val STEPS = 200
 private const val STEPS_AT_ONCE = 20
 

@@ -95,4 +95,4 @@ internal fun isReacting(program: RobolangProgram): Boolean = program.checked.tre
 
 /** Translates [program] to the Java class [className]. */
 internal fun translatedAs(className: String, program: RobolangProgram): Translation =
-    translateRobolang(RobolangProgram(className, program.checked, program.calibration, EnglishRobolangMessages))
+    translateRobolang(RobolangProgram(className, program.checked, program.robot, EnglishRobolangMessages))
