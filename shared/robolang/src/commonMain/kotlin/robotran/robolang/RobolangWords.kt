@@ -12,6 +12,9 @@ object RobolangWords {
     /** All words of the language. */
     val keywords: List<String> = Keyword.entries.map { it.text }
 
+    /** Whether [text] is a word that is a name instead in a program that declares it. */
+    fun isNewerWord(text: String): Boolean = Keyword.of(text)?.yields == true
+
     /** All words of the language that a program for [brick] can have. */
     fun keywordsOn(brick: BrickKind): List<String> =
         Keyword.entries.filter { it.brick == null || it.brick == brick }.map { it.text }
