@@ -17,6 +17,7 @@ dependencyResolutionManagement {
 rootProject.name = "robotran"
 
 include(":shared:language")
+include(":shared:brick")
 include(":shared:rcx-rom")
 include(":shared:robolang")
 include(":shared:tinyvm")

@@ -13,6 +13,7 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:brick"))
             api(project(":shared:json"))
         }
         jvmTest {

@@ -1,6 +1,6 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 
 /** The statements per second of the interpreter, in a counting loop. */
 internal suspend fun statementSpeed(): Figure {

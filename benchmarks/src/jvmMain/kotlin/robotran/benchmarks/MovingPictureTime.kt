@@ -3,11 +3,11 @@ package robotran.benchmarks
 import robotran.animatedpicture.AnimationStep
 import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.animatedGif
+import robotran.brick.controls.BrickButton
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_CALIBRATION
-import robotran.rcxrom.controls.BrickButton
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
 import robotran.simulation.RobotLoad

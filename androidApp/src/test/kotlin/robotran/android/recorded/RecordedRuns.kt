@@ -1,5 +1,6 @@
 package robotran.android.recorded
 
+import robotran.brick.log.toLogText
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -9,7 +10,6 @@ import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
-import robotran.rcxrom.log.toLogText
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session

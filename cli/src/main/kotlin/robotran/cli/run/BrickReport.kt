@@ -5,13 +5,13 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
+import robotran.brick.controls.MotorState
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
 import robotran.cli.console.jsonOutput
 import robotran.projects.elementOf
-import robotran.rcxrom.controls.MotorState
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.sensors.SensorState
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
 import robotran.simulation.Session
 
 /**

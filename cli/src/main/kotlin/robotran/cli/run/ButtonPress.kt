@@ -1,6 +1,6 @@
 package robotran.cli.run
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 
 /**
  * A press of a brick button.

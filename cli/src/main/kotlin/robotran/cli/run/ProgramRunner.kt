@@ -1,6 +1,7 @@
 package robotran.cli.run
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.state.RunState
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
@@ -22,7 +23,6 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
-import robotran.rcxrom.state.RunState
 import robotran.simulation.RecordedInput
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session

@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.brick.log.CallGroup
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
@@ -19,7 +20,6 @@ import robotran.cli.console.messages
 import robotran.cli.console.speaking
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.readSeed
-import robotran.rcxrom.call.RomGroup
 import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
@@ -75,7 +75,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
             GROUPS[name.trim().lowercase()]
                 ?: fail("There are no ROM calls of a group $name.")
         }.toSet()
-    }.default(RomGroup.entries.toSet())
+    }.default(CallGroup.entries.toSet())
     private val report by option("--report", metavar = "FILE|-", help = "writes the report as JSON")
     private val brickReport by option(
         "--brick-report",
@@ -116,7 +116,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private companion object {
         const val DEFAULT_RUN_MILLISECONDS = World.DEFAULT_TIME_LIMIT * 1000
 
-        val GROUPS = RomGroup.entries.associateBy { it.name.lowercase() }
+        val GROUPS = CallGroup.entries.associateBy { it.name.lowercase() }
     }
 }
 
@@ -129,7 +129,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
 internal class RunOutputs(
     val picture: String?,
     val romLog: String?,
-    val romLogGroups: Set<RomGroup>,
+    val romLogGroups: Set<CallGroup>,
     val report: String?,
     val brickReport: String?,
     val memory: String?,

@@ -1,15 +1,15 @@
 package robotran.cli.run
 
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.toCsv
+import robotran.brick.log.toLogText
+import robotran.brick.messages.place
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.messages
 import robotran.cli.console.textOf
 import robotran.cli.files.writeFile
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.log.toCsv
-import robotran.rcxrom.log.toLogText
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.place
 import robotran.simulation.GoalReport
 import robotran.simulation.RunReport
 import robotran.simulation.RunStatus
@@ -79,7 +79,7 @@ internal class RunResults(
     }
 
     private fun romLogText(outputs: RunOutputs): String {
-        val entries = session.romLog.entries.filter(RomLogFilter(outputs.romLogGroups)::accepts)
+        val entries = session.romLog.entries.filter(CallLogFilter(outputs.romLogGroups)::accepts)
         return if (outputs.romLog.orEmpty().endsWith(
                 ".csv",
                 ignoreCase = true,

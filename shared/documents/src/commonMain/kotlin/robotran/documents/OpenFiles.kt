@@ -1,5 +1,6 @@
 package robotran.documents
 
+import robotran.brick.program.BrickProgram
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -17,7 +18,6 @@ import robotran.projects.isLink
 import robotran.projects.openLink
 import robotran.projects.readCourse
 import robotran.projects.readProject
-import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
@@ -99,8 +99,8 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
     return when {
         worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
 
-        programs.size > Brick.MAX_PROGRAMS -> OpenFilesResult.Rejected(
-            OpenFilesError.TooManyPrograms(Brick.MAX_PROGRAMS),
+        programs.size > BrickProgram.MAX_PROGRAMS -> OpenFilesResult.Rejected(
+            OpenFilesError.TooManyPrograms(BrickProgram.MAX_PROGRAMS),
         )
 
         else -> OpenFilesResult.Opened(

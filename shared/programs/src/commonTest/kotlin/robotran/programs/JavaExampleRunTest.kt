@@ -1,7 +1,7 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.log.toLogText
+import robotran.brick.log.toLogText
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine

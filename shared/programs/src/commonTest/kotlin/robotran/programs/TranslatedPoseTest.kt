@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.state.RunState
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine

@@ -1,16 +1,16 @@
 package robotran.programs
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramStatus
+import robotran.brick.state.RunState
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -86,7 +86,7 @@ internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
 
 /** Runs [program] on a simulated brick for [milliseconds] with the given [sensors]. */
 internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
-    val brick = Brick(listOf(program))
+    val brick = RcxBrick(listOf(program))
     sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
     // The firmware reads a sensor's new value some milliseconds after it changes.
     repeat(SETTLING_MILLISECONDS) { brick.tick() }

@@ -1,12 +1,12 @@
 package robotran.projects
 
+import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.projects.messages.ProjectMessages
 import robotran.projects.messages.RobotMessages
-import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
@@ -100,10 +100,12 @@ private fun assignmentError(
     given.keys.firstOrNull { it !in names }?.let { name ->
         return RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.unknownRobot(name, names))))
     }
-    return given.entries.firstOrNull { it.value.size > Brick.MAX_PROGRAMS }?.let { (name, programs) ->
+    return given.entries.firstOrNull { it.value.size > BrickProgram.MAX_PROGRAMS }?.let { (name, programs) ->
         RobotLoads.HasErrors(
             name,
-            listOf(ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, Brick.MAX_PROGRAMS))),
+            listOf(
+                ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, BrickProgram.MAX_PROGRAMS)),
+            ),
         )
     }
 }

@@ -1,8 +1,8 @@
 package robotran.projects
 
+import robotran.brick.program.ProgramRun
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.program.ProgramRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.simulation.RecordedInput

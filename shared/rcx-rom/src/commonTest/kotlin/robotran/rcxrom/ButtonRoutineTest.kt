@@ -1,9 +1,9 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
 import kotlin.test.Test
@@ -66,7 +66,7 @@ class ButtonRoutineTest {
     @Test
     fun `other power codes are reported and write nothing`() {
         hardware.memory.writeShort(RESULT, 1234)
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_POWER_STATUS, 0x4002, RESULT).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_POWER_STATUS, 0x4002, RESULT).outcome)
         assertEquals(1234, hardware.memory.readShort(RESULT))
     }
 
@@ -101,6 +101,6 @@ class ButtonRoutineTest {
 
     @Test
     fun `another code than that of the buttons is reported`() {
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_BUTTONS, 0x3001, RESULT).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_BUTTONS, 0x3001, RESULT).outcome)
     }
 }

@@ -1,19 +1,19 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.messages.describe
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
@@ -28,7 +28,7 @@ class ProgramOnBrickTest {
             brick.tick()
             steps
         }
-        assertEquals(List(4) { (it + 1) * Brick.STEPS_PER_MILLISECOND }, done)
+        assertEquals(List(4) { (it + 1) * RcxBrick.STEPS_PER_MILLISECOND }, done)
     }
 
     @Test
@@ -158,7 +158,7 @@ class ProgramOnBrickTest {
     @Test
     fun `a slot without a program that could run is passed by Prgm and not started by Run`() {
         val program = ScriptedProgram(emptyList())
-        val brick = Brick(listOf(program, null), firstSlot = 1)
+        val brick = RcxBrick(listOf(program, null), firstSlot = 1)
         brick.tick(10)
         assertEquals("9.0 1", brick.state.glass.describe())
         brick.push(BrickButton.RUN)
@@ -171,8 +171,8 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a brick takes five programs and no more`() {
-        Brick(List(Brick.MAX_PROGRAMS) { endlessProgram() })
-        assertFailsWith<IllegalArgumentException> { Brick(List(Brick.MAX_PROGRAMS + 1) { endlessProgram() }) }
+        RcxBrick(List(RcxBrick.MAX_PROGRAMS) { endlessProgram() })
+        assertFailsWith<IllegalArgumentException> { RcxBrick(List(RcxBrick.MAX_PROGRAMS + 1) { endlessProgram() }) }
     }
 
     @Test
@@ -189,7 +189,7 @@ class ProgramOnBrickTest {
                 override fun resume(steps: Int) = ProgramStatus.Ended
             }.also { isFirst = false }
         }
-        val brick = Brick(listOf(program))
+        val brick = RcxBrick(listOf(program))
         assertEquals(emptyList(), brick.remarks)
         for (expected in listOf(listOf(remark), emptyList())) {
             brick.push(BrickButton.RUN)
@@ -221,7 +221,7 @@ class ProgramOnBrickTest {
     @Test
     fun `a program can be run again from its beginning`() {
         val program = ScriptedProgram(listOf(calling(RomAddress.REFRESH_LCD)))
-        val brick = Brick(listOf(program))
+        val brick = RcxBrick(listOf(program))
         repeat(3) {
             brick.push(BrickButton.RUN)
             brick.tick()
@@ -265,5 +265,5 @@ class ProgramOnBrickTest {
     private fun started(
         actions: List<(Rom) -> ProgramStatus>,
         statusAtEnd: ProgramStatus = ProgramStatus.Ended,
-    ): Brick = Brick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
+    ): RcxBrick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
 }

@@ -1,10 +1,10 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallLog
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomOutcome
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
@@ -12,7 +12,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class RomLogTest {
-    private val log = RomLog()
+    private val log = CallLog()
 
     @Test
     fun `entries are in the order of the calls`() {
@@ -41,11 +41,11 @@ class RomLogTest {
 
     @Test
     fun `the oldest calls are forgotten and still counted`() {
-        val calls = RomLog.CAPACITY + 50_000
+        val calls = CallLog.CAPACITY + 50_000
         addCalls(calls)
         val entries = log.entries
         assertEquals(calls.toLong(), log.total)
-        assertTrue(entries.size in RomLog.CAPACITY..RomLog.CAPACITY + 1_000)
+        assertTrue(entries.size in CallLog.CAPACITY..CallLog.CAPACITY + 1_000)
         assertEquals(calls - entries.size, entries.first().sourceLine)
         assertEquals(calls - 1, entries.last().sourceLine)
         assertNull(log[0])
@@ -54,6 +54,6 @@ class RomLogTest {
 
     private fun addCalls(count: Int) {
         val call = RomCall(RomAddress.REFRESH_LCD, emptyList())
-        repeat(count) { log.add(RomLogEntry(it.toLong(), call, "refresh the LCD", sourceLine = it, RomOutcome.DONE)) }
+        repeat(count) { log.add(RomLogEntry(it.toLong(), call, "refresh the LCD", sourceLine = it, CallOutcome.DONE)) }
     }
 }

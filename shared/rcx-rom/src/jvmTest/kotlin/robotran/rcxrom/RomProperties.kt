@@ -12,12 +12,12 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomTable
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.Speaker
 import kotlin.math.abs

@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 import robotran.robolang.robot.RobotTarget
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,7 +1,7 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.robot.RobotTarget

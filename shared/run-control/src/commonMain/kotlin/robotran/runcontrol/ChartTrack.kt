@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 

@@ -1,11 +1,11 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.log.RomLog
+import robotran.brick.log.CallLog
+import robotran.brick.log.CallLogFilter
 import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
 
 /** The first [count] calls of [log]: those up to a moment of the run, while the log may continue. */
-class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
+class RomCalls internal constructor(internal val log: CallLog, val count: Long) {
     /** The kept calls, oldest first. */
     val entries: List<RomLogEntry>
         get() {
@@ -19,15 +19,15 @@ class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
  * The ROM calls of a run that [filter] accepts. A frame is too short to search a log of 200,000 calls, so each call of
  * [find] searches at most [MAX_PER_CALL] calls and continues there the next time.
  */
-class FilteredRomCalls(val filter: RomLogFilter) {
-    private var log: RomLog? = null
+class FilteredRomCalls(val filter: CallLogFilter) {
+    private var log: CallLog? = null
     private var numbers = LongArray(FIRST_ROOM)
     private var accepted = arrayOfNulls<RomLogEntry>(FIRST_ROOM)
     private var size = 0
 
     /** The first call that has not been searched. */
     private var next = 0L
-    private val takesAll = filter == RomLogFilter()
+    private val takesAll = filter == CallLogFilter()
 
     /** Whether all calls have been searched. */
     var isComplete = true
@@ -43,7 +43,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         return Found(accepted, end)
     }
 
-    private fun begin(other: RomLog) {
+    private fun begin(other: CallLog) {
         log = other
         size = 0
         next = 0
@@ -52,7 +52,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         accepted = arrayOfNulls(FIRST_ROOM)
     }
 
-    private fun recordLog(log: RomLog) {
+    private fun recordLog(log: CallLog) {
         val oldest = log.total - log.entries.size
         var number = maxOf(next, oldest)
         val end = minOf(log.total, number + MAX_PER_CALL)
@@ -65,7 +65,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
     }
 
     private fun add(number: Long, entry: RomLogEntry) {
-        if (size >= RomLog.CAPACITY) forgetHalf()
+        if (size >= CallLog.CAPACITY) forgetHalf()
         if (size == accepted.size) {
             numbers = numbers.copyOf(size * 2)
             accepted = accepted.copyOf(size * 2)

@@ -1,10 +1,10 @@
 package robotran.runcontrol
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.StepKind
+import robotran.brick.sound.SoundTrack
 import robotran.language.Language
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.RobotLoad

@@ -1,12 +1,12 @@
 package robotran.simulation
 
+import robotran.brick.controls.MotorPort
+import robotran.brick.log.CallLog
+import robotran.brick.program.RuntimeWarning
 import robotran.language.Language
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
-import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.program.RuntimeWarning
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.explain.Explanation
@@ -31,7 +31,7 @@ internal class RobotInSession(
     air: InfraredAir,
     private val language: Language,
 ) {
-    val brick = Brick(load.programs, air, BrickMessages.of(language), load.firstSlot)
+    val brick = RcxBrick(load.programs, air, BrickMessages.of(language), load.firstSlot)
     val machine = simulation.machines[number]
     val ports = InputPorts(world.robots[number], brick, NoiseStreams(world.seed, number), world.realism)
     private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
@@ -41,7 +41,7 @@ internal class RobotInSession(
 
     private val comparison = PortComparison(world.robots[number], SimulationMessages.of(language))
 
-    val romLog: RomLog get() = brick.log
+    val romLog: CallLog get() = brick.log
 
     /** What the current or last program expects at the ports, but the robot does not have there; null for nothing. */
     val missingSensors: MissingSensors? get() = comparison.among(brick.expectedSensors)

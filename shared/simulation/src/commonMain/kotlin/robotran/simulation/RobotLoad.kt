@@ -6,7 +6,7 @@ import robotran.world.LightFacing
 /**
  * The configuration of a robot for a session.
  *
- * @property programs its brick's program slots, see [robotran.rcxrom.Brick].
+ * @property programs its brick's program slots, see [robotran.rcxrom.RcxBrick].
  * @property firstSlot index of the program that Run starts if Prgm was not pressed.
  * @property lightFacing the light sensor's direction that the pupil chose, if the world leaves it open; null for down.
  */

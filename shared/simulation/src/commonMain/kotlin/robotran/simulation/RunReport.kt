@@ -3,10 +3,10 @@ package robotran.simulation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
+import robotran.brick.messages.place
+import robotran.brick.sensors.SensorKind
+import robotran.brick.state.RunState
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.place
-import robotran.rcxrom.sensors.SensorKind
-import robotran.rcxrom.state.RunState
 import robotran.simulation.messages.ShortfallMessages
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress

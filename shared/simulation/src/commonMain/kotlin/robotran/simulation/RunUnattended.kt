@@ -1,7 +1,7 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
 
 /**
  * Presses Run on all bricks and advances time until the first robot's program has ended and the robot stands still, or

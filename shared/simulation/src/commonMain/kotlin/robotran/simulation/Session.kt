@@ -1,16 +1,16 @@
 package robotran.simulation
 
+import robotran.brick.log.CallLog
+import robotran.brick.program.CallFrame
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.program.StepKind
+import robotran.brick.program.ThreadView
+import robotran.brick.program.VariableScope
+import robotran.brick.sound.SoundTrack
 import robotran.language.Language
-import robotran.rcxrom.Brick
-import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
-import robotran.rcxrom.program.CallFrame
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.program.ThreadView
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
@@ -44,7 +44,7 @@ class Session(
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
     private val running = SessionEngine(world, loads, physics, language)
-    private val brick: Brick get() = running.robots[watched].brick
+    private val brick: RcxBrick get() = running.robots[watched].brick
     private val recorded = mutableListOf<RecordedInput>()
     private var closed = false
     private var step: Stepping? = null
@@ -58,7 +58,7 @@ class Session(
         }
 
     /** All ROM calls by the program and the firmware of the [watched] robot. */
-    val romLog: RomLog get() = brick.log
+    val romLog: CallLog get() = brick.log
 
     /** The sounds of the [watched] robot's brick, at times of [SessionState.milliseconds]. */
     val sounds: SoundTrack get() = brick.sounds

@@ -1,10 +1,10 @@
 package robotran.simulation
 
+import robotran.brick.sound.SoundEvent
 import robotran.language.Language
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.sensors.SensorCode
-import robotran.rcxrom.sound.SoundEvent
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause

@@ -1,7 +1,7 @@
 package robotran.simulation
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.program.RcxProgram
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -25,7 +25,7 @@ sealed interface SessionInput {
     data object Stop : SessionInput
 
     /**
-     * Sends [program] to a brick and runs it at once, see [Brick.runNow]. From then on the goals keep their progress,
+     * Sends [program] to a brick and runs it at once, see [RcxBrick.runNow]. From then on the goals keep their progress,
      * because what the robots do is no longer the work of their programs alone.
      */
     data class RunNow(val program: RcxProgram, val robot: Int = 0) : SessionInput

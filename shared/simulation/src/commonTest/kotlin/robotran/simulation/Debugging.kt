@@ -1,8 +1,8 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.StepKind
+import robotran.brick.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget

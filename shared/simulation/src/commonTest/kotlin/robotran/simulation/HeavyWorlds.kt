@@ -1,6 +1,6 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.noise.NoiseStream
 import robotran.simulation.physics.loadPhysicsEngine

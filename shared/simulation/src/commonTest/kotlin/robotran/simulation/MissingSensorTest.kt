@@ -1,13 +1,13 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
-import robotran.rcxrom.sensors.SensorKind
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.world.PortSensor

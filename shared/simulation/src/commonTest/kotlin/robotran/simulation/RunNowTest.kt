@@ -1,9 +1,9 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget

@@ -1,8 +1,8 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds

@@ -1,11 +1,11 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.CallFrame
+import robotran.brick.program.StepKind
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget

@@ -1,14 +1,14 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.CallFrame
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.ThreadActivity
+import robotran.brick.program.ThreadView
+import robotran.brick.program.VariableScope
 import robotran.rcxrom.program.Rom
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.ThreadActivity
-import robotran.rcxrom.program.ThreadView
-import robotran.rcxrom.program.VariableScope
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode

@@ -1,5 +1,6 @@
 package robotran.rcxrom.controls
 
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 

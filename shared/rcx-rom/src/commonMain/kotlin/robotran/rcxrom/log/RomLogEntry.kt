@@ -1,10 +1,11 @@
 package robotran.rcxrom.log
 
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCallText
 
 /**
- * One call of a ROM routine in the [RomLog].
+ * One call of a ROM routine in the [CallLog].
  *
  * @property milliseconds time of the call on the brick's clock.
  * @property meaning the call in words, such as `motor A forward 3`; if it had no effect, the reason.
@@ -17,7 +18,7 @@ data class RomLogEntry(
     val call: RomCall,
     val meaning: String,
     val sourceLine: Int,
-    val outcome: RomOutcome,
+    val outcome: CallOutcome,
     val sourceFile: String? = null,
 ) {
     /**
@@ -38,7 +39,7 @@ data class RomLogEntry(
 }
 
 /** The result of a ROM call. */
-enum class RomOutcome {
+enum class CallOutcome {
     /** The virtual brick did it. */
     DONE,
 

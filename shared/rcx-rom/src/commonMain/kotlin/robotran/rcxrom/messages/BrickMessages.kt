@@ -1,15 +1,16 @@
 package robotran.rcxrom.messages
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.messages.place
+import robotran.brick.program.ProgramFailure
 import robotran.language.Language
 import robotran.language.choose
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomGap
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 
 /**
  * The texts about a brick in one language: its ROM calls in the log (parts of sentences, without full stop) and

@@ -1,14 +1,15 @@
 package robotran.rcxrom.messages
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.messages.place
+import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomGap
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 
 object EnglishBrickMessages : BrickMessages {
     override fun place(line: Int, file: String?) = if (file == null) "Line $line" else "$file, line $line"

@@ -1,9 +1,9 @@
 package robotran.rcxrom.routines
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.controls.Motors
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages

@@ -1,5 +1,8 @@
 package robotran.rcxrom.sensors
 
+import robotran.brick.sensors.ExpectedSensor
+import robotran.brick.sensors.SensorKind
+
 /**
  * Finds out which sensors a program expects: it sets the type of a port, or powers a port whose type is light or
  * rotation. leJOS's class `Sensor` sets all ports to light when a program first uses it. So the first time that a run

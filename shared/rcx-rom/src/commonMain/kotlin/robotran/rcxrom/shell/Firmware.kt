@@ -1,12 +1,12 @@
 package robotran.rcxrom.shell
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.memory.FirmwareMemory
-import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sound.Speaker

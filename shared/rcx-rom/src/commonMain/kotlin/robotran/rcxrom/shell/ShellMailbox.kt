@@ -1,9 +1,9 @@
 package robotran.rcxrom.shell
 
+import robotran.brick.log.CallLog
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomGap
 import robotran.rcxrom.infrared.SerialReceiver
-import robotran.rcxrom.log.RomLog
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.memory.FirmwareMemory
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
@@ -14,7 +14,7 @@ internal class ShellMailbox(
     private val memory: RcxMemory,
     private val firmware: Firmware,
     private val messages: BrickMessages,
-    private val log: RomLog,
+    private val log: CallLog,
 ) {
     /** What the shell must do after a message. */
     enum class ShellAction { NONE, START, UNKNOWN }
@@ -51,7 +51,7 @@ internal class ShellMailbox(
         log.amendLast {
             it.copy(
                 meaning = messages.messageNotModelled(it.meaning, RomGap.DOWNLOAD),
-                outcome = RomOutcome.NOT_MODELLED,
+                outcome = CallOutcome.NOT_MODELLED,
             )
         }
         return ShellAction.UNKNOWN

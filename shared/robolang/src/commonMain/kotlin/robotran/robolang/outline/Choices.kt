@@ -1,6 +1,6 @@
 package robotran.robolang.outline
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 import robotran.robolang.robot.BrickKind
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BrickButton

@@ -1,6 +1,6 @@
 package robotran.robolang.robot
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 
 /** The robot that a program is compiled for. Its figures belong to the robot, not to the language. */
 sealed interface RobotTarget {

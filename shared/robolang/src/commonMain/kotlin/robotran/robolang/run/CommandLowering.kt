@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.controls.MotorMode
+import robotran.brick.controls.MotorMode
 import robotran.robolang.check.ValueType
 import robotran.robolang.robot.BrickKind
 import robotran.robolang.run.device.RobotDevice

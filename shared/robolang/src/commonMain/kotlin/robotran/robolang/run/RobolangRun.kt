@@ -1,12 +1,12 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.VariableScope
+import robotran.brick.program.CallFrame
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.Statement
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.VariableScope
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Durations
 import robotran.robolang.run.device.RobotDevice

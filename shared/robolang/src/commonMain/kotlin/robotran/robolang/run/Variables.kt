@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
 

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 import robotran.robolang.diagnostic.SourceRange
 
 /** A statement. A block's [range] is its first line. */

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.robot.BrickKind
@@ -80,7 +80,12 @@ internal fun readPort(reader: LineReader, diagnostics: DiagnosticSink): Int? {
     val port = token?.text?.toIntOrNull()?.takeIf { it in RobolangLimits.SENSOR_PORTS }
     if (port == null) {
         val range = (token ?: reader.next)?.range ?: reader.gap
-        diagnostics.report(reader, DiagnosticCode.PORT_OUT_OF_RANGE, range, diagnostics.messages.portOutOfRange(diagnostics.brick.inputPorts))
+        diagnostics.report(
+            reader,
+            DiagnosticCode.PORT_OUT_OF_RANGE,
+            range,
+            diagnostics.messages.portOutOfRange(diagnostics.brick.inputPorts),
+        )
     }
     return port
 }

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 import robotran.robolang.RobolangProgram
 import robotran.robolang.robot.BrickKind
 import robotran.robolang.robot.RobotTarget
@@ -29,7 +29,8 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private val texts = JavaShownTexts(tree, names)
     private val statements = JavaStatements(checked, names, expressions, helpers, texts, nxtCommands, stopsAtEnd, body)
     private val fields = JavaFields(checked, names, expressions, comments)
-    private val behaviours = JavaBehaviours(checked, names, expressions, throwing, comments, statements, body, robot.kind)
+    private val behaviours =
+        JavaBehaviours(checked, names, expressions, throwing, comments, statements, body, robot.kind)
 
     fun write(): JavaWriter {
         behaviours.reserveNames()
@@ -134,7 +135,12 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private fun JavaWriter.helper(helper: JavaHelper) {
         blank()
         val pen = (robot as? RobotTarget.Nxt)?.pen ?: MotorPort.B
-        lines(helper.textIn(helpers.isReacting, robot.kind).replace("PEN.", "Motor.${pen.name}.").replace("(PEN)", "(Motor.${pen.name})"))
+        lines(
+            helper.textIn(
+                helpers.isReacting,
+                robot.kind,
+            ).replace("PEN.", "Motor.${pen.name}.").replace("(PEN)", "(Motor.${pen.name})"),
+        )
     }
 
     private fun JavaWriter.rcxImports(name: String) {

@@ -1,8 +1,8 @@
 package robotran.robolang.fuzz
 
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.memory.RcxMemory
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest

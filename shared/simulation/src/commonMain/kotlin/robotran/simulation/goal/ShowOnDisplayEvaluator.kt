@@ -1,8 +1,8 @@
 package robotran.simulation.goal
 
+import robotran.brick.state.RunState
 import robotran.language.editDistance
 import robotran.rcxrom.display.LcdGlass
-import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.ProgramShortfall

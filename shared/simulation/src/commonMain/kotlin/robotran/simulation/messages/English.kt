@@ -1,7 +1,7 @@
 package robotran.simulation.messages
 
+import robotran.brick.sensors.SensorKind
 import robotran.language.listed
-import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 object EnglishSimulationMessages :

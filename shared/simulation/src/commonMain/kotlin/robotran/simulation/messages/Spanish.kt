@@ -1,8 +1,8 @@
 package robotran.simulation.messages
 
+import robotran.brick.sensors.SensorKind
 import robotran.language.listed
 import robotran.language.withComma
-import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 /** The messages in Spanish. */

@@ -1,6 +1,6 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.sensors.RotationSensor
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.TemperatureSensor
@@ -21,7 +21,7 @@ internal fun interface LightReading {
 /** The sensors on a brick's input ports, measured as often as the firmware reads them. */
 internal class InputPorts(
     private val place: RobotPlacement,
-    private val brick: Brick,
+    private val brick: RcxBrick,
     streams: NoiseStreams,
     private val realism: Double,
 ) {

@@ -1,6 +1,6 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.world.Penbot
 

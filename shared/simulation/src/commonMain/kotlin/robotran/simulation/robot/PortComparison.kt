@@ -1,7 +1,7 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.sensors.ExpectedSensor
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.sensors.ExpectedSensor
 import robotran.simulation.messages.SensorMessages
 import robotran.simulation.state.MissingSensor
 import robotran.simulation.state.MissingSensors

@@ -1,7 +1,7 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.BatteryNoise
 import robotran.simulation.noise.NoiseStreams

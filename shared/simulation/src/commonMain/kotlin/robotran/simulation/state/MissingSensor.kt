@@ -1,7 +1,7 @@
 package robotran.simulation.state
 
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.sensors.SensorKind
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.sensors.SensorKind
 import robotran.world.PortSensor
 
 /**

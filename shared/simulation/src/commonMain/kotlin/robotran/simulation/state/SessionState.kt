@@ -1,7 +1,7 @@
 package robotran.simulation.state
 
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.state.BrickState
+import robotran.brick.program.RuntimeWarning
+import robotran.rcxrom.state.RcxState
 import robotran.world.Light
 import robotran.world.TouchKind
 import robotran.world.World
@@ -34,7 +34,7 @@ data class SessionState(
     private val first: RobotSnapshot get() = robots.first()
 
     /** The first robot's brick; the properties below are also the first robot's. */
-    val brick: BrickState get() = first.brick
+    val brick: RcxState get() = first.brick
     val robot: RobotState get() = first.robot
     val bumps: Int get() = first.bumps
     val remarks: List<RuntimeWarning> get() = first.remarks
@@ -54,7 +54,7 @@ data class SessionState(
  * @property bumpedAt virtual time of the latest of [bumps], in milliseconds since the session began; null before it.
  */
 data class RobotSnapshot(
-    val brick: BrickState,
+    val brick: RcxState,
     val robot: RobotState,
     val bumps: Int,
     val remarks: List<RuntimeWarning>,

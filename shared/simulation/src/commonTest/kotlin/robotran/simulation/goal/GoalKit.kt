@@ -1,11 +1,11 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.Brick
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -35,7 +35,7 @@ internal fun rectangle(left: Double, bottom: Double, right: Double, top: Double)
 /** A fake run with only the data that goals use; each call is the next moment. */
 internal class Run(world: World, trigonometry: Trigonometry) {
     val judge = GoalJudge(world, trigonometry)
-    private val brick = Brick(emptyList()).state
+    private val brick = RcxBrick(emptyList()).state
     private var milliseconds = 0L
     private var robots = world.robots.map {
         RobotSnapshot(brick, RobotState(it.start, 0.0, 0.0, false, false, false), 0, emptyList(), 0)

@@ -1,11 +1,11 @@
 package robotran.tinyvm.debug
 
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.ThreadActivity
-import robotran.rcxrom.program.ThreadView
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
+import robotran.brick.program.CallFrame
+import robotran.brick.program.Statement
+import robotran.brick.program.ThreadActivity
+import robotran.brick.program.ThreadView
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.ProgramFailure
+import robotran.brick.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.SpecialNumbers
 import robotran.tinyvm.messages.RunMessages

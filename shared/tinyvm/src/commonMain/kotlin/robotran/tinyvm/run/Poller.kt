@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.link.LinkedClass

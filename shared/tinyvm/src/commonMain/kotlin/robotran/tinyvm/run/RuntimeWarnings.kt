@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.brick.program.RuntimeWarning
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode

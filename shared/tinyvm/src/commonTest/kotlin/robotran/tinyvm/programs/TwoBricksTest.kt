@@ -1,9 +1,9 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.Brick
+import robotran.brick.controls.BrickButton
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
@@ -18,7 +18,7 @@ class TwoBricksTest {
         val air = InfraredAir()
         val bricks = programs.map { path ->
             val linked = assertIs<TinyVmResult.Ready>(link(path, mode = mode, speed = TinyVmSpeed.BRICK), path)
-            Brick(listOf(linked.program), air)
+            RcxBrick(listOf(linked.program), air)
         }
         for (brick in bricks) {
             brick.press(BrickButton.RUN)

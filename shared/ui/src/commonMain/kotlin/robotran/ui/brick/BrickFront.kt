@@ -14,8 +14,8 @@ import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.BrickState
+import robotran.brick.controls.BrickButton
+import robotran.rcxrom.state.RcxState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
 import robotran.world.PortSensor
@@ -30,7 +30,7 @@ import robotran.world.RobotPlacement
  */
 @Composable
 internal fun BrickFront(
-    state: BrickState,
+    state: RcxState,
     down: Set<BrickButton>,
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,

@@ -1,8 +1,8 @@
 package robotran.ui.brick
 
 import androidx.compose.ui.geometry.Rect
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorPort
 
 /**
  * The layout of the brick's front, on a plan of [WIDTH] by [HEIGHT] units. Measured on an RCX, and wider where a finger

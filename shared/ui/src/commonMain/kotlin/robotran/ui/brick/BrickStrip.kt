@@ -9,8 +9,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.BrickState
+import robotran.brick.controls.BrickButton
+import robotran.rcxrom.state.RcxState
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.Shapes
 
@@ -21,7 +21,7 @@ import robotran.ui.theme.Shapes
  */
 @Composable
 internal fun BrickStrip(
-    state: BrickState,
+    state: RcxState,
     down: Set<BrickButton>,
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,

@@ -34,10 +34,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.call.RomGroup
+import robotran.brick.log.CallGroup
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.log.RomOutcome
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
@@ -125,8 +125,8 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in RomGroup.entries) {
-            val only = filter.groups.size < RomGroup.entries.size && group in filter.groups
+        for (group in CallGroup.entries) {
+            val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
             }
@@ -135,8 +135,8 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
 }
 
 /** If all groups are selected, selects only [group]; otherwise toggles it. */
-private fun RomLogFilter.switched(group: RomGroup): RomLogFilter {
-    val all = RomGroup.entries.toSet()
+private fun CallLogFilter.switched(group: CallGroup): CallLogFilter {
+    val all = CallGroup.entries.toSet()
     val now = if (groups == all) emptySet() else groups
     val next = if (group in now) now - group else now + group
     return copy(groups = next.ifEmpty { all })
@@ -178,7 +178,7 @@ private fun FollowEnd(list: LazyListState, size: Int) {
 @Composable
 private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
     val colours = LocalRobotranColours.current
-    val troubled = entry.outcome != RomOutcome.DONE
+    val troubled = entry.outcome != CallOutcome.DONE
     val scale = LocalDensity.current.fontScale
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {},
@@ -214,15 +214,15 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
 /** The address and the arguments, as in a saved log. */
 private fun callText(entry: RomLogEntry): String = entry.text.substringAfter(' ').substringBefore(" ; ")
 
-private val RomGroup.word: StringResource
+private val CallGroup.word: StringResource
     get() = when (this) {
-        RomGroup.SENSORS -> Res.string.run_log_group_sensors
-        RomGroup.MOTORS -> Res.string.run_log_group_motors
-        RomGroup.BUTTONS -> Res.string.run_log_group_buttons
-        RomGroup.DISPLAY -> Res.string.run_log_group_display
-        RomGroup.SOUND -> Res.string.run_log_group_sound
-        RomGroup.POWER -> Res.string.run_log_group_power
-        RomGroup.INFRARED -> Res.string.run_log_group_infrared
-        RomGroup.TIMER -> Res.string.run_log_group_timer
-        RomGroup.UNKNOWN -> Res.string.run_log_group_unknown
+        CallGroup.SENSORS -> Res.string.run_log_group_sensors
+        CallGroup.MOTORS -> Res.string.run_log_group_motors
+        CallGroup.BUTTONS -> Res.string.run_log_group_buttons
+        CallGroup.DISPLAY -> Res.string.run_log_group_display
+        CallGroup.SOUND -> Res.string.run_log_group_sound
+        CallGroup.POWER -> Res.string.run_log_group_power
+        CallGroup.INFRARED -> Res.string.run_log_group_infrared
+        CallGroup.TIMER -> Res.string.run_log_group_timer
+        CallGroup.UNKNOWN -> Res.string.run_log_group_unknown
     }

@@ -21,9 +21,9 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.program.ProgramFailure
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
-import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.helpKey

@@ -2,9 +2,9 @@ package robotran.ui.sheet
 
 import androidx.compose.runtime.Immutable
 import androidx.compose.ui.geometry.Offset
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorState
+import robotran.brick.state.RunState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 

@@ -2,7 +2,7 @@ package robotran.ui.brick
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.world.RobotPlacement
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -31,7 +31,7 @@ class BrickPictureTest {
 
     @Test
     fun `a bumper that is pushed in lights its port, a light sensor in the dark does not`() {
-        val brick = Brick(emptyList())
+        val brick = RcxBrick(emptyList())
         assertEquals(
             listOf(false, false, false),
             brick.state.sensors.map {

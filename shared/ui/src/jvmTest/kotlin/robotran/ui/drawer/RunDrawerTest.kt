@@ -12,9 +12,9 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
+import robotran.brick.log.CallGroup
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.call.RomGroup
 import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
@@ -122,7 +122,7 @@ class RunDrawerTest {
         assertTrue(found.isNotEmpty() && found.size < all)
         onNodeWithTag("log-count").assertTextContains("${found.size} of", substring = true)
         workshop.handle(
-            RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))),
+            RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(CallGroup.INFRARED))),
         )
         pass(300)
         onNodeWithTag("drawer-empty").assertIsDisplayed()

@@ -1,10 +1,10 @@
 package robotran.ui.drawer
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.program.StepKind
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop

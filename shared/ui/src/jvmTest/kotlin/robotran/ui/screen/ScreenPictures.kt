@@ -2,9 +2,9 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
+import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.rcxrom.controls.BrickButton
 import robotran.ui.pictures.sheetPng
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent

@@ -4,7 +4,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
@@ -105,7 +105,7 @@ class SheetPictureTest {
         milliseconds = 0,
         robots = listOf(
             RobotSnapshot(
-                brick = Brick(emptyList()).state,
+                brick = RcxBrick(emptyList()).state,
                 robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
                 bumps = 0,
                 remarks = emptyList(),

@@ -11,11 +11,11 @@ import robotran.assignments.grading.HandInGrader
 import robotran.assignments.grading.Preparation
 import robotran.assignments.grading.PreparedRun
 import robotran.assignments.grading.RunResult
+import robotran.brick.controls.BrickButton
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.TryResult
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine

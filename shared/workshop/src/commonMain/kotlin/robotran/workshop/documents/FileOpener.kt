@@ -2,6 +2,7 @@ package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
 import robotran.assignments.course.unpackedCourses
+import robotran.brick.program.BrickProgram
 import robotran.documents.FileReference
 import robotran.documents.IncomingFile
 import robotran.documents.OpenFilesError
@@ -15,7 +16,6 @@ import robotran.documents.openLinkText
 import robotran.documents.validProjectName
 import robotran.projects.Course
 import robotran.projects.Project
-import robotran.rcxrom.Brick
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Platform
@@ -150,7 +150,7 @@ internal class FileOpener(
         val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
         if (missing.isNotEmpty()) {
-            notices.show(Notice.NoSlotForProgram(missing.first().name, Brick.MAX_PROGRAMS))
+            notices.show(Notice.NoSlotForProgram(missing.first().name, BrickProgram.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
     }

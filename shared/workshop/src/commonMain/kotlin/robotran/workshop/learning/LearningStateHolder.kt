@@ -5,11 +5,11 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import robotran.brick.state.RunState
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
-import robotran.rcxrom.state.RunState
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus

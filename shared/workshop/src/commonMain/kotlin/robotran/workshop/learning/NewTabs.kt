@@ -1,6 +1,6 @@
 package robotran.workshop.learning
 
-import robotran.rcxrom.Brick
+import robotran.brick.program.BrickProgram
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
@@ -32,7 +32,7 @@ internal class NewTabs(
      */
     fun add(program: PupilProgram, replacing: Boolean = false): Boolean {
         val programs = current.project.pupilPrograms
-        if (programs.size >= Brick.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
+        if (programs.size >= BrickProgram.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
             notices.show(Notice.NoSlotForExample)
             return false
         }

@@ -1,9 +1,9 @@
 package robotran.workshop.programs
 
+import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
-import robotran.rcxrom.Brick
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.textediting.EditKind
@@ -146,7 +146,7 @@ internal class ProgramEditing(
     private fun opened(program: PupilProgram) = ProgramBuffer(program, preferences.settings.programView)
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
-        if (robot.list.entries.size >= Brick.MAX_PROGRAMS) return
+        if (robot.list.entries.size >= BrickProgram.MAX_PROGRAMS) return
         robot.list.insert(robot.list.entries.size, entry)
         choose(robot, robot.list.entries.lastIndex)
         navigator.show(Pane.PROGRAM)

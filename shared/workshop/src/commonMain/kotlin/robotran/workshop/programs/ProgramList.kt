@@ -2,13 +2,13 @@ package robotran.workshop.programs
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.projects.ProgramView
-import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.state.PupilProgram
 
@@ -24,7 +24,12 @@ internal class ProgramList(
     view: (slot: Int) -> ProgramView,
 ) {
     var entries: List<ProgramBuffer> =
-        programs.take(Brick.MAX_PROGRAMS).mapIndexed { slot, it -> compileIfShort(ProgramBuffer(it, view(slot))) }
+        programs.take(BrickProgram.MAX_PROGRAMS).mapIndexed {
+            slot,
+            it,
+            ->
+            compileIfShort(ProgramBuffer(it, view(slot)))
+        }
         private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }

@@ -1,5 +1,6 @@
 package robotran.workshop.programs
 
+import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -7,7 +8,6 @@ import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
-import robotran.rcxrom.Brick
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.state.PupilProgram
@@ -51,7 +51,7 @@ internal class RobotPrograms(
     val canReopen: Boolean
         get() = when (val closed = closed) {
             null -> false
-            is ClosedFile.Program -> list.entries.size < Brick.MAX_PROGRAMS
+            is ClosedFile.Program -> list.entries.size < BrickProgram.MAX_PROGRAMS
             is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 

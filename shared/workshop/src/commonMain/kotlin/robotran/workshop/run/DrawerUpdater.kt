@@ -1,6 +1,6 @@
 package robotran.workshop.run
 
-import robotran.rcxrom.log.RomLogFilter
+import robotran.brick.log.CallLogFilter
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
 import robotran.runcontrol.PlaybackState
@@ -15,7 +15,7 @@ import robotran.workshop.state.WhyState
 /** Updates the open tabs of the drawer from a run. */
 internal class DrawerUpdater {
     val variables = VariableWatch()
-    private var calls = FilteredRomCalls(RomLogFilter())
+    private var calls = FilteredRomCalls(CallLogFilter())
 
     /** The selected thread and frame in its call stack, by index; null for the current position. */
     private var chosen: Pair<Int, Int>? = null
@@ -23,7 +23,7 @@ internal class DrawerUpdater {
     /** Whether there is more to read while time is paused. */
     val isBusy: Boolean get() = !calls.isComplete
 
-    fun filter(filter: RomLogFilter) {
+    fun filter(filter: CallLogFilter) {
         calls = FilteredRomCalls(filter)
     }
 

@@ -4,10 +4,10 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.StepKind
+import robotran.brick.state.RunState
 import robotran.language.Language
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.state.RunState
 import robotran.runcontrol.IdleDetector
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RecordedRun

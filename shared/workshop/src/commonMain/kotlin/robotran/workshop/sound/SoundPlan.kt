@@ -1,6 +1,6 @@
 package robotran.workshop.sound
 
-import robotran.rcxrom.sound.SoundEvent
+import robotran.brick.sound.SoundEvent
 
 /**
  * Schedules a brick's tones, in virtual time, on the real-time clock of a [LoudSpeaker].

@@ -1,6 +1,6 @@
 package robotran.workshop.sound
 
-import robotran.rcxrom.sound.SoundTrack
+import robotran.brick.sound.SoundTrack
 
 /** Plays the sounds of a session's brick on [speaker] unless [muted]. */
 internal class SoundPlayer(private val speaker: LoudSpeaker) {

@@ -1,10 +1,10 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.log.CallLogFilter
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.program.ThreadView
 import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.program.ThreadView
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
@@ -72,7 +72,7 @@ data class VariablesState(
 @Immutable
 data class LogState(
     val entries: List<RomLogEntry> = emptyList(),
-    val filter: RomLogFilter = RomLogFilter(),
+    val filter: CallLogFilter = CallLogFilter(),
     val total: Long = 0,
     val isComplete: Boolean = true,
 )

@@ -1,9 +1,9 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProgramView
-import robotran.rcxrom.Brick
 import robotran.robolang.translate.Translation
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
@@ -64,7 +64,7 @@ data class ProgramsState(
     val file: ProgramFile get() = program.files[shownFile]
 
     /** Whether the brick has a free slot. */
-    val hasRoom: Boolean get() = programs.size < Brick.MAX_PROGRAMS
+    val hasRoom: Boolean get() = programs.size < BrickProgram.MAX_PROGRAMS
 }
 
 /** The compile progress. [isOver] is whether nothing is compiled until the next change. */

@@ -1,8 +1,8 @@
 package robotran.assignments.grading.workers
 
 import kotlinx.serialization.Serializable
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.MotorMode
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke

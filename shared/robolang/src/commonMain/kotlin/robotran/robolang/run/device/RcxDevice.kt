@@ -1,10 +1,10 @@
 package robotran.robolang.run.device
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.program.Rom
 import robotran.robolang.robot.Durations

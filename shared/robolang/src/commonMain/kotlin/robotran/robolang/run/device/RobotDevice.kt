@@ -1,7 +1,7 @@
 package robotran.robolang.run.device
 
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.MoveDirection

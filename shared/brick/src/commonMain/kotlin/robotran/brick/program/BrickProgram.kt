@@ -1,4 +1,7 @@
-package robotran.rcxrom.program
+package robotran.brick.program
+
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 
 /** A program that can be loaded into a slot of the brick, in any language. */
 interface RcxProgram {

@@ -1,4 +1,6 @@
-package robotran.rcxrom.sensors
+package robotran.brick.sensors
+
+import robotran.rcxrom.sensors.SensorCode
 
 /**
  * The kinds of sensors that a program can expect at an input port.

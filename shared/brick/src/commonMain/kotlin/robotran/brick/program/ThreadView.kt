@@ -1,4 +1,4 @@
-package robotran.rcxrom.program
+package robotran.brick.program
 
 /**
  * A thread of a program.

@@ -1,7 +1,8 @@
-package robotran.rcxrom.log
+package robotran.brick.log
 
 import robotran.rcxrom.call.RomCallText
-import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.log.Iterable
+import robotran.rcxrom.log.RomLogEntry
 
 /** The entries as log text, one line each, see [RomLogEntry.text]. */
 fun Iterable<RomLogEntry>.toLogText(): String = joinToString("") { it.text + "\n" }
@@ -20,7 +21,7 @@ private fun cells(entry: RomLogEntry): List<String> {
     val words = RomCallText.of(entry.call).split(' ')
     return listOf(
         entry.milliseconds.toString(),
-        RomGroup.of(entry.call.address).name.lowercase(),
+        CallGroup.of(entry.call.address).name.lowercase(),
         words.first(),
         words.drop(1).joinToString(" "),
         entry.meaning,

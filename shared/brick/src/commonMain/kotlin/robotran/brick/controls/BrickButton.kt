@@ -1,3 +1,3 @@
-package robotran.rcxrom.controls
+package robotran.brick.controls
 
 enum class BrickButton { ON_OFF, VIEW, PRGM, RUN }

@@ -1,6 +1,6 @@
-package robotran.rcxrom.log
+package robotran.brick.log
 
-import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.log.RomLogEntry
 
 /**
  * Selects the entries of a ROM log that meet all conditions.
@@ -11,16 +11,16 @@ import robotran.rcxrom.call.RomGroup
  * @property text a string that the entry's log line must contain, ignoring case.
  * @property onlyReported whether to select only the calls that did not succeed.
  */
-data class RomLogFilter(
-    val groups: Set<RomGroup> = RomGroup.entries.toSet(),
+data class CallLogFilter(
+    val groups: Set<CallGroup> = CallGroup.entries.toSet(),
     val sourceLines: IntRange? = null,
     val milliseconds: LongRange? = null,
     val text: String = "",
     val onlyReported: Boolean = false,
 ) {
-    fun accepts(entry: RomLogEntry): Boolean = (!onlyReported || entry.outcome != RomOutcome.DONE) &&
+    fun accepts(entry: RomLogEntry): Boolean = (!onlyReported || entry.outcome != CallOutcome.DONE) &&
         (sourceLines == null || entry.sourceLine in sourceLines) &&
         (milliseconds == null || entry.milliseconds in milliseconds) &&
-        RomGroup.of(entry.call.address) in groups &&
+        CallGroup.of(entry.call.address) in groups &&
         (text.isEmpty() || entry.text.contains(text, ignoreCase = true))
 }

@@ -1,4 +1,4 @@
-package robotran.rcxrom.program
+package robotran.brick.program
 
 /** A run that can be paused before any statement and inspected. Inspection changes nothing. */
 interface DebuggableRun : ProgramRun {

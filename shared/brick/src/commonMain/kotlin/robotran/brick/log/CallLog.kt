@@ -1,10 +1,12 @@
-package robotran.rcxrom.log
+package robotran.brick.log
+
+import robotran.rcxrom.log.RomLogEntry
 
 /**
  * All ROM calls of a brick, in order. Keeps the newest [CAPACITY] or slightly more, so that a run of hours does not
  * fill the memory; [total] counts all.
  */
-class RomLog {
+class CallLog {
     private var chunks: List<Array<RomLogEntry?>> = emptyList()
     private var firstKept = 0L
 

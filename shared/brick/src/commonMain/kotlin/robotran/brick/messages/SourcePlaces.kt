@@ -1,7 +1,9 @@
-package robotran.rcxrom.messages
+package robotran.brick.messages
 
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.RuntimeWarning
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.EnglishBrickMessages
 
 /** The location of the failure in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
 fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String? =

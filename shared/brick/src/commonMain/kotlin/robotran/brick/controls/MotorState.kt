@@ -1,4 +1,4 @@
-package robotran.rcxrom.controls
+package robotran.brick.controls
 
 /** The output ports; [code] is the ROM's code for the motor. */
 enum class MotorPort(val code: Int) { A(0x2000), B(0x2001), C(0x2002) }

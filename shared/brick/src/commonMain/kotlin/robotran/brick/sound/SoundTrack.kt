@@ -1,4 +1,4 @@
-package robotran.rcxrom.sound
+package robotran.brick.sound
 
 /**
  * The sounds that a brick's loudspeaker has played. Reading changes nothing, so any number of players can listen: each

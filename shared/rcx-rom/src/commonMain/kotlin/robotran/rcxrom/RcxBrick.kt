@@ -1,24 +1,24 @@
 package robotran.rcxrom
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.controls.MotorState
+import robotran.brick.log.CallLog
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.sensors.ExpectedSensor
+import robotran.brick.sound.SoundTrack
 import robotran.rcxrom.infrared.InfraredAir
-import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.EnglishBrickMessages
-import robotran.rcxrom.program.DebuggableRun
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
-import robotran.rcxrom.sensors.ExpectedSensor
 import robotran.rcxrom.shell.Shell
-import robotran.rcxrom.sound.SoundTrack
-import robotran.rcxrom.state.BrickState
 import robotran.rcxrom.state.InfraredState
+import robotran.rcxrom.state.RcxState
 
 /**
  * A virtual RCX with its firmware. It starts switched on, as if On-Off had been released at millisecond 0. To start the
@@ -36,9 +36,9 @@ import robotran.rcxrom.state.InfraredState
  * @param programs the program slots, at most [MAX_PROGRAMS]; may be empty. null is a slot without a runnable program.
  * @param firstSlot index of the program that Run starts if Prgm was not pressed.
  * @param air the medium for infrared light. With the default, the brick is alone.
- * @param messages the language of the log and of [BrickState.explanation].
+ * @param messages the language of the log and of [RcxState.explanation].
  */
-class Brick(
+class RcxBrick(
     programs: List<RcxProgram?>,
     air: InfraredAir = InfraredAir(),
     messages: BrickMessages = EnglishBrickMessages,
@@ -55,15 +55,15 @@ class Brick(
     private val shell = Shell(programs, hardware, messages, firstSlot)
 
     /** All ROM calls so far, by the program and by the firmware. */
-    val log: RomLog get() = hardware.log
+    val log: CallLog get() = hardware.log
 
     init {
         shell.begin()
     }
 
     /** The current state of the brick. */
-    val state: BrickState
-        get() = BrickState(
+    val state: RcxState
+        get() = RcxState(
             hardware.milliseconds,
             shell.poweredOn,
             hardware.lcd.glass,

@@ -1,7 +1,9 @@
-package robotran.rcxrom.call
+package robotran.brick.log
 
-/** The subject of a ROM routine; [RomLogFilter] selects log entries by it. */
-enum class RomGroup {
+import robotran.rcxrom.call.RomTable
+
+/** The subject of a ROM routine; [CallLogFilter] selects log entries by it. */
+enum class CallGroup {
     SENSORS,
     MOTORS,
     BUTTONS,
@@ -20,6 +22,6 @@ enum class RomGroup {
          * The group of the routine at [address]. Routine 0x327c, which also sets the infrared pointer, counts as
          * [SOUND].
          */
-        fun of(address: Int): RomGroup = RomTable.find(address)?.group ?: UNKNOWN
+        fun of(address: Int): CallGroup = RomTable.find(address)?.group ?: UNKNOWN
     }
 }

@@ -1,10 +1,10 @@
-package robotran.rcxrom.sound
+package robotran.brick.sound
 
 /**
  * An audible event of the brick's loudspeaker, in order of time. A player starts each [Tone] at its time and plays it
  * for its duration, unless a [Cut] or another tone comes earlier.
  *
- * @property milliseconds its time on the brick's clock ([BrickState.milliseconds]): virtual time, at any run speed.
+ * @property milliseconds its time on the brick's clock ([RcxState.milliseconds]): virtual time, at any run speed.
  */
 sealed interface SoundEvent {
     val milliseconds: Long

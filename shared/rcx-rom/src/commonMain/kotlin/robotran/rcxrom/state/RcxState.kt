@@ -1,10 +1,11 @@
 package robotran.rcxrom.state
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorState
+import robotran.brick.program.ProgramFailure
+import robotran.brick.state.RunState
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.sensors.SensorState
 
 /**
@@ -22,7 +23,7 @@ import robotran.rcxrom.sensors.SensorState
  * sentences; null if nothing needs an explanation.
  * @property isImmediate whether [run] is about a program that was sent to run at once, not about one in a slot.
  */
-data class BrickState(
+data class RcxState(
     val milliseconds: Long,
     val poweredOn: Boolean,
     val glass: LcdGlass,
