@@ -10,6 +10,7 @@ import robotran.javacompiler.loadJavaCompiler
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
@@ -98,7 +99,9 @@ internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, millise
         brick.tick()
         if (brick.state.run !is RunState.Running) break
     }
-    val calls = brick.log.entries.filter { it.sourceLine > 0 }.map { TimedCall(it.milliseconds - start, it.call) }
+    val calls = brick.log.entries.romCalls().filter {
+        it.sourceLine > 0
+    }.map { TimedCall(it.milliseconds - start, it.call) }
     return BrickRun(calls, isOver = brick.state.run !is RunState.Running)
 }
 

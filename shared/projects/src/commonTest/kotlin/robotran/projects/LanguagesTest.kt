@@ -6,6 +6,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
@@ -78,7 +79,7 @@ class LanguagesTest {
         val (english, spanish, german) = sessions
         assertEquals(1, sessions.map { it.traceHash }.toSet().size)
         assertEquals(1, sessions.map { session -> session.state.robots.map { it.robot.pose } }.toSet().size)
-        assertEquals(1, sessions.map { session -> session.romLog.entries.map { it.call } }.toSet().size)
+        assertEquals(1, sessions.map { session -> session.romLog.entries.romCalls().map { it.call } }.toSet().size)
         assertEquals(listOf("Draw 20.5 cm or more.", "Never touch anything."), english.state.goals.map { it.sentence })
         assertEquals(listOf("Dibuja 20,5 cm o más.", "No toques nunca nada."), spanish.state.goals.map { it.sentence })
         assertEquals(listOf("Zeichne 20,5 cm oder mehr.", "Berühr nie etwas."), german.state.goals.map { it.sentence })

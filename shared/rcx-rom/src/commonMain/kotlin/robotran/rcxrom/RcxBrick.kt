@@ -1,10 +1,13 @@
 package robotran.rcxrom
 
+import robotran.brick.Brick
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
+import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallLog
+import robotran.brick.program.BrickProgram
 import robotran.brick.program.DebuggableRun
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.sensors.ExpectedSensor
@@ -21,8 +24,7 @@ import robotran.rcxrom.state.InfraredState
 import robotran.rcxrom.state.RcxState
 
 /**
- * A virtual RCX with its firmware. It starts switched on, as if On-Off had been released at millisecond 0. To start the
- * first program, press and release [BrickButton.RUN]. Time passes only in [tick].
+ * A virtual RCX with its firmware. It starts as if On-Off had been released at millisecond 0.
  *
  * While no program runs, the buttons work as in the leJOS shell: Prgm selects the next program, Run starts it on
  * release, On-Off switches the brick off on release, and on again. After eight minutes without input the brick switches
@@ -33,7 +35,8 @@ import robotran.rcxrom.state.RcxState
  * When a program fails, the display shows the failure as leJOS shows an uncaught exception, until On-Off is pressed and
  * released.
  *
- * @param programs the program slots, at most [MAX_PROGRAMS]; may be empty. null is a slot without a runnable program.
+ * @param programs the program slots, at most [BrickProgram.MAX_PROGRAMS]; may be empty. null is a slot without a
+ * runnable program.
  * @param firstSlot index of the program that Run starts if Prgm was not pressed.
  * @param air the medium for infrared light. With the default, the brick is alone.
  * @param messages the language of the log and of [RcxState.explanation].
@@ -43,9 +46,9 @@ class RcxBrick(
     air: InfraredAir = InfraredAir(),
     messages: BrickMessages = EnglishBrickMessages,
     firstSlot: Int = 0,
-) {
+) : Brick {
     init {
-        require(programs.size <= MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) {
+        require(programs.size <= BrickProgram.MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) {
             "There is no slot for each program."
         }
     }
@@ -54,15 +57,16 @@ class RcxBrick(
     internal val hardware = Hardware(air, messages)
     private val shell = Shell(programs, hardware, messages, firstSlot)
 
+    override val kind: BrickKind get() = BrickKind.RCX
+
     /** All ROM calls so far, by the program and by the firmware. */
-    val log: CallLog get() = hardware.log
+    override val log: CallLog get() = hardware.log
 
     init {
         shell.begin()
     }
 
-    /** The current state of the brick. */
-    val state: RcxState
+    override val state: RcxState
         get() = RcxState(
             hardware.milliseconds,
             shell.poweredOn,
@@ -79,14 +83,14 @@ class RcxBrick(
             shell.isImmediate,
         )
 
-    /** The sounds the loudspeaker has played. */
-    val sounds: SoundTrack get() = hardware.speaker.track
+    override val sounds: SoundTrack get() = hardware.speaker.track
+
+    override val isSounding: Boolean get() = hardware.speaker.sounding
 
     /** A copy of the current memory, 64 KB. */
     fun memory(): MemorySnapshot = hardware.memory.snapshot()
 
-    /** The command that [port] has; the same as in [state], but cheaper. */
-    fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
+    override fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
 
     /**
      * What [port] really does in this millisecond: the command it had when the millisecond began, or [MotorMode.FLOAT]
@@ -95,14 +99,12 @@ class RcxBrick(
      */
     fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
 
-    /** Presses [button]. Does nothing if it is already down. */
-    fun press(button: BrickButton) {
-        if (hardware.buttons.hold(button, down = true)) shell.pressed(button)
+    override fun press(button: BrickButton) {
+        if (button.kind == kind && hardware.buttons.hold(button, down = true)) shell.pressed(button)
     }
 
-    /** Releases [button]. Does nothing if it is already up. */
-    fun release(button: BrickButton) {
-        if (hardware.buttons.hold(button, down = false)) shell.released(button)
+    override fun release(button: BrickButton) {
+        if (button.kind == kind && hardware.buttons.hold(button, down = false)) shell.released(button)
     }
 
     /**
@@ -116,33 +118,17 @@ class RcxBrick(
     /** Whether the input [port], 0..2, is powered. A light sensor needs power for its lamp. */
     fun sensorIsActive(port: Int): Boolean = hardware.sensors.isActive(port)
 
-    /**
-     * Sets the battery voltage.
-     *
-     * @param millivolts as measured on a real brick, about 9000 for fresh batteries; clamped to the range of the
-     * analogue converter.
-     */
-    fun setBattery(millivolts: Int) = hardware.measureBattery(Battery.rawOf(millivolts))
+    /** @param millivolts about 9000 for fresh batteries. */
+    override fun setBattery(millivolts: Int) = hardware.measureBattery(Battery.rawOf(millivolts))
 
-    /**
-     * Ends the running program, if there is one. Also clears a displayed failure. A real brick has no single button for
-     * this.
-     */
-    fun stopProgram() = shell.stopProgram()
+    override fun stopProgram() = shell.stopProgram()
 
-    /**
-     * Runs [program] at once, without a slot: as if it had been sent to the brick and Run pressed, except that sending
-     * takes no time and the programs in the slots stay. First ends the running program, clears a displayed failure, or
-     * switches the brick on.
-     */
-    fun runNow(program: RcxProgram) = shell.runNow(program)
+    override fun runNow(program: BrickProgram) {
+        if (program is RcxProgram) shell.runNow(program)
+    }
 
-    /**
-     * Advances time by one millisecond. The firmware works first, then the program, until it waits or has used its
-     * [STEPS_PER_MILLISECOND]. The clock continues while the brick is switched off. If a [StatementWatch] pauses the
-     * program, the millisecond is not over yet: [isPaused] is true, and the next call continues the same millisecond.
-     */
-    fun tick() {
+    /** One millisecond: the program gets [STEPS_PER_MILLISECOND]. */
+    override fun tick() {
         if (!isPaused) {
             hardware.tick()
             shell.tick()
@@ -150,20 +136,13 @@ class RcxBrick(
         shell.resumeProgram(STEPS_PER_MILLISECOND)
     }
 
-    /** Whether the program is paused in the middle of a millisecond. */
-    val isPaused: Boolean get() = shell.isPaused
+    override val isPaused: Boolean get() = shell.isPaused
 
-    /** The run for a debugger; null if no program runs or its language does not support debugging. */
-    val debuggableRun: DebuggableRun? get() = shell.debuggableRun
+    override val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
-    /** Warnings for the pupil about the running program or, if none runs, about the last one. */
-    val remarks: List<RuntimeWarning> get() = shell.remarks
+    override val remarks: List<RuntimeWarning> get() = shell.remarks
 
-    /**
-     * The sensors that the running program expects at the input ports or, if none runs, those of the last one; each
-     * kind once per port, in the order in which the program said so.
-     */
-    val expectedSensors: List<ExpectedSensor> get() = hardware.expectations.all
+    override val expectedSensors: List<ExpectedSensor> get() = hardware.expectations.all
 
     companion object {
         /**
@@ -171,8 +150,5 @@ class RcxBrick(
          * its users, there is no published measurement), and a Robolang statement compiles to about ten.
          */
         const val STEPS_PER_MILLISECOND = 2
-
-        /** Max number of programs on the brick: a LEGO RCX shows as many program numbers. */
-        const val MAX_PROGRAMS = 5
     }
 }

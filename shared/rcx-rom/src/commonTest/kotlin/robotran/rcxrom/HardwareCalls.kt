@@ -16,7 +16,7 @@ internal const val RESULT = 0x9000
 /** Calls a routine and returns its log entry. */
 internal fun Hardware.call(address: Int, vararg arguments: Int): RomLogEntry {
     rom.call(RomCall(address, arguments.map { it and 0xFFFF }), TEST_LINE)
-    return log.entries.last()
+    return log.entries.last() as RomLogEntry
 }
 
 internal fun Hardware.tick(milliseconds: Int) = repeat(milliseconds) { tick() }

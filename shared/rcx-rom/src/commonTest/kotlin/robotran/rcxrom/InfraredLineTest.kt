@@ -7,6 +7,7 @@ import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredLine
 import robotran.rcxrom.infrared.InfraredPacket
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
@@ -134,7 +135,7 @@ class InfraredLineTest {
             brick.press(BrickButton.RUN)
             brick.release(BrickButton.RUN)
             repeat(5) { brick.tick() }
-            assertEquals(calls, brick.log.entries.count { it.call.address == RomAddress.INIT_SERIAL })
+            assertEquals(calls, brick.log.entries.romCalls().count { it.call.address == RomAddress.INIT_SERIAL })
         }
     }
 

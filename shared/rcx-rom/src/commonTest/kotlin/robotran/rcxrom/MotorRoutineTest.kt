@@ -5,6 +5,7 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
 import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -100,7 +101,7 @@ class MotorRoutineTest {
     }
 
     private fun Hardware.control(port: MotorPort, mode: Int, power: Int) =
-        call(RomAddress.CONTROL_MOTOR, port.code, mode, power)
+        call(RomAddress.CONTROL_MOTOR, port.romCode, mode, power)
 
     private fun Hardware.slots(port: MotorPort, milliseconds: Int): String = (1..milliseconds).joinToString("") {
         tick()

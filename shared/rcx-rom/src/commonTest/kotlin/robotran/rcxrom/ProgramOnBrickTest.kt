@@ -3,6 +3,7 @@ package robotran.rcxrom
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.brick.program.BrickProgram
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
@@ -10,6 +11,7 @@ import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.messages.describe
 import robotran.rcxrom.program.RcxProgram
@@ -106,7 +108,7 @@ class ProgramOnBrickTest {
     fun `a program that ends while it drives is told why the robot stops, until the next one begins`() {
         val brick =
             started(
-                listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.FORWARD.code, 3), waiting(100)),
+                listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.romCode, MotorMode.FORWARD.code, 3), waiting(100)),
             )
         assertEquals(null, brick.state.explanation)
         brick.tick(200)
@@ -119,7 +121,7 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a program that has stopped its motors ends without a word`() {
-        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.BRAKE.code, 3)))
+        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.romCode, MotorMode.BRAKE.code, 3)))
         brick.tick(200)
         assertEquals(RunState.Ended(stopped = false), brick.state.run)
         assertEquals(null, brick.state.explanation)
@@ -171,8 +173,8 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a brick takes five programs and no more`() {
-        RcxBrick(List(RcxBrick.MAX_PROGRAMS) { endlessProgram() })
-        assertFailsWith<IllegalArgumentException> { RcxBrick(List(RcxBrick.MAX_PROGRAMS + 1) { endlessProgram() }) }
+        RcxBrick(List(BrickProgram.MAX_PROGRAMS) { endlessProgram() })
+        assertFailsWith<IllegalArgumentException> { RcxBrick(List(BrickProgram.MAX_PROGRAMS + 1) { endlessProgram() }) }
     }
 
     @Test

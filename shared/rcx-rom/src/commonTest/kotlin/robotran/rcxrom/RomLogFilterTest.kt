@@ -10,6 +10,7 @@ import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -26,7 +27,7 @@ class RomLogFilterTest {
         hardware.rom.call(RomCall(RomAddress.PLAY_TONE, listOf(RomCode.TONE, 440, 10)), sourceLine = 0)
     }
 
-    private fun chosen(filter: CallLogFilter) = hardware.log.entries.filter(filter::accepts).map {
+    private fun chosen(filter: CallLogFilter) = hardware.log.entries.filter(filter::accepts).romCalls().map {
         RomCallText.hexadecimal(it.call.address)
     }
 

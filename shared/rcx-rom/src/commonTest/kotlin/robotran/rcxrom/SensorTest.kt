@@ -2,6 +2,7 @@ package robotran.rcxrom
 
 import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorField
@@ -107,7 +108,7 @@ class SensorTest {
         brick.setRawSensorValue(0, 200)
         repeat(3) { brick.tick() }
         assertFalse(brick.sensorIsActive(0))
-        assertEquals(emptyList(), brick.log.entries.filter { it.call.address == RomAddress.READ_SENSOR })
+        assertEquals(emptyList(), brick.log.entries.romCalls().filter { it.call.address == RomAddress.READ_SENSOR })
     }
 
     @Test

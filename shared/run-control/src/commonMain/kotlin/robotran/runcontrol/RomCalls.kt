@@ -2,12 +2,12 @@ package robotran.runcontrol
 
 import robotran.brick.log.CallLog
 import robotran.brick.log.CallLogFilter
-import robotran.rcxrom.log.RomLogEntry
+import robotran.brick.log.LoggedCall
 
 /** The first [count] calls of [log]: those up to a moment of the run, while the log may continue. */
 class RomCalls internal constructor(internal val log: CallLog, val count: Long) {
     /** The kept calls, oldest first. */
-    val entries: List<RomLogEntry>
+    val entries: List<LoggedCall>
         get() {
             val all = log.entries
             val surplus = (log.total - count).coerceIn(0, all.size.toLong()).toInt()
@@ -22,7 +22,7 @@ class RomCalls internal constructor(internal val log: CallLog, val count: Long) 
 class FilteredRomCalls(val filter: CallLogFilter) {
     private var log: CallLog? = null
     private var numbers = LongArray(FIRST_ROOM)
-    private var accepted = arrayOfNulls<RomLogEntry>(FIRST_ROOM)
+    private var accepted = arrayOfNulls<LoggedCall>(FIRST_ROOM)
     private var size = 0
 
     /** The first call that has not been searched. */
@@ -34,7 +34,7 @@ class FilteredRomCalls(val filter: CallLogFilter) {
         private set
 
     /** The matches in [calls] found so far, oldest first; the list is immutable. */
-    fun find(calls: RomCalls): List<RomLogEntry> {
+    fun find(calls: RomCalls): List<LoggedCall> {
         if (takesAll) return calls.entries
         if (calls.log !== log) begin(calls.log)
         recordLog(calls.log)
@@ -64,7 +64,7 @@ class FilteredRomCalls(val filter: CallLogFilter) {
         isComplete = next == log.total
     }
 
-    private fun add(number: Long, entry: RomLogEntry) {
+    private fun add(number: Long, entry: LoggedCall) {
         if (size >= CallLog.CAPACITY) forgetHalf()
         if (size == accepted.size) {
             numbers = numbers.copyOf(size * 2)
@@ -81,9 +81,9 @@ class FilteredRomCalls(val filter: CallLogFilter) {
         size -= half
     }
 
-    private class Found(private val entries: Array<RomLogEntry?>, override val size: Int) :
-        AbstractList<RomLogEntry>() {
-        override fun get(index: Int): RomLogEntry {
+    private class Found(private val entries: Array<LoggedCall?>, override val size: Int) :
+        AbstractList<LoggedCall>() {
+        override fun get(index: Int): LoggedCall {
             if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
             return checkNotNull(entries[index])
         }

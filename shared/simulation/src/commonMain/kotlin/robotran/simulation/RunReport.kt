@@ -80,6 +80,21 @@ enum class ReportedSensorKind {
 
     @SerialName("rotation")
     ROTATION,
+
+    @SerialName("ultrasonic")
+    ULTRASONIC,
+
+    @SerialName("sound")
+    SOUND,
+
+    @SerialName("colour")
+    COLOUR,
+
+    @SerialName("compass")
+    COMPASS,
+
+    @SerialName("gyro")
+    GYRO,
 }
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
@@ -163,6 +178,11 @@ private fun reported(kind: SensorKind): ReportedSensorKind = when (kind) {
     SensorKind.TEMPERATURE -> ReportedSensorKind.TEMPERATURE
     SensorKind.LIGHT -> ReportedSensorKind.LIGHT
     SensorKind.ROTATION -> ReportedSensorKind.ROTATION
+    SensorKind.ULTRASONIC -> ReportedSensorKind.ULTRASONIC
+    SensorKind.SOUND -> ReportedSensorKind.SOUND
+    SensorKind.COLOUR -> ReportedSensorKind.COLOUR
+    SensorKind.COMPASS -> ReportedSensorKind.COMPASS
+    SensorKind.GYRO -> ReportedSensorKind.GYRO
 }
 
 private fun statusOf(run: RunState): RunStatus = when (run) {

@@ -3,6 +3,7 @@ package robotran.simulation
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -27,7 +28,7 @@ class RunNowTest {
     private suspend fun session(text: String = "beep") =
         Session(BuiltInWorlds.plain, listOf(program(text)), loadPhysicsEngine())
 
-    private fun Session.callsFrom(call: Int) = romLog.entries.drop(call).map { it.call }
+    private fun Session.callsFrom(call: Int) = romLog.entries.drop(call).romCalls().map { it.call }
 
     @Test
     fun `lines run at once make the calls and the way of the same lines in a program`() = runTest {

@@ -1,27 +1,32 @@
 package robotran.brick.log
 
-import robotran.rcxrom.call.RomTable
+import robotran.brick.kind.BrickKind
 
-/** The subject of a ROM routine; [CallLogFilter] selects log entries by it. */
-enum class CallGroup {
+/**
+ * The subject of a call; [CallLogFilter] selects log entries by it.
+ *
+ * @property kinds the bricks that have such calls.
+ */
+enum class CallGroup(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
     SENSORS,
     MOTORS,
     BUTTONS,
     DISPLAY,
     SOUND,
     POWER,
-    INFRARED,
-    TIMER,
+    INFRARED(setOf(BrickKind.RCX)),
+    TIMER(setOf(BrickKind.RCX)),
+    BLUETOOTH(setOf(BrickKind.NXT)),
+
+    /** Exits, exceptions and what a program prints. */
+    SYSTEM(setOf(BrickKind.NXT)),
 
     /** Calls of addresses without a known routine. */
-    UNKNOWN,
+    UNKNOWN(setOf(BrickKind.RCX)),
     ;
 
     companion object {
-        /**
-         * The group of the routine at [address]. Routine 0x327c, which also sets the infrared pointer, counts as
-         * [SOUND].
-         */
-        fun of(address: Int): CallGroup = RomTable.find(address)?.group ?: UNKNOWN
+        /** The groups of a [kind] of brick. */
+        fun of(kind: BrickKind): List<CallGroup> = entries.filter { kind in it.kinds }
     }
 }

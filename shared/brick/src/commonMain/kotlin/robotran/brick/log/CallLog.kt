@@ -1,13 +1,11 @@
 package robotran.brick.log
 
-import robotran.rcxrom.log.RomLogEntry
-
 /**
- * All ROM calls of a brick, in order. Keeps the newest [CAPACITY] or slightly more, so that a run of hours does not
+ * All calls of a brick, in order. Keeps the newest [CAPACITY] or slightly more, so that a run of hours does not
  * fill the memory; [total] counts all.
  */
 class CallLog {
-    private var chunks: List<Array<RomLogEntry?>> = emptyList()
+    private var chunks: List<Array<LoggedCall?>> = emptyList()
     private var firstKept = 0L
 
     /** Number of calls made so far. */
@@ -15,19 +13,19 @@ class CallLog {
         private set
 
     /** The kept calls, oldest first. The list is immutable and cheap to create, so it can be read every frame. */
-    val entries: List<RomLogEntry> get() = Entries(chunks, (total - firstKept).toInt())
+    val entries: List<LoggedCall> get() = Entries(chunks, (total - firstKept).toInt())
 
     /**
      * The call with this [number], counted from 0 over all calls ever made; null if it is no longer kept or not made
      * yet.
      */
-    operator fun get(number: Long): RomLogEntry? {
+    operator fun get(number: Long): LoggedCall? {
         if (number < firstKept || number >= total) return null
         val place = (number - firstKept).toInt()
         return chunks[place / CHUNK][place % CHUNK]
     }
 
-    internal fun add(entry: RomLogEntry) {
+    fun add(entry: LoggedCall) {
         val place = (total - firstKept).toInt()
         if (place % CHUNK == 0) beginChunk()
         chunks.last()[place % CHUNK] = entry
@@ -35,7 +33,7 @@ class CallLog {
     }
 
     /** Changes the entry of the last call. */
-    internal fun amendLast(change: (RomLogEntry) -> RomLogEntry) {
+    fun amendLast(change: (LoggedCall) -> LoggedCall) {
         val place = (total - firstKept).toInt() - 1
         val chunk = chunks.getOrNull(place / CHUNK) ?: return
         chunk[place % CHUNK]?.let { chunk[place % CHUNK] = change(it) }
@@ -50,9 +48,9 @@ class CallLog {
     }
 
     /** A view of the first [size] entries of [chunks]; filled slots are never written again. */
-    private class Entries(private val chunks: List<Array<RomLogEntry?>>, override val size: Int) :
-        AbstractList<RomLogEntry>() {
-        override fun get(index: Int): RomLogEntry {
+    private class Entries(private val chunks: List<Array<LoggedCall?>>, override val size: Int) :
+        AbstractList<LoggedCall>() {
+        override fun get(index: Int): LoggedCall {
             if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
             return checkNotNull(chunks[index / CHUNK][index % CHUNK])
         }

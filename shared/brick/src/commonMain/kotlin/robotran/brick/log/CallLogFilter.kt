@@ -1,11 +1,9 @@
 package robotran.brick.log
 
-import robotran.rcxrom.log.RomLogEntry
-
 /**
- * Selects the entries of a ROM log that meet all conditions.
+ * Selects the entries of a log that meet all conditions.
  *
- * @property groups the subjects of the routines.
+ * @property groups the subjects of the calls.
  * @property sourceLines the program lines of the calls; 0 stands for the firmware. All if null.
  * @property milliseconds the time range of the calls. Any time if null.
  * @property text a string that the entry's log line must contain, ignoring case.
@@ -18,9 +16,9 @@ data class CallLogFilter(
     val text: String = "",
     val onlyReported: Boolean = false,
 ) {
-    fun accepts(entry: RomLogEntry): Boolean = (!onlyReported || entry.outcome != CallOutcome.DONE) &&
+    fun accepts(entry: LoggedCall): Boolean = (!onlyReported || entry.outcome != CallOutcome.DONE) &&
         (sourceLines == null || entry.sourceLine in sourceLines) &&
         (milliseconds == null || entry.milliseconds in milliseconds) &&
-        CallGroup.of(entry.call.address) in groups &&
+        entry.group in groups &&
         (text.isEmpty() || entry.text.contains(text, ignoreCase = true))
 }

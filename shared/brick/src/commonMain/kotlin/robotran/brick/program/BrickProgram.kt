@@ -1,18 +1,23 @@
 package robotran.brick.program
 
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.Rom
+import robotran.brick.kind.BrickKind
 
-/** A program that can be loaded into a slot of the brick, in any language. */
-interface RcxProgram {
-    /** The name that the pupil sees, usually the file's. */
+/**
+ * A program that can be loaded onto a brick, in any language. A brick of another [kind] does not start it.
+ *
+ * @property name the name that the pupil sees, usually the file's.
+ */
+interface BrickProgram {
     val name: String
+    val kind: BrickKind
 
-    /** Starts a new run at the first statement. The run controls the robot only through [rom]. */
-    fun start(rom: Rom): ProgramRun
+    companion object {
+        /** Max number of programs on a brick: an RCX of LEGO shows as many program numbers. */
+        const val MAX_PROGRAMS = 5
+    }
 }
 
-/** One run of an [RcxProgram]. It advances only in [resume], so it can be paused, stepped and stopped at any time. */
+/** One run of a [BrickProgram]. It advances only in [resume], so it can be paused, stepped and stopped at any time. */
 interface ProgramRun {
     /** The line to be executed next, or the last one once the run is over; from 1, 0 if there is none. */
     val sourceLine: Int
@@ -38,7 +43,7 @@ sealed interface ProgramStatus {
     /** A [StatementWatch] paused the run before a statement, with [stepsLeft] of the step budget unused. */
     data class Paused(val stepsLeft: Int) : ProgramStatus
 
-    /** Nothing to do until the brick's clock, [Rom.milliseconds], reaches [untilMilliseconds]. */
+    /** Nothing to do until the brick's clock reaches [untilMilliseconds]. */
     data class Waiting(val untilMilliseconds: Long) : ProgramStatus
 
     /**

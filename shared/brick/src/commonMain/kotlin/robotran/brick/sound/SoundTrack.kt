@@ -22,7 +22,8 @@ class SoundTrack {
         return if (wanted == 0) emptyList() else kept.subList(kept.size - wanted, kept.size).toList()
     }
 
-    internal fun add(event: SoundEvent) {
+    /** Adds [event], which is not earlier than the last one. */
+    fun add(event: SoundEvent) {
         if (kept.size == CAPACITY) kept.removeFirst()
         kept.addLast(event)
         total++

@@ -123,6 +123,12 @@ internal object RomTable {
     /** The routine that starts at [address]; null if none is known. */
     fun find(address: Int): RomSignature? = byAddress[address]
 
+    /**
+     * The group of the routine at [address]. Routine 0x327c, which also sets the infrared pointer, counts as
+     * [CallGroup.SOUND].
+     */
+    fun groupOf(address: Int): CallGroup = find(address)?.group ?: CallGroup.UNKNOWN
+
     private fun routine(
         address: Int,
         name: String,

@@ -1,9 +1,10 @@
 package robotran.rcxrom.display
 
+import robotran.brick.state.Screen
 import robotran.rcxrom.memory.RcxMemory
 
 /** The visible content of the LCD: the bytes of its memory as of the last refresh. Immutable. */
-class LcdGlass private constructor(private val bytes: List<Int>) {
+class LcdGlass private constructor(private val bytes: List<Int>) : Screen {
     /**
      * The seven segments of one digit.
      *
@@ -51,12 +52,15 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     val characters: String
         get() = (LcdLayout.DIGITS - 1 downTo 0).map { LcdGlyphs.read(digit(it)) }.joinToString("").trim()
 
+    override val lines: List<String> get() = listOf(text)
+    override val texts: List<String> get() = listOf(text, number, characters)
+
     /**
      * Whether the display shows [text], which a program has shown as a number or as text. `42` matches leJOS's `0042`,
      * `1.5` matches more decimals, and letters match in either case, as far as seven segments can form them. Ignores
      * surrounding blanks, characters after the fifth, and the program digit next to a number.
      */
-    fun shows(text: String): Boolean {
+    override fun shows(text: String): Boolean {
         val wanted = text.trim()
         return isSameNumber(wanted, number) || wanted == this.text || isFormed(wanted)
     }

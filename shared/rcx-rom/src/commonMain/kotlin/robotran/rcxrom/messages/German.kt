@@ -3,6 +3,8 @@ package robotran.rcxrom.messages
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.brick.messages.GermanPlaceMessages
+import robotran.brick.messages.PlaceMessages
 import robotran.brick.messages.place
 import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomCode
@@ -14,9 +16,7 @@ import robotran.rcxrom.infrared.InfraredRange
 /**
  * The messages in German. One term per concept: brick - Stein, display - Anzeige, thread - Thread, power - Leistung.
  */
-object GermanBrickMessages : BrickMessages {
-    override fun place(line: Int, file: String?) = if (file == null) "Zeile $line" else "$file, Zeile $line"
-
+object GermanBrickMessages : BrickMessages, PlaceMessages by GermanPlaceMessages {
     override fun failureShown(failure: ProgramFailure) =
         "Das Programm kann nicht weiter. ${placed(failure)} Drück auf On-Off, um zum Anfang zurückzukommen."
 
@@ -61,7 +61,7 @@ object GermanBrickMessages : BrickMessages {
         if (ports.isEmpty()) "kein Sensor ändert sich" else ports.joinToString { sensorPower(it, active) }
 
     override fun buttons(held: List<BrickButton>) =
-        "gedrückte Tasten: ${held.joinToString { buttonName(it) }.ifEmpty { "keine" }}"
+        "gedrückte Tasten: ${held.joinToString { it.label }.ifEmpty { "keine" }}"
 
     override fun onOffKey(held: Boolean) = "die Taste On-Off ist ${if (held) "gedrückt" else "losgelassen"}"
 

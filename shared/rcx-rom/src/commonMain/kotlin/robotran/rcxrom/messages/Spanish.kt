@@ -3,6 +3,8 @@ package robotran.rcxrom.messages
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.SpanishPlaceMessages
 import robotran.brick.messages.place
 import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomCode
@@ -14,9 +16,7 @@ import robotran.rcxrom.infrared.InfraredRange
 /**
  * The messages in Spanish. One term per concept: brick - ladrillo, display - pantalla, thread - hilo, power - potencia.
  */
-object SpanishBrickMessages : BrickMessages {
-    override fun place(line: Int, file: String?) = if (file == null) "Línea $line" else "$file, línea $line"
-
+object SpanishBrickMessages : BrickMessages, PlaceMessages by SpanishPlaceMessages {
     override fun failureShown(failure: ProgramFailure) =
         "El programa no puede seguir. ${placed(failure)} Pulsa On-Off para volver al principio."
 
@@ -60,7 +60,7 @@ object SpanishBrickMessages : BrickMessages {
         if (ports.isEmpty()) "no cambia ningún sensor" else ports.joinToString { sensorPower(it, active) }
 
     override fun buttons(held: List<BrickButton>) =
-        "botones pulsados: ${held.joinToString { buttonName(it) }.ifEmpty { "ninguno" }}"
+        "botones pulsados: ${held.joinToString { it.label }.ifEmpty { "ninguno" }}"
 
     override fun onOffKey(held: Boolean) = "el botón On-Off está ${if (held) "pulsado" else "suelto"}"
 

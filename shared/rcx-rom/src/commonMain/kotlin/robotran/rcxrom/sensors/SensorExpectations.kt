@@ -1,7 +1,6 @@
 package robotran.rcxrom.sensors
 
 import robotran.brick.sensors.ExpectedSensor
-import robotran.brick.sensors.SensorKind
 
 /**
  * Finds out which sensors a program expects: it sets the type of a port, or powers a port whose type is light or
@@ -37,7 +36,7 @@ internal class SensorExpectations {
     }
 
     private fun expect(port: Int, type: Int) {
-        val kind = SensorKind.of(type) ?: return
+        val kind = SensorCode.kindOf(type) ?: return
         if (all.any { it.port == port + 1 && it.kind == kind }) return
         val (line, file) = place()
         all = all + ExpectedSensor(port + 1, kind, line, file)

@@ -4,6 +4,7 @@ import robotran.brick.log.CallLog
 import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomGap
 import robotran.rcxrom.infrared.SerialReceiver
+import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.memory.FirmwareMemory
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
@@ -49,7 +50,7 @@ internal class ShellMailbox(
 
     private fun report(): ShellAction {
         log.amendLast {
-            it.copy(
+            (it as RomLogEntry).copy(
                 meaning = messages.messageNotModelled(it.meaning, RomGap.DOWNLOAD),
                 outcome = CallOutcome.NOT_MODELLED,
             )

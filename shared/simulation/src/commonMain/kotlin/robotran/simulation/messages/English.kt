@@ -188,7 +188,13 @@ private object EnglishSensorMessages : SensorMessages {
             SensorKind.TEMPERATURE -> "temperature sensor"
             SensorKind.LIGHT -> "light sensor"
             SensorKind.ROTATION -> "rotation sensor"
+            SensorKind.ULTRASONIC -> "ultrasonic sensor"
+            SensorKind.SOUND -> "sound sensor"
+            SensorKind.COLOUR -> "colour sensor"
+            SensorKind.COMPASS -> "compass sensor"
+            SensorKind.GYRO -> "gyro sensor"
         }
-        return if (ports.size == 1) "a $sensor" else "${sensor}s"
+        val article = if (kind == SensorKind.ULTRASONIC) "an" else "a"
+        return if (ports.size == 1) "$article $sensor" else "${sensor}s"
     }
 }

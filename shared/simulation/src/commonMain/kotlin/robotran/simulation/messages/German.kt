@@ -216,6 +216,11 @@ private object GermanSensorMessages : SensorMessages {
             SensorKind.TEMPERATURE -> "Temperatursensor"
             SensorKind.LIGHT -> "Lichtsensor"
             SensorKind.ROTATION -> "Drehsensor"
+            SensorKind.ULTRASONIC -> "Ultraschallsensor"
+            SensorKind.SOUND -> "Geräuschsensor"
+            SensorKind.COLOUR -> "Farbsensor"
+            SensorKind.COMPASS -> "Kompasssensor"
+            SensorKind.GYRO -> "Kreiselsensor"
         }
         return if (ports.size == 1) "ein $sensor" else "${sensor}en"
     }

@@ -202,6 +202,11 @@ private object SpanishSensorMessages : SensorMessages {
             SensorKind.TEMPERATURE -> "temperatura"
             SensorKind.LIGHT -> "luz"
             SensorKind.ROTATION -> "giro"
+            SensorKind.ULTRASONIC -> "ultrasonidos"
+            SensorKind.SOUND -> "sonido"
+            SensorKind.COLOUR -> "color"
+            SensorKind.COMPASS -> "brújula"
+            SensorKind.GYRO -> "giroscopio"
         }
         val numbers = listed(ports.map { "$it" }, "y")
         return if (ports.size == 1) {

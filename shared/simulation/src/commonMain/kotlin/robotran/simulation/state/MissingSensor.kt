@@ -13,7 +13,7 @@ import robotran.world.PortSensor
 data class MissingSensor(val port: Int, val kind: SensorKind, val remark: RuntimeWarning) {
     /**
      * The penbot's sensors to plug into [port] so that it has one of this [kind]. On the ports 1 and 3 these are those
-     * of the left and the right; a touch sensor on port 2 is pressed by both bumpers.
+     * of the left and the right; a touch sensor on port 2 is pressed by both bumpers. Empty for sensors of an NXT.
      */
     val plug: List<PortSensor>
         get() = when (kind) {
@@ -35,6 +35,10 @@ data class MissingSensor(val port: Int, val kind: SensorKind, val remark: Runtim
 
             SensorKind.ROTATION -> {
                 listOf(if (port == LAST_PORT) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
+            }
+
+            SensorKind.ULTRASONIC, SensorKind.SOUND, SensorKind.COLOUR, SensorKind.COMPASS, SensorKind.GYRO -> {
+                emptyList()
             }
         }
 

@@ -5,6 +5,7 @@ import robotran.brick.state.RunState
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.log.romCalls
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
@@ -23,7 +24,7 @@ class PersistentMemoryTest {
             brick.press(BrickButton.RUN)
             brick.release(BrickButton.RUN)
             while (brick.state.run is RunState.Running) brick.tick()
-            brick.log.entries.drop(before).map { it.call }.filter {
+            brick.log.entries.drop(before).romCalls().map { it.call }.filter {
                 it.address == RomAddress.SET_LCD_NUMBER && it.arguments.first() == RomCode.LCD_UNSIGNED
             }.map { it.arguments[1] }
         }

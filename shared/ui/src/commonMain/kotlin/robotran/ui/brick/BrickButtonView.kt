@@ -114,4 +114,6 @@ private fun look(button: BrickButton): ButtonLook = when (button) {
     BrickButton.PRGM -> ButtonLook(Res.string.button_prgm, BrickColours.PRGM, BrickColours.LABEL)
 
     BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
+
+    BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error("An RCX has no $button.")
 }

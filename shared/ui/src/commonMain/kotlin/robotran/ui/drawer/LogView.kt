@@ -34,16 +34,18 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
-import robotran.rcxrom.log.RomLogEntry
+import robotran.brick.log.LoggedCall
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
 import robotran.ui.resources.run_log_empty
 import robotran.ui.resources.run_log_firmware
+import robotran.ui.resources.run_log_group_bluetooth
 import robotran.ui.resources.run_log_group_buttons
 import robotran.ui.resources.run_log_group_display
 import robotran.ui.resources.run_log_group_infrared
@@ -51,6 +53,7 @@ import robotran.ui.resources.run_log_group_motors
 import robotran.ui.resources.run_log_group_power
 import robotran.ui.resources.run_log_group_sensors
 import robotran.ui.resources.run_log_group_sound
+import robotran.ui.resources.run_log_group_system
 import robotran.ui.resources.run_log_group_timer
 import robotran.ui.resources.run_log_group_unknown
 import robotran.ui.resources.run_log_line
@@ -125,7 +128,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in CallGroup.entries) {
+        for (group in CallGroup.of(BrickKind.RCX)) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
@@ -155,7 +158,7 @@ private fun ToolButton(name: StringResource, tag: String, onClick: () -> Unit) {
 }
 
 @Composable
-private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
+private fun LogEntries(entries: List<LoggedCall>, modifier: Modifier) {
     val list = rememberLazyListState()
     FollowEnd(list, entries.size)
     BoxWithConstraints(modifier) {
@@ -176,7 +179,7 @@ private fun FollowEnd(list: LazyListState, size: Int) {
 }
 
 @Composable
-private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
+private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
     val colours = LocalRobotranColours.current
     val troubled = entry.outcome != CallOutcome.DONE
     val scale = LocalDensity.current.fontScale
@@ -212,7 +215,7 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
 }
 
 /** The address and the arguments, as in a saved log. */
-private fun callText(entry: RomLogEntry): String = entry.text.substringAfter(' ').substringBefore(" ; ")
+private fun callText(entry: LoggedCall): String = entry.callText
 
 private val CallGroup.word: StringResource
     get() = when (this) {
@@ -224,5 +227,7 @@ private val CallGroup.word: StringResource
         CallGroup.POWER -> Res.string.run_log_group_power
         CallGroup.INFRARED -> Res.string.run_log_group_infrared
         CallGroup.TIMER -> Res.string.run_log_group_timer
+        CallGroup.BLUETOOTH -> Res.string.run_log_group_bluetooth
+        CallGroup.SYSTEM -> Res.string.run_log_group_system
         CallGroup.UNKNOWN -> Res.string.run_log_group_unknown
     }

@@ -2,9 +2,9 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.brick.log.CallLogFilter
+import robotran.brick.log.LoggedCall
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.program.ThreadView
-import robotran.rcxrom.log.RomLogEntry
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
@@ -71,7 +71,7 @@ data class VariablesState(
  */
 @Immutable
 data class LogState(
-    val entries: List<RomLogEntry> = emptyList(),
+    val entries: List<LoggedCall> = emptyList(),
     val filter: CallLogFilter = CallLogFilter(),
     val total: Long = 0,
     val isComplete: Boolean = true,

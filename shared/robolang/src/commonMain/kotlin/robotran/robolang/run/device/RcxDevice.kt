@@ -5,6 +5,7 @@ import robotran.brick.controls.MotorPort
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.program.Rom
 import robotran.robolang.robot.Durations
@@ -162,7 +163,7 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
     }
 
     private fun control(motor: MotorPort, mode: MotorMode, power: Int, sourceLine: Int) {
-        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.code, mode.code, power)
+        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.romCode, mode.code, power)
     }
 
     private fun call(sourceLine: Int, address: Int, vararg arguments: Int) {

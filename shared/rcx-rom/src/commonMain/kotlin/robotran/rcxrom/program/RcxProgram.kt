@@ -1,0 +1,13 @@
+package robotran.rcxrom.program
+
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
+import robotran.brick.program.ProgramRun
+
+/** A program for an RCX. */
+interface RcxProgram : BrickProgram {
+    override val kind: BrickKind get() = BrickKind.RCX
+
+    /** Starts a new run at the first statement. The run controls the robot only through [rom]. */
+    fun start(rom: Rom): ProgramRun
+}
