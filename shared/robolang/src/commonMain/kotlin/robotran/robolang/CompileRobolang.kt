@@ -43,7 +43,7 @@ fun compileRobolang(
     val parsed = Parser(lines, diagnostics).program()
     val checked = Checker(robot, diagnostics).check(parsed)
     return if (diagnostics.isEmpty) {
-        RobolangResult.Ready(RobolangProgram(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
+        RobolangResult.Ready(RobolangProgram.of(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
     } else {
         RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }

@@ -31,13 +31,13 @@ class ProgramsTest {
                 is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
 
                 is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } +
-                    failureOf(result.program)
+                    failureOf(result.rcxProgram)
             }
         }
         assertEquals(emptyList(), problems)
     }
 
-    private fun failureOf(program: RobolangProgram): List<String> {
+    private fun failureOf(program: RobolangRcxProgram): List<String> {
         val rom = RecordingRom()
         val run = program.start(rom)
         while (rom.milliseconds < 60_000) {

@@ -18,9 +18,19 @@ internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = r
     is RobolangResult.HasErrors -> result.diagnostics
 }
 
+/** A robot with an NXT, on the wheels of its construction kit. */
+internal val testNxt = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
+
+/** The robot for a test program: one with an NXT if the header of [text] says so. */
+internal fun robotFor(text: String): RobotTarget = if (NXT_HEADER.containsMatchIn(text)) testNxt else testCalibration
+
+private val NXT_HEADER = Regex("""(^|\n)\s*brick nxt\b""")
+
+internal val RobolangResult.Ready.rcxProgram: RobolangRcxProgram get() = program as RobolangRcxProgram
+
 internal fun programOf(source: String, calibration: RobotTarget = testCalibration): RcxProgram =
     when (val result = read(source, calibration)) {
-        is RobolangResult.Ready -> result.program
+        is RobolangResult.Ready -> result.rcxProgram
         is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 

@@ -15,7 +15,7 @@ import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.ValueKind
 import robotran.robolang.outline.ValueUse
 import robotran.robolang.outline.outlineRobolang
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** The palette: a block for each form of the language, made from its own tables. */
 object Palette {

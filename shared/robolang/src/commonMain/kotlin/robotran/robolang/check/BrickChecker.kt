@@ -3,7 +3,7 @@ package robotran.robolang.check
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.BrickSetting

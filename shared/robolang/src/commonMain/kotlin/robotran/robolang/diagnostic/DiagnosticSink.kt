@@ -1,7 +1,7 @@
 package robotran.robolang.diagnostic
 
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /**
  * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often

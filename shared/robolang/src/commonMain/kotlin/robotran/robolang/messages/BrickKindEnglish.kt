@@ -1,7 +1,7 @@
 package robotran.robolang.messages
 
 import robotran.language.quoted
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** The messages about the bricks in English. */
 internal object EnglishBrickKindMessages : BrickKindMessages {

@@ -1,6 +1,6 @@
 package robotran.robolang.messages
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** The messages about what one of the bricks has and the other one lacks. */
 interface BrickKindMessages {

@@ -1,7 +1,7 @@
 package robotran.robolang.outline
 
 import robotran.brick.controls.MotorPort
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Expression

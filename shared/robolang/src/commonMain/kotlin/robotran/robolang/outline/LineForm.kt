@@ -1,6 +1,6 @@
 package robotran.robolang.outline
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** What a line of Robolang says. The forms of one keyword differ in the values that they take. */
 enum class LineForm {

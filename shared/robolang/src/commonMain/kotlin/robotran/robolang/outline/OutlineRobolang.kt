@@ -6,7 +6,7 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits

@@ -1,6 +1,6 @@
 package robotran.robolang.outline
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** The kinds of values. */
 enum class ValueForm {

@@ -1,6 +1,7 @@
 package robotran.robolang.robot
 
 import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 
 /** The robot that a program is compiled for. Its figures belong to the robot, not to the language. */
 sealed interface RobotTarget {

@@ -2,7 +2,7 @@ package robotran.robolang.run
 
 import robotran.brick.controls.MotorMode
 import robotran.robolang.check.ValueType
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.run.device.RobotDevice
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
@@ -34,7 +34,7 @@ internal class CommandLowering(
 
             is Statement.MotorTurn -> lowerMotorTurn(statement)
 
-            is Statement.ResetMotor -> command { resetMotor(statement.port, it) }
+            is Statement.ResetMotor -> lowerReset(statement)
 
             is Statement.Pen -> lowerPen(statement)
 
@@ -132,6 +132,14 @@ internal class CommandLowering(
                 if (it.machine.robot.isTurning(port)) it.machine.robot.brake(port, it.currentLine)
             },
         )
+    }
+
+    private fun lowerReset(statement: Statement.ResetMotor) {
+        val port = statement.port
+        command { if (isTurning(port)) brake(port, it) }
+        emitter.emit(CompletionAction({ !it.machine.robot.isTurning(port) }) {
+            it.machine.robot.resetMotor(port, it.currentLine)
+        })
     }
 
     private fun lowerShow(statement: Statement.Show) {

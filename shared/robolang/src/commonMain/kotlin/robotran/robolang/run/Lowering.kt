@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
 import robotran.robolang.check.CheckedProgram
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.Routine
 
@@ -19,6 +19,7 @@ internal fun lower(program: CheckedProgram, name: String, kind: BrickKind): Code
     val statements = StatementLowering(emitter, scope)
     val main = emitter.place
     emitter.emit { activity -> activity.machine.run { robot.setUp(scope.ports) { setUpLine = it } } }
+    if (kind == BrickKind.NXT) emitter.emit { if (!it.machine.robot.isSetUp) it.lookAgain() }
     statements.lowerMain(program.tree)
     emitter.emit(Boundary.End)
     program.tree.routines.forEach { lowerRoutine(it, scope.codeOf(it.name), emitter, statements) }

@@ -5,6 +5,12 @@ internal object NxtConstants {
     /** How far the pen's motor turns from up to down, in degrees. */
     const val PEN_DEGREES = 90
 
+    /** The power that motors have at first. */
+    const val FIRST_POWER = 3
+
+    /** The loudness of tones: leJOS NXJ's default. */
+    const val VOLUME = 80
+
     /** Degrees a second for each step of a motor's power: with 3 a wheel turns once a second, leJOS NXJ's default. */
     const val SPEED_OF_POWER = 120
 

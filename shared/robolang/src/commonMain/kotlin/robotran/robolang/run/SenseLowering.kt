@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Sense
 
 /** Pushes a sensor's value. */
@@ -34,7 +34,14 @@ private fun lowerBumper(port: Int, emitter: Emitter) =
 
 /** Pushes the value of the sensor on [port] that [sense] reads, as a whole number. */
 private fun lowerAt(port: Int, sense: Sense, emitter: Emitter) = when (sense) {
-    Sense.Distance -> emitter.emit { it.push(it.machine.robot.distance(port)) }
+    Sense.Distance -> {
+        emitter.emit { it.machine.robot.measureDistance(port, it.currentLine) }
+        emitter.emit {
+            val robot = it.machine.robot
+            if (robot.hasDistance(port)) it.push(robot.distance(port)) else it.lookAgain()
+        }
+    }
+
     Sense.Loudness -> emitter.emit { it.push(it.machine.robot.loudness(port)) }
     Sense.Colour -> emitter.emit { it.push(it.machine.robot.colour(port)) }
     Sense.Light -> emitter.emit { it.push(it.machine.robot.light(port)) }

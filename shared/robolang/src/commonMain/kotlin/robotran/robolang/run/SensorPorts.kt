@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Facing
 import robotran.robolang.syntax.NxtSensor

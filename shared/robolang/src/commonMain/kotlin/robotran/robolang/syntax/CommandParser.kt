@@ -5,7 +5,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** Parses a command to the robot or the brick. */
 internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /**
  * A word that the program declares as a name is a name on all its lines, if [Keyword.yields]. So programs that are older

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /**
  * The keywords; they ignore case.

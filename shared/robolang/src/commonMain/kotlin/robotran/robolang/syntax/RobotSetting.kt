@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** A line of the header. */
 internal sealed interface RobotSetting {

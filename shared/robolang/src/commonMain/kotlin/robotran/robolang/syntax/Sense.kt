@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** The sensors of the robot, and other readings of the brick. */
 internal sealed interface Sense {

@@ -3,7 +3,7 @@ package robotran.robolang.syntax
 import robotran.brick.controls.MotorPort
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 private val BUTTONS = BrickButton.entries.associateBy { it.keyword }
 

@@ -2,7 +2,7 @@ package robotran.robolang.translate
 
 import robotran.brick.controls.MotorPort
 import robotran.robolang.RobolangProgram
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.run.stopsAtEnd

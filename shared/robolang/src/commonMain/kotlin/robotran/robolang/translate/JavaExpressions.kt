@@ -3,7 +3,7 @@ package robotran.robolang.translate
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue

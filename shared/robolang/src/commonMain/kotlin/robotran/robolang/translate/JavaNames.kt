@@ -2,7 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.SymbolKind
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /**
  * The Java names of a program's symbols: the same, with an underscore if Java, leJOS or the translation needs the word,

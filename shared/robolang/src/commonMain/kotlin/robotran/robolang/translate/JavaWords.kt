@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 
 /** The words that cannot be names in Java. */
 internal object JavaWords {

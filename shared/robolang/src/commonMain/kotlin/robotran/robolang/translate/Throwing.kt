@@ -2,7 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement

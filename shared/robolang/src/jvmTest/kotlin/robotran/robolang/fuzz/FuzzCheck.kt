@@ -6,7 +6,7 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
-import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
@@ -22,7 +22,7 @@ import robotran.robolang.robot.RobotTarget
  */
 fun checkHarmless(source: String) {
     when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
-        is RobolangResult.Ready -> runFor(result.program, STEPS)
+        is RobolangResult.Ready -> runFor(result.program as RobolangRcxProgram, STEPS)
         is RobolangResult.HasErrors -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }
     val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
@@ -33,7 +33,7 @@ fun checkHarmless(source: String) {
  * Runs [program] for at most [steps], and advances the clock to the end of each wait. Returns its status and its ROM
  * calls.
  */
-fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<String>> {
+fun runFor(program: RobolangRcxProgram, steps: Int): Pair<ProgramStatus, List<String>> {
     val rom = CountingRom()
     val run = program.start(rom)
     var status: ProgramStatus = ProgramStatus.Running

@@ -61,7 +61,7 @@ internal object LejosCompiler {
     private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options")
 }
 
-private class SourceInMemory(name: String, private val text: String) :
+internal class SourceInMemory(name: String, private val text: String) :
     SimpleJavaFileObject(URI("memory", null, "/$name", null), JavaFileObject.Kind.SOURCE) {
     override fun getCharContent(ignoreEncodingErrors: Boolean): CharSequence = text
 }

@@ -2,7 +2,7 @@ package robotran.textediting.complete
 
 import robotran.language.ProgramLanguage
 import robotran.robolang.RobolangWords
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft

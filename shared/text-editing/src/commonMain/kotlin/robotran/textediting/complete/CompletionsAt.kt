@@ -1,7 +1,7 @@
 package robotran.textediting.complete
 
 import robotran.language.ProgramLanguage
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.textediting.text.Draft
 
 /**

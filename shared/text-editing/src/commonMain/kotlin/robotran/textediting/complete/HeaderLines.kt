@@ -1,6 +1,6 @@
 package robotran.textediting.complete
 
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.textediting.text.Draft
 
 /**

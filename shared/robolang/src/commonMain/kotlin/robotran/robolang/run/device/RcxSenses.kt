@@ -7,7 +7,7 @@ import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorRequest
-import robotran.robolang.robot.BrickKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.syntax.BrickButton
@@ -38,6 +38,10 @@ internal class RcxSenses(private val rom: Rom) : RobotSenses {
         val measured = rom.memory.readShort(RobotConstants.RESULT_ADDRESS)
         return measured * RobotConstants.BATTERY_FACTOR / RobotConstants.BATTERY_DIVISOR / MILLI
     }
+
+    override fun measureDistance(port: Int, sourceLine: Int) = onlyOnNxt()
+
+    override fun hasDistance(port: Int): Boolean = onlyOnNxt()
 
     override fun distance(port: Int): Int = onlyOnNxt()
 

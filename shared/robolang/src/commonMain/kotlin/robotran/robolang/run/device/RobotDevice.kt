@@ -18,6 +18,9 @@ internal interface RobotDevice : RobotSenses {
     /** Sets up the sensors at [ports]; [at] receives the line that needs the next one, null behind the last. */
     fun setUp(ports: SensorPorts, at: (line: Int?) -> Unit)
 
+    /** Whether the sensors are ready; asked each millisecond after [setUp] until they are. */
+    val isSetUp: Boolean
+
     fun startMoving(direction: MoveDirection, sourceLine: Int)
 
     fun startTurning(direction: TurnDirection, sourceLine: Int)
@@ -61,6 +64,7 @@ internal interface RobotDevice : RobotSenses {
 
     fun isTurning(motor: MotorPort): Boolean
 
+    /** Counts the degrees of a motor that stands from 0 again. */
     fun resetMotor(motor: MotorPort, sourceLine: Int)
 
     fun beep(sourceLine: Int)
@@ -96,7 +100,13 @@ internal interface RobotSenses {
 
     fun batteryVolts(sourceLine: Int): Float
 
-    /** In centimetres, 255 for nothing; only on an NXT, as the other members below. */
+    /** Begins to measure a distance; only on an NXT, as the other members below. */
+    fun measureDistance(port: Int, sourceLine: Int)
+
+    /** Whether that is done; asked each millisecond until it is. */
+    fun hasDistance(port: Int): Boolean
+
+    /** In centimetres, 255 for nothing. */
     fun distance(port: Int): Int
 
     fun loudness(port: Int): Int
