@@ -89,7 +89,10 @@ internal class BrickChecker(private val context: CheckContext, private val robot
 
     private fun port(port: Int, range: SourceRange) {
         val last = BrickKind.RCX.inputPorts
-        if (port > last) context.report(DiagnosticCode.PORT_OUT_OF_RANGE, range, messages.portOutOfRange(last))
+        if (port <= last) return
+        val column = range.column + context.textOf(range).indexOfFirst { it in '0'..'9' }
+        val number = range.copy(column = column, endColumn = column + 1)
+        context.report(DiagnosticCode.PORT_OUT_OF_RANGE, number, messages.portOutOfRange(last))
     }
 
     private fun lacks(range: SourceRange, message: String) =

@@ -1,5 +1,6 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.syntax.BinaryOperator
@@ -226,7 +227,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
                 messages.divisionByZero(),
             )
         }
-        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
+        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE && context.brick == BrickKind.RCX
         if (isTooLarge) warnOfDivisor(expression.right, divisor.value)
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return
         if (expression.operator == BinaryOperator.MOD || dividend % divisor.value == 0) return

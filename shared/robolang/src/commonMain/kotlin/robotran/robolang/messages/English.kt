@@ -316,6 +316,9 @@ private object EnglishRunMessages : RunMessages {
     override fun tooManyCalls(name: String, limit: Int) =
         "\"$name\" calls itself too often: a brick has no memory for more than $limit calls inside each other."
 
+    override fun listsInUseTooLarge(limit: Int) =
+        "The brick's memory is full: the lists in use have more than $limit elements."
+
     override fun listsTooLarge(limit: Int) =
         "The brick's memory is full: all the lists made so far have more than $limit elements, and it keeps every one."
 

@@ -338,6 +338,9 @@ private object GermanRunMessages : RunMessages {
         "${quoted(name)} ruft sich zu oft selbst auf: Im Speicher des Steins ist nur Platz für $limit Aufrufe " +
             "ineinander."
 
+    override fun listsInUseTooLarge(limit: Int) =
+        "Der Speicher des Steins ist voll: Die Listen, die noch gebraucht werden, haben mehr als $limit Elemente."
+
     override fun listsTooLarge(limit: Int) =
         "Der Speicher des Steins ist voll: Alle Listen bis jetzt haben zusammen mehr als $limit Elemente, und er " +
             "behält jedes."

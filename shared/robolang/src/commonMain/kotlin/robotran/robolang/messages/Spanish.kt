@@ -334,6 +334,9 @@ private object SpanishRunMessages : RunMessages {
         "${quoted(name)} se llama a sí mismo demasiadas veces: en la memoria de un ladrillo no caben más de $limit " +
             "llamadas unas dentro de otras."
 
+    override fun listsInUseTooLarge(limit: Int) =
+        "La memoria del ladrillo está llena: las listas en uso tienen más de $limit elementos."
+
     override fun listsTooLarge(limit: Int) =
         "La memoria del ladrillo está llena: todas las listas hechas hasta ahora tienen más de $limit elementos, y " +
             "los guarda todos."

@@ -120,6 +120,11 @@ internal class Activity(val machine: InterpreterState, val name: String, start: 
         stack[top - 1 - below] = value
     }
 
+    /** Passes all values on its stack to [use]. */
+    fun eachValue(use: (Int) -> Unit) {
+        for (place in 0..<top) use(stack[place])
+    }
+
     fun local(slot: Int): Int = stack[base + slot]
 
     /** The value of [slot] of the routine at [frame] of its call stack; 0 is the innermost frame. */

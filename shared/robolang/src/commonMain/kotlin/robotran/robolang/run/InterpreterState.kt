@@ -15,7 +15,11 @@ internal class InterpreterState(
     val messages: RunMessages,
 ) {
     val timer = ProgramTimer(robot)
-    val lists = Lists(messages)
+
+    /** The activities that have values, set by the run. */
+    var activities: () -> List<Activity> = { emptyList() }
+
+    val lists = Lists(messages, if (robot.collectsLists) ::eachValue else null)
     val globals = IntArray(code.globals)
 
     /**
@@ -32,6 +36,11 @@ internal class InterpreterState(
 
     /** Whether a `halt` has been executed. */
     var isHalted = false
+
+    private fun eachValue(use: (Int) -> Unit) {
+        globals.forEach(use)
+        activities().forEach { it.eachValue(use) }
+    }
 
     private companion object {
         /** Translations also divide by it. */

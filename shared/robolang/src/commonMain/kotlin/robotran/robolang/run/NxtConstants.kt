@@ -26,5 +26,8 @@ internal object NxtConstants {
     const val BUZZ_FREQUENCY = 100
     const val BUZZ_MILLISECONDS = 500
 
+    /** The max number of elements of all lists in use, with one more for each: what 48 KB have room for. */
+    const val LIST_WORDS = 12_000
+
     fun speedOf(power: Int): Int = if (power == 0) SLOWEST_SPEED else power * SPEED_OF_POWER
 }

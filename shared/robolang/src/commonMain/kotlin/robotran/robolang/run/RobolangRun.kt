@@ -21,6 +21,10 @@ internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations,
     private val arbiter = Arbiter(machine)
     private var isPassed = false
 
+    init {
+        machine.activities = { arbiter.activities }
+    }
+
     /** The running activity. */
     private var active = arbiter.foremost
 

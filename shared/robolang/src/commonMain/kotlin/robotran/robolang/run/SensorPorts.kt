@@ -91,12 +91,12 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
         return (used + settings + usual).firstOrNull { portOf(it) == port } ?: usual[port - 1]
     }
 
-    /** The sensors of an NXT that the program uses, in the order of their ports. */
+    /** The sensors of an NXT that the program uses, in the order in which it names them first. */
     val nxtSensors: List<NxtUse> by lazy(LazyThreadSafetyMode.PUBLICATION) {
         uses.mapNotNull { use ->
             val sense = (use.sense as? Sense.Sensor)?.let { senseAt(it.port) } ?: use.sense
             portOf(sense)?.let { NxtUse(sense, (use.sense as? Sense.Sensor)?.port ?: it, lineOf(sense, use)) }
-        }.sortedWith(compareBy({ it.port }, { it.line })).distinctBy { it.port }
+        }.sortedWith(compareBy({ it.line }, { it.port })).distinctBy { it.port }
     }
 
     /** The sensor on [port], from 1, that [sense] reads, and the line that its set-up belongs to. */

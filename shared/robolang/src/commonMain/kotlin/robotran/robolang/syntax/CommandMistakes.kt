@@ -115,6 +115,15 @@ internal fun isSetting(reader: LineReader): Boolean = when (reader.first.keyword
     else -> false
 }
 
+/** Whether the line may be one of the header, with a mistake, rather than one that uses a name. */
+internal fun maybeSetting(reader: LineReader): Boolean =
+    reader.first.keyword in SETTINGS && reader.peek(1)?.kind !in NAME_ENDS
+
+/** The words that a line of the header can begin with. */
+internal val SETTINGS = setOf(Keyword.LIGHT, Keyword.BRICK, Keyword.SONAR, Keyword.COLOUR, Keyword.SOUND)
+
+private val NAME_ENDS = setOf(TokenKind.ASSIGN, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
+
 private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: SourceRange) {
     report(reader, DiagnosticCode.UNKNOWN_COMMAND, range, messages.valueAsCommand(reader.quotable(range)))
 }

@@ -73,7 +73,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         if (first.keyword in OUTERMOST) {
             blocks.closeLacking(first.range.line) { it.keyword.range.column >= column }
         } else if (first.keyword != Keyword.END) {
-            if (first.keyword != Keyword.LIGHT && !isSetting(reader)) {
+            if (!maybeSetting(reader)) {
                 blocks.closeLacking(first.range.line) {
                     it.keyword.keyword == Keyword.ROBOT &&
                         it.keyword.range.column >= column
@@ -228,7 +228,6 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     }
 
     private companion object {
-        val SETTINGS = setOf(Keyword.LIGHT, Keyword.BRICK, Keyword.SONAR, Keyword.COLOUR, Keyword.SOUND)
         val OUTERMOST = setOf(Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.WHENEVER, Keyword.ROBOT)
     }
 }

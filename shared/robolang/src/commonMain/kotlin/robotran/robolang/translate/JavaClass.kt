@@ -20,7 +20,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private val names = JavaNames(className, robot.kind)
     private val helpers = UsedHelpers(robot, isReacting = tree.behaviours.isNotEmpty())
     private val comments = CommentsOfItems(tree)
-    private val throwing = Throwing(checked, robot.kind)
+    private val throwing = Throwing(checked, robot.kind, stopsAtEnd(tree, robot.kind))
     private val nxtSensors = if (robot.kind == BrickKind.NXT) NxtSensorFields(ports) else null
     private val expressions = JavaExpressions(checked, names, helpers, ports.lightPort, nxtSensors)
     private val nxtCommands = (robot as? RobotTarget.Nxt)?.let { NxtCommands(it, expressions, helpers) }
@@ -38,6 +38,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         (globals + tree.routines.map { it.name }).map(checked::symbolOf).distinct().forEach(names::declareShared)
         if (nxtSensors != null) {
             tree.robot?.let { body.takeComments(comments.of(it.range)) }
+            tree.robot?.let { body.commentsAbove(it.range.line + 1) }
             nxtSensors.write(body)
             tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
         }
@@ -74,7 +75,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         body.takeComments(comments.closing)
         body.commentsLeft()
         val isEndReached = tree.behaviours.isEmpty() && JavaFlow(checked).completes(tree.statements)
-        if (stopsAtEnd && isEndReached && tree.statements.last() !is Statement.Halt) body.line("pilot.stop();")
+        if (stopsAtEnd && isEndReached && tree.statements.last() !is Statement.Halt) body.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();")
     }
 
     private fun mainStatements(part: List<Statement>) =

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.decimalText
@@ -43,11 +44,14 @@ internal class JavaFigures(private val robot: RobotTarget) {
         }
 
         else -> {
-            field.text
+            NxtTexts.of(field, isReacting = true).takeIf { robot.kind == BrickKind.NXT } ?: field.text
         }
     }
 
     private val rcx: RobotTarget.Rcx get() = robot as RobotTarget.Rcx
+
+    private fun newPilot(robot: RobotTarget.Nxt): String =
+        "new Pilot(WHEEL_DIAMETER, TRACK_WIDTH, Motor.${robot.left.name}, Motor.${robot.right.name})"
 
     private fun pilot(robot: RobotTarget.Nxt): String =
         """
@@ -57,8 +61,7 @@ internal class JavaFigures(private val robot: RobotTarget) {
         /** How far apart the wheels are, in cm: let the robot turn ten times round and correct it. */
         static final float TRACK_WIDTH = ${decimal(robot.track)};
 
-        static final Pilot pilot =
-            new Pilot(WHEEL_DIAMETER, TRACK_WIDTH, Motor.${robot.left.name}, Motor.${robot.right.name});
+        static final Pilot pilot = ${newPilot(robot)};
         """.trimIndent()
 
     private fun decimal(figure: Double): String = decimalText(figure.toFloat()) + "f"

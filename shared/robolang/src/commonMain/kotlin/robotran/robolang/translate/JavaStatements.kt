@@ -12,7 +12,7 @@ internal class JavaStatements(
     private val program: CheckedProgram,
     private val names: JavaNames,
     private val expressions: JavaExpressions,
-    helpers: UsedHelpers,
+    private val helpers: UsedHelpers,
     texts: JavaShownTexts,
     nxt: NxtCommands?,
     private val stopsAtEnd: Boolean,
@@ -69,7 +69,7 @@ internal class JavaStatements(
             )
 
             is Statement.Halt -> {
-                if (stopsAtEnd) writer.line("pilot.stop();", line)
+                if (stopsAtEnd) writer.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();", line)
                 writer.line("System.exit(0);", line)
             }
 

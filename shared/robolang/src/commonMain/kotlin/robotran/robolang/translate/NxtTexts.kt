@@ -6,6 +6,7 @@ import robotran.robolang.run.NxtConstants
 internal object NxtTexts {
     /** The text of [helper]; null if it is the same for both bricks. */
     fun of(helper: JavaHelper, isReacting: Boolean): String? = when (helper) {
+        JavaHelper.CONTROL -> JavaReactingTexts.CONTROL.replace(THRIFTY, THROWN)
         JavaHelper.PILOT -> NxtPilotTexts.pilot(isReacting)
         JavaHelper.STOP_AT -> if (isReacting) STOP_AT_REACTING else STOP_AT
         JavaHelper.FORWARD_SECONDS -> timed("Drives ahead for a while.", helper, "forward")
@@ -34,6 +35,10 @@ internal object NxtTexts {
         JavaHelper.SHOW_DECIMAL -> listOf(JavaHelper.ROUND_HALF_UP, JavaHelper.SHOW_TEXT)
         else -> null
     }
+
+    /** An NXT collects what is no longer needed. */
+    private const val THRIFTY = "Thrown again and again, for the brick never takes back the memory of a new one."
+    private const val THROWN = "Thrown where a behaviour takes over."
 
     private fun timed(sentence: String, helper: JavaHelper, start: String) = """/** $sentence */
 static void ${helper.called}(float seconds) throws InterruptedException {

@@ -11,7 +11,11 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.withParts
 
 /** Finds the routines that may wait: in Java they and their callers declare `throws InterruptedException`. */
-internal class Throwing(private val program: CheckedProgram, private val robot: BrickKind) {
+internal class Throwing(
+    private val program: CheckedProgram,
+    private val robot: BrickKind,
+    private val stopsAtEnd: Boolean,
+) {
     private val waiting: Set<Symbol> = routinesThatWait()
 
     fun mayWait(routine: Routine): Boolean = program.symbolOf(routine.name) in waiting
@@ -48,7 +52,9 @@ internal class Throwing(private val program: CheckedProgram, private val robot: 
 
         is Statement.MotorTurn -> statement.waits
 
-        is Statement.StopDriving, is Statement.Halt -> robot == BrickKind.NXT
+        is Statement.StopDriving -> robot == BrickKind.NXT
+
+        is Statement.Halt -> stopsAtEnd
 
         else -> false
     }

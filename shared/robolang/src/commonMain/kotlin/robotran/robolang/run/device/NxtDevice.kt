@@ -46,6 +46,8 @@ internal class NxtDevice private constructor(
         sensors.begin(ports)
     }
 
+    override val collectsLists: Boolean get() = true
+
     override val isSetUp: Boolean get() = sensors.goOn(lineOfSetUp)
 
     override fun startMoving(direction: MoveDirection, sourceLine: Int) {

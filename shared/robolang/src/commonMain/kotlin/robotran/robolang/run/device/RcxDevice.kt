@@ -37,6 +37,8 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
 
     override val longestTone: Int get() = RobotConstants.LONGEST_TONE
 
+    override val collectsLists: Boolean get() = false
+
     override val isSetUp: Boolean get() = true
 
     override fun setUp(ports: SensorPorts, at: (line: Int?) -> Unit) = sensors.setUp(ports, at)

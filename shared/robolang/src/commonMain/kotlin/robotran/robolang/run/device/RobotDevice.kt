@@ -15,6 +15,9 @@ internal interface RobotDevice : RobotSenses {
     /** The brick's clock. */
     val milliseconds: Long
 
+    /** Whether the brick frees lists that are no longer in use. */
+    val collectsLists: Boolean
+
     /** Sets up the sensors at [ports]; [at] receives the line that needs the next one, null behind the last. */
     fun setUp(ports: SensorPorts, at: (line: Int?) -> Unit)
 
