@@ -49,7 +49,7 @@ internal fun runOn(nxt: FakeNxt, program: NxtProgram, expected: Expectations): P
 }
 
 /** What the sensors measure now. */
-private class Senses(private val expected: Expectations) {
+internal class Senses(private val expected: Expectations) {
     fun apply(nxt: FakeNxt) {
         expected.sensors.filter { it.milliseconds <= nxt.milliseconds }.forEach { nxt.analog[it.port - 1] = it.raw }
         nxt.held = 0

@@ -30,7 +30,7 @@ internal object NxjCompiler {
             .map { "$it" }
     }
 
-    /** Only the meaning is checked: the library has methods that only a brick has. */
-    private val OPTIONS =
-        listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options", "-Xmaxerrs", "10000", "-XDshould-stop.ifError=FLOW", "-d", System.getProperty("java.io.tmpdir"))
+    /** Nothing is written; without a source path, javac would look for more sources among the test resources. */
+    private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options", "-sourcepath", "") +
+        listOf("-Xmaxerrs", "10000", "-XDshould-stop.ifError=FLOW", "-XDcompilePolicy=check")
 }

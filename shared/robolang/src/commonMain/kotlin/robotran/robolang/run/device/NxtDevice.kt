@@ -9,7 +9,9 @@ import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.run.LejosRandom
 import robotran.robolang.run.NxtConstants
+import robotran.robolang.run.NxtRandom
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.run.colourName
 import robotran.robolang.run.nxtText
@@ -45,6 +47,8 @@ internal class NxtDevice private constructor(
         lineOfSetUp = at
         sensors.begin(ports)
     }
+
+    override fun random(seed: Int): LejosRandom = NxtRandom(seed)
 
     override val collectsLists: Boolean get() = true
 

@@ -9,6 +9,8 @@ import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.program.Rom
 import robotran.robolang.robot.Durations
+import robotran.robolang.run.LejosRandom
+import robotran.robolang.run.RcxRandom
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.run.lcdNumber
@@ -36,6 +38,8 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
     override val isPenMoving: Boolean get() = false
 
     override val longestTone: Int get() = RobotConstants.LONGEST_TONE
+
+    override fun random(seed: Int): LejosRandom = RcxRandom(seed)
 
     override val collectsLists: Boolean get() = false
 

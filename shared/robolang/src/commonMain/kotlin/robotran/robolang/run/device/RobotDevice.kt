@@ -2,6 +2,7 @@ package robotran.robolang.run.device
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.robolang.run.LejosRandom
 import robotran.robolang.run.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.MoveDirection
@@ -14,6 +15,9 @@ import robotran.robolang.syntax.TurnDirection
 internal interface RobotDevice : RobotSenses {
     /** The brick's clock. */
     val milliseconds: Long
+
+    /** The random numbers of the brick for [seed]. */
+    fun random(seed: Int): LejosRandom
 
     /** Whether the brick frees lists that are no longer in use. */
     val collectsLists: Boolean
