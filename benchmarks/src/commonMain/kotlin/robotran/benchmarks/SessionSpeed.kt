@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
 import robotran.rcxrom.program.RcxProgram
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -91,7 +91,7 @@ private fun runOnce(program: RcxProgram, world: World, physics: PhysicsEngine) {
 }
 
 private fun drivingProgram() =
-    programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    programOf(PROGRAM, RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 

@@ -7,7 +7,7 @@ import kotlinx.coroutines.promise
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.RobotLoads
@@ -75,7 +75,7 @@ private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? = when
 }
 
 private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
-    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, project.settings.java))) {
+    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, project.settings.java))) {
         is RobotLoads.HasErrors -> {
             refusal(robots.diagnostics.first().message)
         }
@@ -109,6 +109,6 @@ private fun publish(
 )
 
 /** Shared by all runs, so that the Java compiler is loaded once. */
-private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+private val reader = ProgramCompiler(PENBOT_TARGET)
 
 private const val JAVA = ".java"

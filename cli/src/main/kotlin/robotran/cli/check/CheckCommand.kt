@@ -15,7 +15,7 @@ import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 
 /** `robotran check FILE..`: prints all diagnostics of all files. */
 internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
@@ -33,7 +33,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
     override fun run() {
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION, options.java, spoken.language)
+        val compiler = ProgramCompiler(PENBOT_TARGET, options.java, spoken.language)
         val results = checkFiles(files, compiler, translating = options.version != null)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })

@@ -14,7 +14,7 @@ import robotran.cli.input.loadWorld
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
 import robotran.simulation.grade.Grade
@@ -106,7 +106,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         request: GradeRequest,
     ): RobotProgramsResult = when (val read = readSubmission(filesOfProgram(name), console, shownName)) {
         is SubmissionResult.Read -> {
-            val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
+            val reader = ProgramCompiler(PENBOT_TARGET, request.options.java, console.language)
             readLoads(place, reader, read.handIn, request.options.robots)
         }
 

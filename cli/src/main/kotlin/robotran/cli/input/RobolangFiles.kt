@@ -5,7 +5,7 @@ import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -37,7 +37,7 @@ internal fun readRobolangFile(name: String, language: Language): RobolangFile =
                 val result = compileRobolang(
                     Path(name).name,
                     file.text,
-                    PENBOT_CALIBRATION,
+                    PENBOT_TARGET,
                     RobolangMessages.of(language),
                 )
             ) {

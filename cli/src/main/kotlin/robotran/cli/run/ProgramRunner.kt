@@ -20,7 +20,7 @@ import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.RecordedInput
@@ -89,7 +89,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             )
         return when (
             val result =
-                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }
+                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, java, console.language)) }
         ) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
@@ -166,7 +166,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
     /** Prints an error and returns null if a program cannot run. */
     private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
         val loading =
-            readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)
+            readLoads(place, ProgramCompiler(PENBOT_TARGET, request.java, console.language), own, request.robots)
     ) {
         is RobotProgramsResult.Loaded -> {
             loading.loads

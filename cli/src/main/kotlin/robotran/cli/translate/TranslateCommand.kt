@@ -22,7 +22,7 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -65,7 +65,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Read -> read.programs.single()
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
-        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = spoken.language)
+        val reader = ProgramCompiler(PENBOT_TARGET, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {
                 result.diagnostics.forEach { console.complain(lineOf(files, it)) }

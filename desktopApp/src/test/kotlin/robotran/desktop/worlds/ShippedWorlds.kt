@@ -4,7 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
@@ -17,7 +17,7 @@ import java.io.File
 /** The worlds of the folder `worlds` in the tree, and their solutions. */
 internal object ShippedWorlds {
     private val tree = File(System.getProperty("robotran.tree"))
-    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_TARGET)
 
     /** All worlds by name, such as `line-loop`. */
     val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter {

@@ -9,7 +9,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -18,13 +18,26 @@ import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** The example programs of the help. */
 class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
-        for (help in examples(ProgramLanguage.ROBOLANG)) {
+        for (help in examples(ProgramLanguage.ROBOLANG).filterNot(::isForNxt)) {
             runs(help.word, ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+        }
+    }
+
+    @Test
+    fun `every example for an NXT is a program`() = runTest {
+        val examples = examples(ProgramLanguage.ROBOLANG).filter(::isForNxt)
+        assertTrue(examples.size > 5, "${examples.size} examples")
+        for (help in examples) {
+            val result = nxtReader.read(ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+            val told = (result as? ProgramResult.HasErrors)?.diagnostics
+            val ready = assertIs<ProgramResult.Ready>(result, "${help.word}: $told")
+            assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, help.word)
         }
     }
 
@@ -35,6 +48,8 @@ class ExampleTest {
             runs(help.word, ProgramSource.Java(file.name, listOf(file)))
         }
     }
+
+    private fun isForNxt(help: WordHelp): Boolean = "brick nxt" in help.example.orEmpty()
 
     private fun examples(code: ProgramLanguage): List<WordHelp> = WordHelp.words(code).mapNotNull {
         WordHelp.of(Language.ENGLISH, code, it)
@@ -52,7 +67,9 @@ class ExampleTest {
     }
 
     private companion object {
-        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader =
+            ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val nxtReader = ProgramCompiler(RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4))
         const val LONG_ENOUGH = 30_000
     }
 }

@@ -4,7 +4,7 @@ import robotran.language.Language
 import robotran.learning.hint.Attempt
 import robotran.programs.ProgramCompiler
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
@@ -12,7 +12,7 @@ import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
 import kotlin.test.assertIs
 
-private val compiler = ProgramCompiler(PENBOT_CALIBRATION)
+private val compiler = ProgramCompiler(PENBOT_TARGET)
 
 /** The tasks of the gallery's worlds and their harder variations. */
 internal val worldTasks: List<Lesson> by lazy {

@@ -7,7 +7,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import kotlin.test.Test
@@ -26,7 +26,7 @@ class LessonProgramsTest {
 
     @Test
     fun `no solution gets a warning`() = runTest {
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION)
+        val compiler = ProgramCompiler(PENBOT_TARGET)
         for (lesson in Lessons.all + worldTasks) {
             val ready = assertIs<ProgramResult.Ready>(compiler.read(sourceOf(lesson, lesson.solution)), lesson.name)
             assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, lesson.name)

@@ -7,7 +7,7 @@ import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.programs.messages.ProgramMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
@@ -17,33 +17,33 @@ import kotlin.coroutines.cancellation.CancellationException
  * Compiles a pupil's program, in either language, to a program for the brick. It loads the Java compiler on first use,
  * which takes a while in a browser.
  *
- * @param calibration the calibration of the robot that Robolang programs run on.
+ * @param target the robot that Robolang programs run on.
  * @param java how Java programs run.
  * @property language the language of compiler messages and runtime messages.
  */
 class ProgramCompiler(
-    private val calibration: Calibration,
+    private val target: RobotTarget,
     private val java: JavaSettings = JavaSettings(),
     val language: Language = Language.ENGLISH,
 ) {
-    private val robolang = RobolangProgramCompiler(calibration, RobolangMessages.of(language))
+    private val robolang = RobolangProgramCompiler(target, RobolangMessages.of(language))
     private val classFiles = linkerFor(java)
     private var compiler: JavaCompiler? = null
 
     /** Returns a compiler with messages in [language]. It reuses the Java compiler if it is loaded. */
-    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(calibration, java, language).also {
+    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(target, java, language).also {
         it.compiler = compiler?.withLanguage(JavaMessages.of(language))
     }
 
     /** Returns a compiler that runs Java with the settings [java]; this one if it already does. */
     fun withJava(java: JavaSettings): ProgramCompiler =
-        if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
+        if (java == this.java) this else ProgramCompiler(target, java, language).also { it.compiler = compiler }
 
-    /** Returns a compiler for a robot with this [calibration]; this one if it already is. */
-    fun withCalibration(calibration: Calibration): ProgramCompiler = if (calibration == this.calibration) {
+    /** Returns a compiler for the robot [target]; this one if it already is. */
+    fun forTarget(target: RobotTarget): ProgramCompiler = if (target == this.target) {
         this
     } else {
-        ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
+        ProgramCompiler(target, java, language).also { it.compiler = compiler }
     }
 
     /** Loads the compiler that [source] needs. */
@@ -96,7 +96,7 @@ class ProgramCompiler(
         val java = loaded?.let { JavaProgramCompiler(it, linker, settings) }
         val translated = java?.let { TranslatedProgramCompiler(it, ProgramMessages.of(language)) }
         val messages = TinyVmMessages.of(language)
-        return ImageBuilder(calibration, RobolangMessages.of(language), java, translated, linker, messages)
+        return ImageBuilder(target, RobolangMessages.of(language), java, translated, linker, messages)
             .build(sources)
     }
 

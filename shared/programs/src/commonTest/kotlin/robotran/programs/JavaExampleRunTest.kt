@@ -2,7 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.log.toLogText
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -24,7 +24,7 @@ import kotlin.time.Duration.Companion.minutes
  */
 class JavaExampleRunTest {
     private val reader =
-        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
     private suspend fun run(name: String, text: String, physics: PhysicsEngine): Session {
         val result =

@@ -22,7 +22,7 @@ import kotlin.time.Duration.Companion.minutes
  * here: a real brick starts its wheels about a millisecond apart.
  */
 class TranslatedPoseTest {
-    private val reader = ProgramCompiler(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+    private val reader = ProgramCompiler(testTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
 
     @Test
     fun theTranslationOfEveryProgramLeavesTheRobotAtTheSamePlace() = runTest(timeout = 10.minutes) {

@@ -15,15 +15,15 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.translateRobolang
 
-/** The calibration of the test programs, with round numbers. */
-internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+/** The robot of the test programs, with round numbers. */
+internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** Compiles [text]; null if it has errors. */
 internal fun robolangOf(name: String, text: String): RobolangProgram? =
-    (compileRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
+    (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)?.program
 
 /** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {

@@ -11,8 +11,8 @@ import kotlin.time.Duration.Companion.minutes
 
 /** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
 class TranslationDifferenceTest {
-    private val brickCompiler = ProgramCompiler(testCalibration)
-    private val forgivingCompiler = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
+    private val brickCompiler = ProgramCompiler(testTarget)
+    private val forgivingCompiler = ProgramCompiler(testTarget, JavaSettings(TinyVmMode.FORGIVING))
 
     @Test
     fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {

@@ -10,7 +10,7 @@ import kotlin.time.Duration.Companion.minutes
 
 /** All programs of the tree fit a real brick. */
 class EveryProgramLinksTest {
-    private val compiler = ProgramCompiler(testCalibration)
+    private val compiler = ProgramCompiler(testTarget)
 
     @Test
     fun `every example and every solution becomes an image for both versions of leJOS`() =

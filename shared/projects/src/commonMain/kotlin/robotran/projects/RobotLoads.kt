@@ -48,7 +48,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
     val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
-        val compiler = reader.withCalibration(robot.description.calibration)
+        val compiler = reader.forTarget(robot.description.target)
         val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { compiler.read(it) }
         val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
         if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)

@@ -7,7 +7,7 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.log.romCalls
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
@@ -28,7 +28,7 @@ import kotlin.test.assertIs
 class LanguagesTest {
     private val toldIn = listOf(Language.ENGLISH, Language.SPANISH, Language.GERMAN)
     private val reader =
-        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),

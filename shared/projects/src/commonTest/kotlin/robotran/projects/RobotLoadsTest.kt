@@ -3,7 +3,7 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.world.LightFacing
 import robotran.world.Penbot
 import robotran.world.RobotPlacement
@@ -15,7 +15,7 @@ import kotlin.test.assertIs
 
 class RobotLoadsTest {
     private val reader =
-        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
             RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),

@@ -1,6 +1,7 @@
 package robotran.robolang
 
 import robotran.robolang.check.BuiltIn
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Keyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */
@@ -10,6 +11,13 @@ object RobolangWords {
 
     /** All words of the language. */
     val keywords: List<String> = Keyword.entries.map { it.text }
+
+    /** Whether [text] is a word that is a name instead in a program that declares it. */
+    fun isNewerWord(text: String): Boolean = Keyword.of(text)?.yields == true
+
+    /** All words of the language that a program for [brick] can have. */
+    fun keywordsOn(brick: BrickKind): List<String> =
+        Keyword.entries.filter { it.brick == null || it.brick == brick }.map { it.text }
 
     /** The built-in functions with their number of parameters. */
     val functions: Map<String, Int> = BuiltIn.entries.associate { it.text to it.parameters }

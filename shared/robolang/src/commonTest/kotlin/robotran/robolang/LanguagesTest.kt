@@ -3,7 +3,6 @@ package robotran.robolang
 import robotran.language.Language
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -78,5 +77,5 @@ class LanguagesTest {
         }
 
     private fun read(source: String, language: Language) =
-        compileRobolang("test.robo", source, Calibration(1.0, 1.0), RobolangMessages.of(language))
+        compileRobolang("test.robo", source, robotFor(source), RobolangMessages.of(language))
 }

@@ -5,7 +5,7 @@ import robotran.brick.state.RunState
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
@@ -16,8 +16,8 @@ import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
 internal fun robolang(source: String): RcxProgram {
-    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    return assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
+    val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    return assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
 }
 
 internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =

@@ -4,7 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
 import robotran.world.Penbot
@@ -23,8 +23,8 @@ import kotlin.time.Duration.Companion.minutes
  */
 class ExampleRunTest {
     private suspend fun run(name: String): Session {
-        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), calibration))
+        val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
         val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val load = RobotLoad(listOf<RcxProgram?>(result.program), lightFacing = facing)
         return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine()).apply {

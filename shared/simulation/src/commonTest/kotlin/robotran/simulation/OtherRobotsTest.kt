@@ -6,7 +6,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.state.RcxState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalStatus
 import robotran.world.BumperPart
@@ -46,8 +46,8 @@ class OtherRobotsTest {
 
     private suspend fun run(program: String, world: World): Session {
         val figures = RobotFigures.of(world.robots.first().description)
-        val calibration = Calibration(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
-        val ready = compileRobolang("test", program, calibration) as RobolangResult.Ready
+        val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
+        val ready = compileRobolang("test", program, target) as RobolangResult.Ready
         return Session(world, listOf(RobotLoad(listOf(ready.program))), loadPhysicsEngine()).apply {
             runUnattended(30_000)
         }

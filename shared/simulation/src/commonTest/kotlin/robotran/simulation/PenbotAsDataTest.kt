@@ -3,7 +3,7 @@ package robotran.simulation
 import kotlinx.coroutines.test.runTest
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
 import robotran.world.ReadyRobots
@@ -27,8 +27,8 @@ class PenbotAsDataTest {
 
     private suspend fun hash(name: String, world: World): String {
         val figures = RobotFigures.of(world.robots.first().description)
-        val calibration = Calibration(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
-        val ready = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), calibration))
+        val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
+        val ready = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
         val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val session =
             Session(world, listOf(RobotLoad(listOf(ready.program), lightFacing = facing)), loadPhysicsEngine())

@@ -7,7 +7,7 @@ import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
@@ -23,7 +23,7 @@ import kotlin.test.assertTrue
 
 class RunNowTest {
     private fun program(text: String): RcxProgram =
-        (compileRobolang("now.robo", text, Calibration(50.0, 5.0)) as RobolangResult.Ready).program
+        (compileRobolang("now.robo", text, RobotTarget.Rcx(50.0, 5.0)) as RobolangResult.Ready).program
 
     private suspend fun session(text: String = "beep") =
         Session(BuiltInWorlds.plain, listOf(program(text)), loadPhysicsEngine())

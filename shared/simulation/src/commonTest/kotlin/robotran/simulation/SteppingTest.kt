@@ -8,7 +8,7 @@ import robotran.brick.program.VariableScope
 import robotran.brick.program.VariableView
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
@@ -128,8 +128,8 @@ class SteppingTest {
         session.advance(500)
         session.apply(SessionInput.Stop)
         session.advance(100)
-        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
+        val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", target)
         val loads = listOf(RobotLoad(listOf(assertIs<RobolangResult.Ready>(program).program)))
         val again = Session.replay(
             BuiltInWorlds.plain,

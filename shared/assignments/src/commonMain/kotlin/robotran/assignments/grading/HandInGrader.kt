@@ -6,7 +6,7 @@ import robotran.language.Language
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
@@ -33,7 +33,7 @@ class HandInGrader(
     java: JavaSettings = assignment.settings.java,
     private val milliseconds: Int? = null,
 ) {
-    private val compiler = ProgramCompiler(PENBOT_CALIBRATION, java, language)
+    private val compiler = ProgramCompiler(PENBOT_TARGET, java, language)
 
     /** Compiles the programs of [submission] for each world of the plan. */
     suspend fun prepare(submission: Submission.Usable): Preparation = try {

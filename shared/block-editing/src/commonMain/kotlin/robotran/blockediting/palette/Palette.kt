@@ -4,7 +4,7 @@ import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.group
-import robotran.blockediting.template
+import robotran.blockediting.templateOn
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.LineForm
@@ -15,21 +15,30 @@ import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.ValueKind
 import robotran.robolang.outline.ValueUse
 import robotran.robolang.outline.outlineRobolang
+import robotran.brick.kind.BrickKind
 
 /** The palette: a block for each form of the language, made from its own tables. */
 object Palette {
-    /** All blocks, by group; in a group lines come before values. */
-    val blocks: List<PaletteBlock> by lazy {
-        val lines = LineForm.entries.mapNotNull { form -> form.template?.let { line(form, it) } }
-        val values = ValueForm.entries.flatMap { form -> form.templates.map { value(form, it) } }
-        (lines + values).sortedBy { it.group }
+    private val byBrick: Map<BrickKind, List<PaletteBlock>> by lazy {
+        BrickKind.entries.associateWith { brick ->
+            val lines = LineForm.entries.mapNotNull { form -> form.templateOn(brick)?.let { line(form, it) } }
+            val values = ValueForm.entries.flatMap { form -> form.templatesOn(brick).map { value(form, it) } }
+            (lines + values).sortedBy { it.group }
+        }
     }
 
-    /** The blocks of [group]. */
-    fun blocksOf(group: BlockGroup): List<PaletteBlock> = blocks.filter { it.group == group }
+    /** All blocks for a robot with an RCX, as [blocksFor] has them. */
+    val blocks: List<PaletteBlock> get() = blocksFor(BrickKind.RCX)
+
+    /** All blocks for a robot with [brick], by group; in a group lines come before values. */
+    fun blocksFor(brick: BrickKind): List<PaletteBlock> = byBrick.getValue(brick)
+
+    /** The blocks of [group] for a robot with [brick]. */
+    fun blocksOf(group: BlockGroup, brick: BrickKind = BrickKind.RCX): List<PaletteBlock> =
+        blocksFor(brick).filter { it.group == group }
 
     private fun line(form: LineForm, template: String): PaletteBlock {
-        val source = if (form == LineForm.LIGHT_SENSOR) "robot\n$template\nend" else template
+        val source = if (form.isSetting) "robot\n$template\nend" else template
         return PaletteBlock(
             idOf(form),
             form.group,
@@ -82,6 +91,7 @@ private fun ownBlocks(name: DeclaredName): List<PaletteBlock> {
 private fun changesOf(name: DeclaredName): List<PaletteBlock> = when (name.type) {
     ValueKind.LIST -> elementsOf(name) + own(LineForm.ASSIGN_ELEMENT, "${name.text}[0] = 5")
     ValueKind.CONDITION -> listOf(own(LineForm.ASSIGN, "${name.text} = true"))
+    ValueKind.COLOUR -> listOf(own(LineForm.ASSIGN, "${name.text} = red"))
     ValueKind.NUMBER, ValueKind.UNKNOWN -> listOf(own(LineForm.ASSIGN, "${name.text} = ${name.text} + 1"))
 }
 

@@ -4,6 +4,7 @@ import robotran.robolang.RobolangWords
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.outlineRobolang
+import robotran.brick.kind.BrickKind
 
 /** The values that palette blocks of this form have; those with names of the pupil's come from the program. */
 internal val ValueForm.templates: List<String>
@@ -23,9 +24,21 @@ internal val ValueForm.templates: List<String>
         ValueForm.BUTTON -> listOf("button run")
         ValueForm.TIMER -> listOf("timer")
         ValueForm.BATTERY -> listOf("battery")
+        ValueForm.DISTANCE -> listOf("distance")
+        ValueForm.LOUDNESS -> listOf("loudness")
+        ValueForm.COLOUR -> listOf("colour")
+        ValueForm.COLOUR_NAME -> listOf("red")
+        ValueForm.TURNED -> listOf("turned A")
         ValueForm.BRACKETS -> listOf("(5)")
         ValueForm.NAME, ValueForm.ELEMENT, ValueForm.CALL -> emptyList()
     }
+
+/** The same for a robot with [brick]. */
+internal fun ValueForm.templatesOn(brick: BrickKind): List<String> = when {
+    this.brick != null && this.brick != brick -> emptyList()
+    this == ValueForm.BUTTON && brick == BrickKind.NXT -> listOf("button enter")
+    else -> templates
+}
 
 /** A call of the built-in function [name] with an example for each parameter. */
 private fun callOf(name: String, parameters: Int): String {

@@ -1,12 +1,16 @@
 package robotran.robolang.diagnostic
 
 import robotran.robolang.messages.RobolangMessages
+import robotran.brick.kind.BrickKind
 
 /**
  * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often
  * follows from the first.
  */
 internal class DiagnosticSink(val messages: RobolangMessages) {
+    /** The brick that the program is for, as far as the parser's sentences depend on it. */
+    var brick: BrickKind = BrickKind.RCX
+
     private val diagnostics = mutableListOf<Diagnostic>()
     private val mistakenLines = mutableSetOf<Int>()
     private val doubtfulLines = mutableSetOf<Int>()

@@ -92,8 +92,6 @@ interface SyntaxMessages {
 
     fun missingFacing(suggestion: String?): String
 
-    fun portOutOfRange(): String
-
     fun lengthAndTime(): String
 
     fun extraElse(): String

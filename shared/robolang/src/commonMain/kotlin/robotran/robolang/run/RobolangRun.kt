@@ -7,18 +7,23 @@ import robotran.brick.program.ProgramStatus
 import robotran.brick.program.Statement
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.VariableScope
-import robotran.rcxrom.program.Rom
 import robotran.robolang.messages.RunMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
+import robotran.robolang.run.device.RobotDevice
 
 /**
  * One run of a Robolang program. A step is a statement or a loop's check for another round, so even an empty loop uses
  * its budget. The whole state is on the stacks of its activities, so the run can stop before any statement.
  */
-internal class RobolangRun(code: Code, calibration: Calibration, rom: Rom, messages: RunMessages) : DebuggableRun {
-    private val machine = InterpreterState(code, rom, calibration, messages)
+internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations, messages: RunMessages) :
+    DebuggableRun {
+    private val machine = InterpreterState(code, robot, durations, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
+
+    init {
+        machine.activities = { arbiter.activities }
+    }
 
     /** The running activity. */
     private var active = arbiter.foremost

@@ -43,6 +43,10 @@ internal object RobotConstants {
     const val RIGHT_BUMPER_PORT = 3
     const val LIGHT_PORT = 2
 
+    /** The ports of the right bumper and the light sensor of a robot with an NXT. */
+    const val NXT_RIGHT_BUMPER_PORT = 2
+    const val NXT_LIGHT_PORT = 3
+
     /** The power of a fresh josx `Motor`, 0..7. */
     const val DRIVING_POWER = 3
 

@@ -42,6 +42,10 @@ private fun text(type: ValueType, value: Int, machine: InterpreterState): String
         (value != 0).toString()
     }
 
+    ValueType.COLOUR -> {
+        colourName(value).lowercase()
+    }
+
     ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL -> {
         machine.lists.elements(value).joinToString(", ", "[", "]") { text(type.element, it, machine) }
     }

@@ -18,7 +18,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private val behaviours = mutableListOf<Behaviour>()
     private val routineNames = routineNamesIn(lines)
     private var robot: RobotHeader? = null
-    private var lightSensor: LightSensorSetting? = null
+    private var settings = mutableListOf<RobotSetting>()
 
     fun program(): ParsedProgram {
         for (line in lines) {
@@ -44,7 +44,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
 
     private fun line(reader: LineReader) {
         val keyword = reader.first.keyword
-        closeLackingBefore(reader.first)
+        closeLackingBefore(reader)
         when {
             reader.peek(
                 1,
@@ -67,12 +67,13 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
      * A routine, and any line that is not indented further than `robot`, shows that the previous blocks should have
      * ended.
      */
-    private fun closeLackingBefore(first: Token) {
+    private fun closeLackingBefore(reader: LineReader) {
+        val first = reader.first
         val column = first.range.column
         if (first.keyword in OUTERMOST) {
             blocks.closeLacking(first.range.line) { it.keyword.range.column >= column }
         } else if (first.keyword != Keyword.END) {
-            if (first.keyword != Keyword.LIGHT) {
+            if (!maybeSetting(reader)) {
                 blocks.closeLacking(first.range.line) {
                     it.keyword.keyword == Keyword.ROBOT &&
                         it.keyword.range.column >= column
@@ -177,21 +178,26 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
         }
         return OpenBlock(reader.first, reader.readRange) { block ->
-            robot = robot ?: RobotHeader(block.range, block.endRange, lightSensor)
+            robot = robot ?: RobotHeader(block.range, block.endRange, settings)
             null
         }
     }
 
     private fun setting(reader: LineReader) {
-        if (reader.first.keyword != Keyword.LIGHT) {
+        if (reader.first.keyword !in SETTINGS) {
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
             if (reader.first.keyword in Keyword.OPENERS) openUnknown(reader)
             return
         }
-        if (lightSensor != null && robot == null) {
-            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        val setting = HeaderParser(reader, diagnostics).setting() ?: return
+        val isFirst = settings.none { it::class == setting::class && it.sensor == setting.sensor }
+        if (!isFirst && robot == null) {
+            val message = if (setting is LightSensorSetting) messages.secondSetting() else {
+                messages.settingTwice(lowercaseKeyword(reader.first.text))
+            }
+            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, message)
         }
-        lightSensor = HeaderParser(reader, diagnostics).lightSensor() ?: lightSensor
+        settings += setting
     }
 
     private fun otherwise(reader: LineReader) {
@@ -225,6 +231,8 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val OUTERMOST = setOf(Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.WHENEVER, Keyword.ROBOT)
     }
 }
+
+private val RobotSetting.sensor: NxtSensor? get() = (this as? SensorSetting)?.sensor
 
 /** The names of all routines, to recognise a call without brackets. */
 private fun routineNamesIn(lines: List<ScannedLine>): Set<String> = lines

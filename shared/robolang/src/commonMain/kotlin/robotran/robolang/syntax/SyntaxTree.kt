@@ -23,15 +23,16 @@ internal data class SyntaxTree(
 internal data class RobotHeader(
     val range: SourceRange,
     val endRange: SourceRange,
-    val lightSensor: LightSensorSetting?,
-)
+    val settings: List<RobotSetting>,
+) {
+    val lightSensor: LightSensorSetting? get() = settings.filterIsInstance<LightSensorSetting>().lastOrNull()
 
-/**
- * `light sensor on 2 facing down`.
- *
- * @property port 1..3, as it is printed on the brick.
- */
-internal data class LightSensorSetting(val range: SourceRange, val port: Int, val facing: Facing)
+    /** The setting of the brick; null if the header does not name it. */
+    val brick: BrickSetting? get() = settings.filterIsInstance<BrickSetting>().lastOrNull()
+
+    fun setting(sensor: NxtSensor): SensorSetting? =
+        settings.filterIsInstance<SensorSetting>().lastOrNull { it.sensor == sensor }
+}
 
 /** A name as typed. */
 internal data class Name(val range: SourceRange, val text: String) {
@@ -61,5 +62,3 @@ internal data class Behaviour(
     val condition: Expression,
     val body: List<Statement>,
 )
-
-internal enum class Facing { DOWN, FORWARD }

@@ -17,10 +17,11 @@ internal class JavaCommands(
     private val expressions: JavaExpressions,
     private val helpers: UsedHelpers,
     private val texts: JavaShownTexts,
+    private val nxt: NxtCommands?,
     private val writer: JavaWriter,
 ) {
     fun write(statement: Statement) {
-        for (line in lines(statement)) writer.line(line, statement.range.line)
+        for (line in nxt?.lines(statement) ?: lines(statement)) writer.line(line, statement.range.line)
     }
 
     private fun lines(statement: Statement): List<String> = when (statement) {

@@ -1,14 +1,14 @@
 package robotran.robolang.translate
 
-import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
+import robotran.robolang.robot.RobotTarget
 
 /** Collects the helpers that a translation uses; only those are written. */
-internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
+internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boolean) {
     private val used = mutableSetOf<JavaHelper>()
 
     /** For constants. */
-    val durations = Durations(calibration)
+    val durations = Durations(robot)
 
     /** The used helpers, in order of declaration. */
     val all: List<JavaHelper> get() = JavaHelper.entries.filter { it in used }
@@ -22,7 +22,7 @@ internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
 
     /** Marks [helper] and its dependencies as used; returns the name to call it by. */
     fun use(helper: JavaHelper): String {
-        if (used.add(helper)) helper.needs.forEach(::use)
+        if (used.add(helper)) helper.needsOn(robot.kind, isReacting).forEach(::use)
         return if (helper.isCalculation) "${JavaHelper.CALCULATION}.${helper.called}" else helper.called
     }
 }

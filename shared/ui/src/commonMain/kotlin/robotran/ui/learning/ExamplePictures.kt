@@ -8,7 +8,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.simulation.RobotLoad
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -22,7 +22,7 @@ import robotran.world.file.BuiltInWorlds
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
-    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_TARGET)
 
     override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)

@@ -11,7 +11,7 @@ import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.projects.LinkCreation
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.linkOf
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -99,7 +99,7 @@ internal class DocumentExports(
         val program = current.shownProgram
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
-        when (val result = compileRobolang(program.name, text, PENBOT_CALIBRATION)) {
+        when (val result = compileRobolang(program.name, text, PENBOT_TARGET)) {
             is RobolangResult.HasErrors -> {
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
@@ -112,7 +112,7 @@ internal class DocumentExports(
 
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
-        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
+        val reader = ProgramCompiler(PENBOT_TARGET, language = preferences.language)
         if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
         when (val result = withContext(platform.background) { reader.compileNow(source) }) {
             is ProgramResult.HasErrors -> {

@@ -9,7 +9,7 @@ import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
@@ -47,7 +47,7 @@ class ProgramsStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) {
-    private var compiler = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
+    private var compiler = ProgramCompiler(PENBOT_TARGET, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().placement.name
     private var translationShown = false

@@ -7,7 +7,7 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
-import robotran.projects.calibration
+import robotran.projects.target
 import robotran.projects.lightFacingOf
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
@@ -29,7 +29,7 @@ internal class RobotPrograms(
     first: List<PupilProgram>,
     private val view: ProgramView,
 ) {
-    private val compiler = anyCompiler.withCalibration(placement.description.calibration)
+    private val compiler = anyCompiler.forTarget(placement.description.target)
     private val given: PupilProgram = worldProgramOf(placement)
 
     val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler) { slot ->

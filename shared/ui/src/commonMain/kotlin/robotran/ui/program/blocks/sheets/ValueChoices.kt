@@ -35,7 +35,7 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
         Choices(names.map { textFor(it) to textFor(it) }, "value-name", onChoose)
     }
     SheetHeading(stringResource(Res.string.blocks_values))
-    val fitting = VALUES.filter { (_, kind) -> fits(kind, part.use.kind) }
+    val fitting = VALUES.filter { (_, kind) -> fits(kind, part.use) }
     Choices(fitting.map { (block, _) -> block.template to block.textAt(part, scope.state.program) }, "value", onChoose)
 }
 

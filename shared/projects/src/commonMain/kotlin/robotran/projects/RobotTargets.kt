@@ -1,0 +1,21 @@
+package robotran.projects
+
+import robotran.brick.kind.BrickKind
+import robotran.robolang.robot.RobotTarget
+import robotran.world.Penbot
+import robotran.world.RobotDescription
+import robotran.world.robot.RobotFigures
+
+/** What the compiler must know of this robot. */
+val RobotDescription.target: RobotTarget
+    get() = when (brick) {
+        BrickKind.RCX -> RobotFigures.of(this).let {
+            RobotTarget.Rcx(it.millisecondsPerCentimetre, it.millisecondsPerDegree)
+        }
+
+        // A motor turns as often as the gear says for one turn of the wheel; a reversed drive turns the other way.
+        BrickKind.NXT -> RobotTarget.Nxt(drive.wheelDiameter / drive.gear, drive.track, drive.left, drive.right, pen?.motor)
+    }
+
+/** What the compiler must know of the penbot. */
+val PENBOT_TARGET: RobotTarget = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
