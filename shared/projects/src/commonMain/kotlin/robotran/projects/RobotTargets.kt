@@ -14,7 +14,13 @@ val RobotDescription.target: RobotTarget
         }
 
         // A motor turns as often as the gear says for one turn of the wheel; a reversed drive turns the other way.
-        BrickKind.NXT -> RobotTarget.Nxt(drive.wheelDiameter / drive.gear, drive.track, drive.left, drive.right, pen?.motor)
+        BrickKind.NXT -> RobotTarget.Nxt(
+            drive.wheelDiameter / drive.gear,
+            drive.track,
+            drive.left,
+            drive.right,
+            pen?.motor,
+        )
     }
 
 /** What the compiler must know of the penbot. */

@@ -59,17 +59,11 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
     /** The port of the sensor that [sense] reads, from 1; null if it reads none. */
     fun portOf(sense: Sense): Int? = when (sense) {
         Sense.LeftBumper, Sense.RightBumper -> bumperPort(sense)
-
         Sense.Light -> lightPort
-
         is Sense.Sensor -> sense.port
-
         Sense.Distance -> portOf(NxtSensor.SONAR)
-
         Sense.Colour -> portOf(NxtSensor.COLOUR)
-
         Sense.Loudness -> portOf(NxtSensor.SOUND)
-
         is Sense.Button, Sense.Timer, Sense.Battery, is Sense.Turned -> null
     }
 

@@ -63,6 +63,8 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
         )
 
         /** All names that these fields can have. */
-        val ALL: Set<String> = NAMES.values.flatMapTo(mutableSetOf()) { name -> listOf(name) + (1..4).map { name + it } }
+        val ALL: Set<String> = NAMES.values.flatMapTo(mutableSetOf()) { name ->
+            listOf(name) + (1..4).map { name + it }
+        }
     }
 }

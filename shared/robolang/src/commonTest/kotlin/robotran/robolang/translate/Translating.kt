@@ -6,11 +6,11 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
-import robotran.robolang.robotFor
-import robotran.robolang.testTarget
 import robotran.robolang.rcxProgram
+import robotran.robolang.robotFor
 import robotran.robolang.testNxt
 import robotran.robolang.testPrograms
+import robotran.robolang.testTarget
 
 /** All valid programs of the tests, the examples and the documents, by path. */
 internal val translatablePrograms: Map<String, RobolangRcxProgram> by lazy {

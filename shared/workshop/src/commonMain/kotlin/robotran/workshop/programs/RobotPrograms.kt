@@ -7,8 +7,8 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
-import robotran.projects.target
 import robotran.projects.lightFacingOf
+import robotran.projects.target
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.state.PupilProgram

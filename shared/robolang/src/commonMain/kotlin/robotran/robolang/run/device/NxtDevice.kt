@@ -114,11 +114,9 @@ internal class NxtDevice private constructor(
 
     override fun resetMotor(motor: MotorPort, sourceLine: Int) = motors.reset(motor, sourceLine)
 
-    override fun beep(sourceLine: Int) =
-        play(NxtConstants.BEEP_FREQUENCY, NxtConstants.BEEP_MILLISECONDS, sourceLine)
+    override fun beep(sourceLine: Int) = play(NxtConstants.BEEP_FREQUENCY, NxtConstants.BEEP_MILLISECONDS, sourceLine)
 
-    override fun buzz(sourceLine: Int) =
-        play(NxtConstants.BUZZ_FREQUENCY, NxtConstants.BUZZ_MILLISECONDS, sourceLine)
+    override fun buzz(sourceLine: Int) = play(NxtConstants.BUZZ_FREQUENCY, NxtConstants.BUZZ_MILLISECONDS, sourceLine)
 
     override fun playTone(hertz: Int, hundredths: Int, sourceLine: Int) =
         play(hertz, hundredths * MILLISECONDS_PER_HUNDREDTH, sourceLine)

@@ -44,9 +44,13 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
 
     private fun begin(use: SensorPorts.NxtUse) {
         when (use.sense) {
-            Sense.Light -> setType(use, if (isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
+            Sense.Light -> {
+                setType(use, if (isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
+            }
 
-            Sense.Loudness -> setType(use, SensorType.SOUND_DB)
+            Sense.Loudness -> {
+                setType(use, SensorType.SOUND_DB)
+            }
 
             Sense.Colour -> {
                 setType(use, SensorType.COLOUR_FULL)
@@ -59,7 +63,9 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
                 sonars[use.port] = NxtSonar(nxt, use.port - 1).also { it.setUp(use.line) }
             }
 
-            else -> setType(use, SensorType.SWITCH)
+            else -> {
+                setType(use, SensorType.SWITCH)
+            }
         }
     }
 
