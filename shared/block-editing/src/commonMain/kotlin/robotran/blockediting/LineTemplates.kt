@@ -1,7 +1,7 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
 import robotran.brick.kind.BrickKind
+import robotran.robolang.outline.LineForm
 
 /**
  * The lines of a new block of this form; null if the palette has none. Those that use names of the pupil's come from

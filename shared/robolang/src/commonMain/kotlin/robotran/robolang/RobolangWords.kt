@@ -1,7 +1,7 @@
 package robotran.robolang
 
-import robotran.robolang.check.BuiltIn
 import robotran.brick.kind.BrickKind
+import robotran.robolang.check.BuiltIn
 import robotran.robolang.syntax.Keyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */

@@ -36,7 +36,8 @@ internal class Expectations(text: String) {
     val nxtCalls = mutableMapOf<Int, List<String>>()
 
     val isEmpty: Boolean
-        get() = nxtCalls.isEmpty() && errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() &&
+        get() = nxtCalls.isEmpty() && errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null &&
+            shown.isEmpty() &&
             failure == null &&
             warnings.isEmpty()
 

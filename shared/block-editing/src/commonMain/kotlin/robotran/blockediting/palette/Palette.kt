@@ -5,6 +5,7 @@ import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.group
 import robotran.blockediting.templateOn
+import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.LineForm
@@ -15,7 +16,6 @@ import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.ValueKind
 import robotran.robolang.outline.ValueUse
 import robotran.robolang.outline.outlineRobolang
-import robotran.brick.kind.BrickKind
 
 /** The palette: a block for each form of the language, made from its own tables. */
 object Palette {

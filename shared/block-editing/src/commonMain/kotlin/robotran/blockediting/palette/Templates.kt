@@ -1,10 +1,10 @@
 package robotran.blockediting.palette
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.outlineRobolang
-import robotran.brick.kind.BrickKind
 
 /** The values that palette blocks of this form have; those with names of the pupil's come from the program. */
 internal val ValueForm.templates: List<String>

@@ -1,10 +1,10 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.brick.kind.BrickKind
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.BrickSetting
 import robotran.robolang.syntax.Expression
@@ -67,17 +67,11 @@ internal class BrickChecker(private val context: CheckContext, private val robot
         if (expression !is Expression.Sense) return
         when (val sense = expression.sense) {
             Sense.Distance -> lacks(expression.range, messages.noSonar())
-
             Sense.Colour -> lacks(expression.range, messages.noColourSensor())
-
             Sense.Loudness -> lacks(expression.range, messages.noSoundSensor())
-
             is Sense.Turned -> lacks(expression.range, messages.noMotorDegrees())
-
             is Sense.Sensor -> port(sense.port, expression.range)
-
             is Sense.Button -> if (sense.button.kind != BrickKind.RCX) button(sense.button, expression.range)
-
             Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Timer, Sense.Battery -> Unit
         }
     }
@@ -95,8 +89,7 @@ internal class BrickChecker(private val context: CheckContext, private val robot
         context.report(DiagnosticCode.PORT_OUT_OF_RANGE, number, messages.portOutOfRange(last))
     }
 
-    private fun lacks(range: SourceRange, message: String) =
-        context.report(DiagnosticCode.BRICK_LACKS, range, message)
+    private fun lacks(range: SourceRange, message: String) = context.report(DiagnosticCode.BRICK_LACKS, range, message)
 
     /** An NXT has one sensor on a port. */
     private fun checkPorts() {

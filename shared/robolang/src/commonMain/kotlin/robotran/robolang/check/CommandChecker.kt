@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
-import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.brick.kind.BrickKind
+import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression

@@ -1,7 +1,7 @@
 package robotran.robolang.diagnostic
 
-import robotran.robolang.messages.RobolangMessages
 import robotran.brick.kind.BrickKind
+import robotran.robolang.messages.RobolangMessages
 
 /**
  * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often

@@ -1,7 +1,7 @@
 package robotran.robolang.messages
 
-import robotran.language.quoted
 import robotran.brick.kind.BrickKind
+import robotran.language.quoted
 
 /** The messages about the bricks in English. */
 internal object EnglishBrickKindMessages : BrickKindMessages {
@@ -45,9 +45,7 @@ internal object EnglishBrickKindMessages : BrickKindMessages {
     override fun textNotShownOnNxt(character: String) =
         "The display cannot show ${quoted(character)}. It has the letters a to z, figures and signs."
 
-    override fun colourNeeded(text: String) =
-        "A colour is needed here, such as \"red\", and ${quoted(text)} is none."
+    override fun colourNeeded(text: String) = "A colour is needed here, such as \"red\", and ${quoted(text)} is none."
 
-    private fun didYouMean(suggestion: String?) =
-        if (suggestion == null) "" else " Did you mean ${quoted(suggestion)}?"
+    private fun didYouMean(suggestion: String?) = if (suggestion == null) "" else " Did you mean ${quoted(suggestion)}?"
 }

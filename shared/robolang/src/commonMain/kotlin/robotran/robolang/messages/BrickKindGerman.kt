@@ -1,7 +1,7 @@
 package robotran.robolang.messages
 
-import robotran.language.quoted
 import robotran.brick.kind.BrickKind
+import robotran.language.quoted
 
 /** The messages about the bricks in German. */
 internal object GermanBrickKindMessages : BrickKindMessages {

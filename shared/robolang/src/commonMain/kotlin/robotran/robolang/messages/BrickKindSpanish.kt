@@ -1,7 +1,7 @@
 package robotran.robolang.messages
 
-import robotran.language.quoted
 import robotran.brick.kind.BrickKind
+import robotran.language.quoted
 
 /** The messages about the bricks in Spanish. */
 internal object SpanishBrickKindMessages : BrickKindMessages {
@@ -36,7 +36,9 @@ internal object SpanishBrickKindMessages : BrickKindMessages {
     override fun settingTwice(setting: String) = "Ya hay una línea ${quoted(setting)}."
 
     override fun missingNxtButton(suggestion: String?) =
-        "Di qué botón: \"button enter\", \"button left\", \"button right\" o \"button escape\".${didYouMean(suggestion)}"
+        "Di qué botón: \"button enter\", \"button left\", \"button right\" o \"button escape\".${didYouMean(
+            suggestion,
+        )}"
 
     override fun missingNxtMotorCommand(motor: String, suggestion: String?) =
         "Di qué hace el motor $motor: forward, backward, stop, float, power o turn.${didYouMean(suggestion)}"
@@ -44,8 +46,7 @@ internal object SpanishBrickKindMessages : BrickKindMessages {
     override fun textNotShownOnNxt(character: String) =
         "La pantalla no puede mostrar ${quoted(character)}. Tiene las letras de la a a la z, cifras y signos."
 
-    override fun colourNeeded(text: String) =
-        "Aquí hace falta un color, como \"red\", y ${quoted(text)} no lo es."
+    override fun colourNeeded(text: String) = "Aquí hace falta un color, como \"red\", y ${quoted(text)} no lo es."
 
     private fun didYouMean(suggestion: String?) =
         if (suggestion == null) "" else " ¿Querías decir ${quoted(suggestion)}?"

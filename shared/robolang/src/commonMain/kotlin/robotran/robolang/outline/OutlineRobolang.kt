@@ -1,12 +1,12 @@
 package robotran.robolang.outline
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits

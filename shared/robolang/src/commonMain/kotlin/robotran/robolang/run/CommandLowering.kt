@@ -1,9 +1,8 @@
 package robotran.robolang.run
 
 import robotran.brick.controls.MotorMode
-import robotran.robolang.check.ValueType
 import robotran.brick.kind.BrickKind
-import robotran.robolang.run.device.RobotDevice
+import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
@@ -137,9 +136,11 @@ internal class CommandLowering(
     private fun lowerReset(statement: Statement.ResetMotor) {
         val port = statement.port
         command { if (isTurning(port)) brake(port, it) }
-        emitter.emit(CompletionAction({ !it.machine.robot.isTurning(port) }) {
-            it.machine.robot.resetMotor(port, it.currentLine)
-        })
+        emitter.emit(
+            CompletionAction({ !it.machine.robot.isTurning(port) }) {
+                it.machine.robot.resetMotor(port, it.currentLine)
+            },
+        )
     }
 
     private fun lowerShow(statement: Statement.Show) {

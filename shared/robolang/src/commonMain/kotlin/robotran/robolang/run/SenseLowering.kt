@@ -1,6 +1,7 @@
 package robotran.robolang.run
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
 
 /** Pushes a sensor's value. */
@@ -29,8 +30,7 @@ internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind
     }
 }
 
-private fun lowerBumper(port: Int, emitter: Emitter) =
-    emitter.emit { it.pushTruth(it.machine.robot.isPressed(port)) }
+private fun lowerBumper(port: Int, emitter: Emitter) = emitter.emit { it.pushTruth(it.machine.robot.isPressed(port)) }
 
 /** Pushes the value of the sensor on [port] that [sense] reads, as a whole number. */
 private fun lowerAt(port: Int, sense: Sense, emitter: Emitter) = when (sense) {
@@ -42,8 +42,19 @@ private fun lowerAt(port: Int, sense: Sense, emitter: Emitter) = when (sense) {
         }
     }
 
-    Sense.Loudness -> emitter.emit { it.push(it.machine.robot.loudness(port)) }
-    Sense.Colour -> emitter.emit { it.push(it.machine.robot.colour(port)) }
-    Sense.Light -> emitter.emit { it.push(it.machine.robot.light(port)) }
-    else -> lowerBumper(port, emitter)
+    Sense.Loudness -> {
+        emitter.emit { it.push(it.machine.robot.loudness(port)) }
+    }
+
+    Sense.Colour -> {
+        emitter.emit { it.push(it.machine.robot.colour(port)) }
+    }
+
+    Sense.Light -> {
+        emitter.emit { it.push(it.machine.robot.light(port)) }
+    }
+
+    else -> {
+        lowerBumper(port, emitter)
+    }
 }

@@ -1,11 +1,11 @@
 package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.brick.kind.BrickKind
 
 /** Parses a command to the robot or the brick. */
 internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {

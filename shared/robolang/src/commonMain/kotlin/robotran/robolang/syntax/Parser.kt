@@ -192,7 +192,9 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val setting = HeaderParser(reader, diagnostics).setting() ?: return
         val isFirst = settings.none { it::class == setting::class && it.sensor == setting.sensor }
         if (!isFirst && robot == null) {
-            val message = if (setting is LightSensorSetting) messages.secondSetting() else {
+            val message = if (setting is LightSensorSetting) {
+                messages.secondSetting()
+            } else {
                 messages.settingTwice(lowercaseKeyword(reader.first.text))
             }
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, message)

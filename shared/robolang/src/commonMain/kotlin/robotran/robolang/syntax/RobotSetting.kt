@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.diagnostic.SourceRange
 import robotran.brick.kind.BrickKind
+import robotran.robolang.diagnostic.SourceRange
 
 /** A line of the header. */
 internal sealed interface RobotSetting {

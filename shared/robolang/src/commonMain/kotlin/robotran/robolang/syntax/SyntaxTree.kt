@@ -20,11 +20,7 @@ internal data class SyntaxTree(
 )
 
 /** `robot` .. `end`. */
-internal data class RobotHeader(
-    val range: SourceRange,
-    val endRange: SourceRange,
-    val settings: List<RobotSetting>,
-) {
+internal data class RobotHeader(val range: SourceRange, val endRange: SourceRange, val settings: List<RobotSetting>) {
     val lightSensor: LightSensorSetting? get() = settings.filterIsInstance<LightSensorSetting>().lastOrNull()
 
     /** The setting of the brick; null if the header does not name it. */

@@ -12,10 +12,15 @@ internal val Expression.parts: List<Expression>
         -> emptyList()
 
         is Expression.ListOf -> elements
+
         is Expression.ListElement -> listOf(list, index)
+
         is Expression.Unary -> listOf(operand)
+
         is Expression.Binary -> listOf(left, right)
+
         is Expression.Call -> arguments
+
         is Expression.Brackets -> listOf(inner)
     }
 

@@ -1,9 +1,9 @@
 package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.brick.kind.BrickKind
 
 private val BUTTONS = BrickButton.entries.associateBy { it.keyword }
 

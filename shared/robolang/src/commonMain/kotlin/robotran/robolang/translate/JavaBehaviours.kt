@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
-import robotran.robolang.check.CheckedProgram
 import robotran.brick.kind.BrickKind
+import robotran.robolang.check.CheckedProgram
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.BinaryOperator
 

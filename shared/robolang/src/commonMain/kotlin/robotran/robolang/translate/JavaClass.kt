@@ -1,10 +1,10 @@
 package robotran.robolang.translate
 
 import robotran.brick.controls.MotorPort
-import robotran.robolang.RobolangProgram
 import robotran.brick.kind.BrickKind
+import robotran.robolang.RobolangProgram
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.run.stopsAtEnd
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
@@ -75,7 +75,11 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         body.takeComments(comments.closing)
         body.commentsLeft()
         val isEndReached = tree.behaviours.isEmpty() && JavaFlow(checked).completes(tree.statements)
-        if (stopsAtEnd && isEndReached && tree.statements.last() !is Statement.Halt) body.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();")
+        if (stopsAtEnd && isEndReached &&
+            tree.statements.last() !is Statement.Halt
+        ) {
+            body.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();")
+        }
     }
 
     private fun mainStatements(part: List<Statement>) =

@@ -1,9 +1,9 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
-import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
@@ -156,21 +156,30 @@ internal class JavaExpressions(
     private fun sense(sense: Sense): JavaText = if (nxtSensors == null) rcxSense(sense) else nxtSense(sense, nxtSensors)
 
     private fun nxtSense(sense: Sense, sensors: NxtSensorFields): JavaText = when (sense) {
-        Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")
+        Sense.Timer -> {
+            primary("${helpers.use(JavaHelper.TIMER)}()")
+        }
 
-        Sense.Battery -> primary("Battery.getVoltage()")
+        Sense.Battery -> {
+            primary("Battery.getVoltage()")
+        }
 
-        is Sense.Button -> primary("Button.${checkNotNull(sense.button.on(BrickKind.NXT)).name}.isPressed()")
+        is Sense.Button -> {
+            primary("Button.${checkNotNull(sense.button.on(BrickKind.NXT)).name}.isPressed()")
+        }
 
-        is Sense.Turned -> primary("Motor.${sense.port.name}.getTachoCount()")
+        is Sense.Turned -> {
+            primary("Motor.${sense.port.name}.getTachoCount()")
+        }
 
         is Sense.Sensor -> {
             val value = sensors.valueOf(sense)
             primary(if (sensors.isTouch(sense)) "($value ? 1 : 0)" else value)
         }
 
-        Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Distance, Sense.Colour, Sense.Loudness ->
+        Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Distance, Sense.Colour, Sense.Loudness -> {
             primary(sensors.valueOf(sense))
+        }
     }
 
     private fun rcxSense(sense: Sense): JavaText = when (sense) {

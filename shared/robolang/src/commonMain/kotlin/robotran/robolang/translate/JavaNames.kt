@@ -1,8 +1,8 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.SymbolKind
-import robotran.brick.kind.BrickKind
 
 /**
  * The Java names of a program's symbols: the same, with an underscore if Java, leJOS or the translation needs the word,
@@ -23,7 +23,8 @@ internal class JavaNames(className: String, private val robot: BrickKind) {
     /** Names a routine or a global. */
     fun declareShared(symbol: Symbol): String {
         val isRoutine = symbol.kind == SymbolKind.PROCEDURE || symbol.kind == SymbolKind.FUNCTION
-        val name = unused(legal(symbol.name), if (isRoutine) JavaWords.noMethods(robot) else JavaWords.noVariables(robot))
+        val name =
+            unused(legal(symbol.name), if (isRoutine) JavaWords.noMethods(robot) else JavaWords.noVariables(robot))
         shared += name
         names[symbol] = name
         return name

@@ -44,36 +44,54 @@ internal class JavaStatements(
     private fun write(statement: Statement) {
         val line = statement.range.line
         when (statement) {
-            is Statement.Loop -> loops.write(statement)
+            is Statement.Loop -> {
+                loops.write(statement)
+            }
 
-            is Statement.If -> choose(statement)
+            is Statement.If -> {
+                choose(statement)
+            }
 
-            is Statement.Break -> writer.line("break;", line)
+            is Statement.Break -> {
+                writer.line("break;", line)
+            }
 
-            is Statement.Continue -> writer.line("continue;", line)
+            is Statement.Continue -> {
+                writer.line("continue;", line)
+            }
 
-            is Statement.Declare -> declare(statement)
+            is Statement.Declare -> {
+                declare(statement)
+            }
 
-            is Statement.Assign -> writer.line(
-                "${target(statement.target)} = ${expressions.text(statement.value)};",
-                line,
-            )
+            is Statement.Assign -> {
+                writer.line(
+                    "${target(statement.target)} = ${expressions.text(statement.value)};",
+                    line,
+                )
+            }
 
-            is Statement.Call -> call(statement)
+            is Statement.Call -> {
+                call(statement)
+            }
 
-            is Statement.Return -> writer.line(
-                statement.value?.let {
-                    "return ${expressions.text(it)};"
-                } ?: "return;",
-                line,
-            )
+            is Statement.Return -> {
+                writer.line(
+                    statement.value?.let {
+                        "return ${expressions.text(it)};"
+                    } ?: "return;",
+                    line,
+                )
+            }
 
             is Statement.Halt -> {
                 if (stopsAtEnd) writer.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();", line)
                 writer.line("System.exit(0);", line)
             }
 
-            else -> commands.write(statement)
+            else -> {
+                commands.write(statement)
+            }
         }
     }
 

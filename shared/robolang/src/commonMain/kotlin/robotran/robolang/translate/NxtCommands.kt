@@ -67,7 +67,15 @@ internal class NxtCommands(
         if (!isOpposite) return expressions.text(value)
         val text = expressions.text(value, OperatorPrecedence.UNARY)
         val isNumber = value is Expression.Number
-        return if (text.startsWith("-")) if (isNumber) text.drop(1) else "-($text)" else "-$text"
+        return if (text.startsWith("-")) {
+            if (isNumber) {
+                text.drop(1)
+            } else {
+                "-($text)"
+            }
+        } else {
+            "-$text"
+        }
     }
 
     private fun power(statement: Statement.Power): String = when (statement.side) {

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
 
 /** The sensors of a program for an NXT: objects of leJOS NXJ, each in a field. */
@@ -63,6 +63,8 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
         )
 
         /** All names that these fields can have. */
-        val ALL: Set<String> = NAMES.values.flatMapTo(mutableSetOf()) { name -> listOf(name) + (1..4).map { name + it } }
+        val ALL: Set<String> = NAMES.values.flatMapTo(mutableSetOf()) { name ->
+            listOf(name) + (1..4).map { name + it }
+        }
     }
 }

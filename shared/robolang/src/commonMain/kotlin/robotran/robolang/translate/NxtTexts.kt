@@ -62,19 +62,18 @@ static void stopAt(int time) throws InterruptedException {
 }"""
 
     /** `PEN` is replaced by the motor of the robot. */
-    private fun pen(sentence: String, helper: JavaHelper, degrees: Int, isReacting: Boolean): String =
-        if (isReacting) {
-            """/** $sentence */
+    private fun pen(sentence: String, helper: JavaHelper, degrees: Int, isReacting: Boolean): String = if (isReacting) {
+        """/** $sentence */
 static void ${helper.called}() throws InterruptedException {
     PEN.rotateTo($degrees, true);
     awaitMotor(PEN);
 }"""
-        } else {
-            """/** $sentence */
+    } else {
+        """/** $sentence */
 static void ${helper.called}() {
     PEN.rotateTo($degrees);
 }"""
-        }
+    }
 
     private const val TURN_MOTOR = """/** Turns a motor by so many degrees, but only until a behaviour takes over. */
 static void turnMotor(NXTRegulatedMotor motor, int angle) throws InterruptedException {

@@ -9,7 +9,13 @@ internal class SourceLines(tree: SyntaxTree) {
     private val lines: Set<Int> = buildSet {
         tree.comments.forEach { add(it.range.line) }
         tree.robot?.let {
-            addAll((listOf(it.range, it.endRange) + it.settings.map { setting -> setting.range }).map { range -> range.line })
+            addAll(
+                (
+                    listOf(it.range, it.endRange) + it.settings.map { setting ->
+                        setting.range
+                    }
+                ).map { range -> range.line },
+            )
         }
         tree.routines.forEach { addAll(listOf(it.range.line, it.endRange.line)) }
         tree.behaviours.forEach { addAll(listOf(it.range.line, it.endRange.line)) }

@@ -6,9 +6,9 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
+import robotran.robolang.rcxProgram
 import robotran.robolang.robotFor
 import robotran.robolang.testCalibration
-import robotran.robolang.rcxProgram
 import robotran.robolang.testNxt
 import robotran.robolang.testPrograms
 

@@ -51,7 +51,16 @@ class ExpressionWriter(
     }
 
     fun truth(depth: Int = DEEPEST): String = if (isForNxt && random.nextInt(3) == 0) {
-        if (hasBumpers) "button ${pick("enter", "left", "right", "escape")}" else "${colour()} ${pick("==", "!=")} ${colour()}"
+        if (hasBumpers) {
+            "button ${pick(
+                "enter",
+                "left",
+                "right",
+                "escape",
+            )}"
+        } else {
+            "${colour()} ${pick("==", "!=")} ${colour()}"
+        }
     } else {
         usualTruth(depth)
     }

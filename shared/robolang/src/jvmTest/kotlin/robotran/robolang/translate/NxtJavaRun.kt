@@ -99,15 +99,17 @@ private fun answer(nxt: NotingNxt, name: String, arguments: Array<out Any?>, end
     if (nxt.isOver) end()
     val port = arguments.lastOrNull() as? Int ?: 0
     return when (name) {
-        "call" -> nxt.call(
-            NxtCall(
-                checkNotNull(NxtNative.of(arguments[0] as Int)),
-                arguments[1] as IntArray,
-                arguments[2] as String?,
-                arguments[3] as ByteArray?,
-            ),
-            sourceLine = 0,
-        )
+        "call" -> {
+            nxt.call(
+                NxtCall(
+                    checkNotNull(NxtNative.of(arguments[0] as Int)),
+                    arguments[1] as IntArray,
+                    arguments[2] as String?,
+                    arguments[3] as ByteArray?,
+                ),
+                sourceLine = 0,
+            )
+        }
 
         "clearRow" -> {
             val display = Picture(nxt.displayMemory, WIDTH, HEIGHT)
@@ -115,9 +117,13 @@ private fun answer(nxt: NotingNxt, name: String, arguments: Array<out Any?>, end
             null
         }
 
-        "read" -> read(nxt, arguments[0] as String, port)
+        "read" -> {
+            read(nxt, arguments[0] as String, port)
+        }
 
-        "position" -> nxt.regulator(port).position
+        "position" -> {
+            nxt.regulator(port).position
+        }
 
         "sleep" -> {
             val until = nxt.milliseconds + arguments[0] as Long
@@ -125,7 +131,9 @@ private fun answer(nxt: NotingNxt, name: String, arguments: Array<out Any?>, end
             null
         }
 
-        else -> nxt.milliseconds
+        else -> {
+            nxt.milliseconds
+        }
     }
 }
 

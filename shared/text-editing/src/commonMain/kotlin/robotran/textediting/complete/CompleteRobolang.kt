@@ -1,8 +1,8 @@
 package robotran.textediting.complete
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.robolang.RobolangWords
-import robotran.brick.kind.BrickKind
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft

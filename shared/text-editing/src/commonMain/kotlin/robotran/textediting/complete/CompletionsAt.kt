@@ -1,7 +1,7 @@
 package robotran.textediting.complete
 
-import robotran.language.ProgramLanguage
 import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 
 /**

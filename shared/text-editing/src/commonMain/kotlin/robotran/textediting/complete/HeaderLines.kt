@@ -16,7 +16,9 @@ internal fun headerAt(draft: Draft, line: Int): HeaderLines {
     var first = -1
     var brick: BrickKind? = null
     for (index in 0..<minOf(draft.lines.count, MAX_LINES)) {
-        val words = draft.lines.line(index).substringBefore("//").trim().lowercase().split(' ').filter { it.isNotEmpty() }
+        val words = draft.lines.line(index).substringBefore("//").trim().lowercase().split(' ').filter {
+            it.isNotEmpty()
+        }
         when {
             words == listOf("robot") && first < 0 -> first = index
             first >= 0 && words == listOf("end") -> return HeaderLines(line in first + 1..<index, brick)

@@ -1,4 +1,4 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
@@ -8,7 +8,7 @@ import robotran.nxt.hardware.SensorType
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Sense
 
@@ -44,9 +44,13 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
 
     private fun begin(use: SensorPorts.NxtUse) {
         when (use.sense) {
-            Sense.Light -> setType(use, if (isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
+            Sense.Light -> {
+                setType(use, if (isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
+            }
 
-            Sense.Loudness -> setType(use, SensorType.SOUND_DB)
+            Sense.Loudness -> {
+                setType(use, SensorType.SOUND_DB)
+            }
 
             Sense.Colour -> {
                 setType(use, SensorType.COLOUR_FULL)
@@ -59,7 +63,9 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
                 sonars[use.port] = NxtSonar(nxt, use.port - 1).also { it.setUp(use.line) }
             }
 
-            else -> setType(use, SensorType.SWITCH)
+            else -> {
+                setType(use, SensorType.SWITCH)
+            }
         }
     }
 

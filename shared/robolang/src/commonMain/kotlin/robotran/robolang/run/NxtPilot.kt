@@ -1,8 +1,7 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.run.roundToWhole
 
 /** Drives like the class `Pilot` of a translation, in the same 32-bit decimals. */
 internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
@@ -53,8 +52,7 @@ internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
     }
 
     /** `Math.round(goal)`, also of infinite numbers. */
-    private fun rounded(goal: Float): Int =
-        if (goal <= Int.MIN_VALUE.toFloat()) Int.MIN_VALUE else roundToWhole(goal)
+    private fun rounded(goal: Float): Int = if (goal <= Int.MIN_VALUE.toFloat()) Int.MIN_VALUE else roundToWhole(goal)
 
     private companion object {
         const val FULL_TURN = 360
