@@ -15,9 +15,9 @@ public class FilterOutputStream extends OutputStream {
         out.write(value);
     }
 
-    /** Writes so many bytes of the array, from a place on. */
+    /** Writes so many bytes of the array, from a place on, each as write of a byte does. */
     public void write(byte[] bytes, int offset, int length) throws IOException {
-        out.write(bytes, offset, length);
+        for (int index = offset; index < offset + length; index++) write(bytes[index]);
     }
 
     /** Writes what was kept back. */
