@@ -15,9 +15,9 @@ public class FilterOutputStream extends OutputStream {
         out.write(value);
     }
 
-    /** Writes so many bytes of the array, from a place on, each as write of a byte does. */
+    /** Writes so many bytes of the array, from a place on. */
     public void write(byte[] bytes, int offset, int length) throws IOException {
-        for (int index = offset; index < offset + length; index++) write(bytes[index]);
+        for (int index = 0; index < length; index++) write(bytes[offset + index]);
     }
 
     /** Writes what was kept back. */

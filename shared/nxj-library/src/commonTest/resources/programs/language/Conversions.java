@@ -1,15 +1,15 @@
 public class Conversions {
     public static void main(String[] arguments) {
-        int i = 0x12345600;
-        long l = 0x7FFFFFFFFFL;
+        int i = 0x12345678;
+        long l = 0x123456789ABCDEF0L;
         float f = 1234.567f;
         double d = -98765.4321;
-        System.out.println((long) i + " " + (float) i + " " + (double) i); // expect 305419776 3.05419776E8 3.05419776E8
-        System.out.println((int) l + " " + (float) l + " " + (double) l); // expect -1 5.4975581E11 5.49755813887E11
+        System.out.println((long) i + " " + (int) (float) i + " " + (double) i); // expect 305419896 305419904 3.05419896E8
+        System.out.println((int) l + " " + (float) l + " " + (long) (double) l); // expect -1698898192 1.3117685E18 1311768467463790336
         System.out.println((int) f + " " + (long) f + " " + (double) f); // expect 1234 1234 1234.5670166015625
         System.out.println((int) d + " " + (long) d + " " + (float) d); // expect -98765 -98765 -98765.43
-        System.out.println((byte) i + " " + (short) i + " " + (int) (char) i); // expect 0 22016 22016
-        System.out.println((byte) l + " " + (short) l + " " + (int) (char) l); // expect -1 -1 65535
+        System.out.println((byte) i + " " + (short) i + " " + (int) (char) i); // expect 120 22136 22136
+        System.out.println((byte) l + " " + (short) l + " " + (int) (char) l); // expect -16 -8464 57072
         System.out.println((byte) f + " " + (short) f + " " + (int) (char) f); // expect -46 1234 1234
         System.out.println((byte) d + " " + (short) d + " " + (int) (char) d); // expect 51 32307 32307
         System.out.println((int) Float.NaN + " " + (long) Double.NaN); // expect 0 0
