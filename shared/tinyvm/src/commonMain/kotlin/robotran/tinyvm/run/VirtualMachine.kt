@@ -217,6 +217,9 @@ internal class VirtualMachine(
         start(mainThread)
     }
 
+    /** What `main` gets: an empty array; null on an RCX. */
+    fun mainArguments(): Int = program.texts1?.let { newArray(it, 0) } ?: 0
+
     /** Makes [thread] ready to run; its stack must be there already. */
     fun start(thread: VmThread) {
         scheduler.start(thread)
@@ -352,7 +355,11 @@ internal class VirtualMachine(
         val isWorthIt = heap.collect { mark ->
             exceptions.forEach(mark)
             textReferences.forEach(mark)
-            statics.forEach(mark)
+            if (model.isExact) {
+                for (field in program.statics) if (field.isReference) mark(statics[field.slot])
+            } else {
+                statics.forEach(mark)
+            }
             peripherals.roots(mark)
             classObjects.values.forEach(mark)
             mark(held)
