@@ -61,7 +61,13 @@ internal class LinkedProgram(
     }
 
     /** The number that a brick shows for [method]: on an RCX that of its signature. */
-    fun numberOf(method: LinkedMethod): Int = if (classType != null) method.number else layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber
+    fun numberOf(method: LinkedMethod): Int = if (classType !=
+        null
+    ) {
+        method.number
+    } else {
+        layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber
+    }
 
     private companion object {
         /** Behind five fields of four bytes and three of one. Source: leJOS `classes.h`, Thread. */

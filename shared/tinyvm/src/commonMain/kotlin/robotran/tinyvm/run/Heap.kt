@@ -19,7 +19,17 @@ import robotran.tinyvm.link.brickBytesOf
 internal class Heap(private val types: List<HeapType>, private val model: MachineModel, private val bytes: Int) {
     private val first = model.firstObject
 
-    val words = IntArray(if (model.isExact) first + model.heapWords else if (model.heapWords == 0) bytes + first else model.heapWords)
+    val words = IntArray(
+        if (model.isExact) {
+            first + model.heapWords
+        } else if (model.heapWords ==
+            0
+        ) {
+            bytes + first
+        } else {
+            model.heapWords
+        },
+    )
 
     /** Whether a brick's bytes bound the memory. */
     private val isBounded = model.hasQuirks || model.isExact

@@ -85,11 +85,16 @@ internal class VirtualMachine(
 
     private fun setInitialValue(field: LinkedField) {
         when (val value = field.initialValue) {
-            is InitialValue.Word -> statics[field.slot] = value.bits
-            is InitialValue.Text -> if (!model.isExact) {
-                statics[field.slot] = newText(value.text)
-            } else if (field.isRead) {
-                statics[field.slot] = text(program.texts.indexOf(value.text))
+            is InitialValue.Word -> {
+                statics[field.slot] = value.bits
+            }
+
+            is InitialValue.Text -> {
+                if (!model.isExact) {
+                    statics[field.slot] = newText(value.text)
+                } else if (field.isRead) {
+                    statics[field.slot] = text(program.texts.indexOf(value.text))
+                }
             }
 
             is InitialValue.Wide -> {
@@ -97,7 +102,9 @@ internal class VirtualMachine(
                 statics[field.slot + 1] = (value.value shr Int.SIZE_BITS).toInt()
             }
 
-            null -> return
+            null -> {
+                return
+            }
         }
     }
 

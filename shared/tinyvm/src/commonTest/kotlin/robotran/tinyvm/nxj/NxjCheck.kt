@@ -22,7 +22,10 @@ internal fun nxjDifferences(
 
     fun run(speed: TinyVmSpeed, isWatched: Boolean): NxjBrickRun? =
         when (val result = linkNxj(mainClass, classes, library, mainClass, EnglishTinyVmMessages, speed)) {
-            is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply { run(expected.runsOnAfter ?: LONGEST) }
+            is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply {
+                run(expected.runsOnAfter ?: LONGEST)
+            }
+
             is NxjResult.Rejected -> throw AssertionError("$path is refused: ${result.refusal}")
         }
     val slow = run(TinyVmSpeed.BRICK, isWatched = false) ?: return emptyList()
