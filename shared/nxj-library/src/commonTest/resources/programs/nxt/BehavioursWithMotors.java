@@ -55,6 +55,7 @@ public class BehavioursWithMotors {
 
     public static void main(String[] arguments) {
         new Arbitrator(new Behavior[] {new Drive(), new Hit()}, true).start();
+        Motor.A.waitComplete();
         System.out.println(Motor.A.isMoving() + " over");
     }
 }

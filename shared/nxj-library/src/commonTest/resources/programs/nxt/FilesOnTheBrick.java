@@ -30,7 +30,8 @@ public class FilesOnTheBrick {
         FileOutputStream more = new FileOutputStream(file, true);
         more.write(7);
         more.close();
-        System.out.println(file.length() + " " + File.listFiles().length); // expect 61 1
+        File[] all = File.listFiles();
+        System.out.println(file.length() + " " + all[0].getName() + " " + all[1]); // expect 61 log.dat null
         System.out.println(file.delete() + " " + file.exists()); // expect true false
         try {
             new FileInputStream(file);

@@ -28,7 +28,6 @@ public class NothingInThePorts {
         System.out.println(Bluetooth.connect("nobody", NXTConnection.PACKET) == null); // expect true
         System.out.println(Bluetooth.waitForConnection(50, NXTConnection.PACKET) == null); // expect true
         RConsole.openUSB(1000);
-        RConsole.println("to the log");
         System.out.println(RConsole.isOpen()); // expect true
         RConsole.close();
     }

@@ -16,10 +16,10 @@ public class SensorsThatTell {
         Thread.sleep(50);
         SensorPort.S1.addSensorPortListener(new SensorPortListener() {
             public void stateChanged(SensorPort port, int old, int now) {
-                changes++;
                 System.out.println(port.getId() + " " + old + " " + now);
                 // expect 0 1023 183
                 // expect 0 183 1023
+                changes++;
             }
         });
         while (changes < 2) Thread.yield();
