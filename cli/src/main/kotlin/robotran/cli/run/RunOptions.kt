@@ -57,6 +57,18 @@ internal class RunOptions : OptionGroup() {
         }
         .multiple()
 
+    /** How robots are built, instead of what the world says. */
+    val robotFiles by option(
+        "--robot-file",
+        metavar = "NAME=FILE",
+        help = "builds this robot of the world as FILE (.robot.json) says; may be given several times",
+    )
+        .convert { text ->
+            readRobotFile(text)
+                ?: fail("$text is not the name of a robot and a file, as in red=sumo.robot.json")
+        }
+        .multiple()
+
     val java: JavaSettings
         get() = JavaSettings(
             if (forgiving) TinyVmMode.FORGIVING else TinyVmMode.BRICK,
@@ -69,6 +81,7 @@ internal class RunOptions : OptionGroup() {
         get() = buildList {
             realism?.let { addAll(listOf("--realism", it.toString())) }
             robots.forEach { addAll(listOf("--robot", "${it.robot}=${it.file}")) }
+            robotFiles.forEach { addAll(listOf("--robot-file", "${it.robot}=${it.file}")) }
             if (forgiving) add("--forgiving")
             if (unlimited) add("--unlimited")
             if (version != LejosVersion.DEFAULT) addAll(listOf("--lejos", version.label))

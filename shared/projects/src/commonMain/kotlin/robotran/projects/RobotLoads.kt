@@ -1,6 +1,5 @@
 package robotran.projects
 
-import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
@@ -34,15 +33,14 @@ sealed interface RobotLoads {
 }
 
 /**
- * Compiles the programs of all robots of [world] for the slots of their bricks, in order. A robot without a program in
- * [given] uses the world's default program, if any.
+ * Compiles the programs of all robots of [world] for the slots of their bricks, in order; each for its robot. A robot
+ * without a program in [given] uses the world's default program, if any.
  *
  * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
  * @throws Throwable like [ProgramCompiler.read].
  */
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
     val messages = ProjectMessages.of(reader.language)
-    brickError(world, messages)?.let { return it }
     assignmentError(world, given, messages)?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<ProgramDiagnostic>()
@@ -93,11 +91,6 @@ fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<Program
 private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let {
     ProgramSource.Robolang("${robot.name}.robo", it)
 }
-
-private fun brickError(world: World, messages: RobotMessages): RobotLoads.HasErrors? =
-    world.robots.firstOrNull { it.description.brick != BrickKind.RCX }?.let {
-        RobotLoads.HasErrors(it.name, listOf(ProgramDiagnostic("", null, messages.nxtCannotRun(it.name))))
-    }
 
 private fun assignmentError(
     world: World,

@@ -1,7 +1,6 @@
 package robotran.simulation
 
 import robotran.brick.controls.startButton
-import robotran.brick.kind.BrickKind
 import robotran.brick.state.RunState
 import robotran.world.World
 
@@ -27,7 +26,7 @@ fun Session.pressRun() = world.startInputs().forEach(::apply)
 
 /** The inputs that start the programs of all robots of this world: their start buttons are pressed and released. */
 fun World.startInputs(): List<SessionInput> = robots.indices.flatMap { robot ->
-    val button = BrickKind.RCX.startButton
+    val button = robots[robot].description.brick.startButton
     listOf(SessionInput.Press(button, robot), SessionInput.Release(button, robot))
 }
 
