@@ -54,6 +54,7 @@ kotlin {
             api(project(":shared:java-compiler"))
             api(project(":shared:lejos-linker"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:nxj-library"))
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))

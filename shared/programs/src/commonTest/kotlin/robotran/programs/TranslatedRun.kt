@@ -23,13 +23,9 @@ import robotran.robolang.translate.translateRobolang
 internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** Compiles [text]; null if it has errors. */
-internal fun robolangOf(name: String, text: String): RobolangRcxProgram? = (
-    compileRobolang(
-        name.substringAfterLast('/'),
-        text,
-        testTarget,
-    ) as? RobolangResult.Ready
-)?.program as RobolangRcxProgram?
+internal fun robolangOf(name: String, text: String): RobolangRcxProgram? =
+    (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)
+        ?.program as? RobolangRcxProgram
 
 /** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
