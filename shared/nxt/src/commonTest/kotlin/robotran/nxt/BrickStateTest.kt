@@ -137,10 +137,15 @@ class BrickStateTest {
             brick.tick()
             motor.tick(brick)
         }
-        val powers = brick.log.entries.filter { it.sourceLocation == "library" }.map { (it as NxtLogEntry).call.numbers[1] }
+        val powers = brick.log.entries.filter {
+            it.sourceLocation == "library"
+        }.map { (it as NxtLogEntry).call.numbers[1] }
         assertTrue(powers.size in 10..200, "${powers.size} calls")
         powers.zipWithNext { one, next ->
-            assertTrue(next - one >= 10 || one - next >= 10 || (one > 0) != (next > 0) || (one < 0) != (next < 0), "$one $next")
+            assertTrue(
+                next - one >= 10 || one - next >= 10 || (one > 0) != (next > 0) || (one < 0) != (next < 0),
+                "$one $next",
+            )
         }
     }
 
@@ -206,6 +211,19 @@ class BrickStateTest {
         assertTrue(brick.state.display.isBlack(11, 8))
         brick.stopProgram()
         assertNotEquals(own, brick.nxt.displayMemory)
+    }
+
+    @Test
+    fun `a run has its own display memory again after an exception of a thread`() {
+        val brick = NxtBrick(listOf(scriptedProgram("tidy-thread")))
+        brick.push(BrickButton.ENTER)
+        val own = ByteArrayMemory(ByteArray(800))
+        brick.nxt.displayMemory = own
+        brick.tick(5)
+        assertEquals("Exception: 28", brick.state.display.texts.first())
+        assertNotEquals(own, brick.nxt.displayMemory)
+        brick.push(BrickButton.ESCAPE)
+        assertSame(own, brick.nxt.displayMemory)
     }
 
     @Test

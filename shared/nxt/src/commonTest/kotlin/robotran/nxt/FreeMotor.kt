@@ -4,8 +4,8 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 
 /**
- * A motor that turns nothing but a load: it follows its power and voltage with a time constant of 70 milliseconds, stands
- * 30 degrees after braking from full speed, and rolls for long.
+ * A motor that turns nothing but a load: it follows its power and voltage with a time constant of 70 milliseconds,
+ * stands 30 degrees after braking from full speed, and rolls for long.
  *
  * @param load torque in N cm.
  */

@@ -45,11 +45,17 @@ internal class NxtScript(private val path: String, private val text: String) {
                 if (then.isNotEmpty()) perform(then)
             }
 
-            "wait" -> advance(rest.toLong())
+            "wait" -> {
+                advance(rest.toLong())
+            }
 
-            in ACTIONS -> act(word, rest)
+            in ACTIONS -> {
+                act(word, rest)
+            }
 
-            else -> compare(statement, rest, seen(word, rest))
+            else -> {
+                compare(statement, rest, seen(word, rest))
+            }
         }
     }
 
@@ -62,21 +68,39 @@ internal class NxtScript(private val path: String, private val text: String) {
         val words = rest.split(' ')
         when (action) {
             "programs" -> beginWith(words.map(::scriptedProgram))
+
             "robot" -> bricks[rest] = Bench(NxtBrick(emptyList(), network, rest))
+
             "on" -> bench = bricks.getValue(rest)
+
             "press" -> brick.press(buttonOf(rest))
+
             "release" -> brick.release(buttonOf(rest))
+
             "push" -> brick.push(buttonOf(rest))
+
             "stop" -> brick.stopProgram()
+
             "run-now" -> brick.runNow(checkNotNull(scriptedProgram(rest)))
+
             "call" -> result = brick.nxt.call(callOf(rest), TEST_LINE)
+
             "library" -> result = brick.nxt.call(callOf(rest), sourceLine = 0)
+
             "measure" -> brick.setAnalog(words[0].toInt() - 1, words[1].toInt())
-            "colour" -> words.map { it.toInt() }.let { (port, r, g, b, n) -> brick.setColour(port - 1, NxtColour(r, g, b, n)) }
+
+            "colour" -> words.map { it.toInt() }.let { (port, r, g, b, n) ->
+                brick.setColour(port - 1, NxtColour(r, g, b, n))
+            }
+
             "hub" -> brick.setHubDegrees(MotorPort.valueOf(words[0]), words[1].toInt())
+
             "motor" -> bench.motors += FreeMotor(MotorPort.valueOf(words[0]), words[1].toDouble())
+
             "battery" -> brick.setBattery(rest.toInt())
+
             "sonar" -> bench.plugSonar(words[0].toInt() - 1)
+
             "wall" -> bench.echoes = words.filter { it != "none" }.map { it.toDouble() }.toDoubleArray()
         }
     }
@@ -92,92 +116,174 @@ internal class NxtScript(private val path: String, private val text: String) {
         val state = brick.state
         val number = rest.substringBefore(' ').toIntOrNull() ?: 0
         return when (word) {
-            "result" -> "$result"
-
-            "line" -> "$number \"${state.display.lines[number]}\""
-
-            "texts" -> state.display.texts.joinToString(" / ").ifEmpty { "none" }
-
-            "dots" -> if (state.display.toArt() == displayGoldens["$rest.txt"]) rest else "\n${state.display.toArt()}"
-
-            "menu" -> state.menu?.run { "$title: ${entries.getOrElse(selected) { "nothing to choose" }}" } ?: "none"
-
-            "power" -> if (state.poweredOn) "on" else "off"
-
-            "program" -> wordFor(state.run)
-
-            "slot" -> "${state.selectedSlot}"
-
-            "sounds" -> bench.newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
-
-            "sounding" -> "${state.sounding}"
-
-            "volume" -> "${state.volume}"
-
-            "sound-left" -> "${brick.nxt.soundMillisecondsLeft()}"
-
-            "says" -> state.explanation ?: "nothing"
-
-            "motors" -> state.motors.joinToString {
-                "${it.mode.name.lowercase()} ${it.power}" + if (it.brakesInPauses) "" else " loose"
+            "result" -> {
+                "$result"
             }
 
-            "degrees" -> state.motorDegrees.joinToString(" ")
+            "line" -> {
+                "$number \"${state.display.lines[number]}\""
+            }
+
+            "texts" -> {
+                state.display.texts.joinToString(" / ").ifEmpty { "none" }
+            }
+
+            "dots" -> {
+                if (state.display.toArt() == displayGoldens["$rest.txt"]) rest else "\n${state.display.toArt()}"
+            }
+
+            "menu" -> {
+                state.menu?.run { "$title: ${entries.getOrElse(selected) { "nothing to choose" }}" } ?: "none"
+            }
+
+            "power" -> {
+                if (state.poweredOn) "on" else "off"
+            }
+
+            "program" -> {
+                wordFor(state.run)
+            }
+
+            "slot" -> {
+                "${state.selectedSlot}"
+            }
+
+            "sounds" -> {
+                bench.newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
+            }
+
+            "sounding" -> {
+                "${state.sounding}"
+            }
+
+            "volume" -> {
+                "${state.volume}"
+            }
+
+            "sound-left" -> {
+                "${brick.nxt.soundMillisecondsLeft()}"
+            }
+
+            "says" -> {
+                state.explanation ?: "nothing"
+            }
+
+            "motors" -> {
+                state.motors.joinToString {
+                    "${it.mode.name.lowercase()} ${it.power}" + if (it.brakesInPauses) "" else " loose"
+                }
+            }
+
+            "degrees" -> {
+                state.motorDegrees.joinToString(" ")
+            }
 
             "regulator" -> {
                 val regulator = brick.nxt.regulator(number)
                 "$number ${if (regulator.isMoving) "moving" else "still"}${if (regulator.isStalled) " stalled" else ""}"
             }
 
-            "limit" -> "$number ${brick.nxt.regulator(number).limit}"
-
-            "log" -> brick.log.entries.last().meaning
-
-            "log-line" -> lastLog().text
-
-            "group" -> lastLog().group.name.lowercase()
-
-            "outcome" -> lastLog().outcome.name.lowercase().replace('_', ' ')
-
-            "calls" -> "${brick.log.total}"
-
-            "analog" -> "$number ${brick.nxt.analog(number)}"
-
-            "pin" -> rest.split(' ').let { (port, pin) -> "$port $pin ${if (brick.nxt.pin(port.toInt(), pin.toInt())) 1 else 0}" }
-
-            "sensor" -> state.sensorPorts[number - 1].run {
-                "$port ${if (isActive) "active" else "idle"} $raw $value${if (isPressed) " pressed" else ""}"
+            "limit" -> {
+                "$number ${brick.nxt.regulator(number).limit}"
             }
 
-            "sees" -> "$number ${brick.nxt.colour(number)?.run { "$red $green $blue $background $kind" } ?: "none"}"
+            "log" -> {
+                brick.log.entries.last().meaning
+            }
 
-            "bus" -> "$number ${brick.nxt.i2cStatus(number)}"
+            "log-line" -> {
+                lastLog().text
+            }
 
-            "answer" -> answer(number)
+            "group" -> {
+                lastLog().group.name.lowercase()
+            }
 
-            "buttons" -> "${brick.nxt.buttons()}"
+            "outcome" -> {
+                lastLog().outcome.name.lowercase().replace('_', ' ')
+            }
 
-            "millivolts" -> "${brick.nxt.batteryStatus()}"
+            "calls" -> {
+                "${brick.log.total}"
+            }
 
-            "contrast" -> "${state.contrast}"
+            "analog" -> {
+                "$number ${brick.nxt.analog(number)}"
+            }
 
-            "refreshed" -> "${brick.nxt.refreshCompleteTime()}"
+            "pin" -> {
+                rest.split(' ').let { (port, pin) ->
+                    "$port $pin ${if (brick.nxt.pin(port.toInt(), pin.toInt())) 1 else 0}"
+                }
+            }
 
-            "expects" -> brick.expectedSensors.joinToString { "${it.port} ${it.kind.name.lowercase()}" }.ifEmpty { "none" }
+            "sensor" -> {
+                state.sensorPorts[number - 1].run {
+                    "$port ${if (isActive) "active" else "idle"} $raw $value${if (isPressed) " pressed" else ""}"
+                }
+            }
 
-            "exception" -> state.exception?.run { "${failure.exceptionNumber} from $firstRow" } ?: "none"
+            "sees" -> {
+                "$number ${brick.nxt.colour(number)?.run { "$red $green $blue $background $kind" } ?: "none"}"
+            }
 
-            "link" -> "$number ${brick.nxt.link(number)?.run { "${status.name.lowercase()} $partner" } ?: "none"}"
+            "bus" -> {
+                "$number ${brick.nxt.i2cStatus(number)}"
+            }
 
-            "links" -> state.bluetooth.joinToString { "${it.number} ${it.partner} ${it.status.name.lowercase()}" }.ifEmpty { "none" }
+            "answer" -> {
+                answer(number)
+            }
 
-            "received" -> received(number)
+            "buttons" -> {
+                "${brick.nxt.buttons()}"
+            }
 
-            "sending" -> "${state.isSending}"
+            "millivolts" -> {
+                "${brick.nxt.batteryStatus()}"
+            }
 
-            "knows" -> if (brick.nxt.knowsRobot(rest)) rest else "nobody"
+            "contrast" -> {
+                "${state.contrast}"
+            }
 
-            else -> error("$path:$line says \"$word\", which is no word of scripts")
+            "refreshed" -> {
+                "${brick.nxt.refreshCompleteTime()}"
+            }
+
+            "expects" -> {
+                brick.expectedSensors.joinToString { "${it.port} ${it.kind.name.lowercase()}" }.ifEmpty { "none" }
+            }
+
+            "exception" -> {
+                state.exception?.run { "${failure.exceptionNumber} from $firstRow" } ?: "none"
+            }
+
+            "link" -> {
+                "$number ${brick.nxt.link(number)?.run { "${status.name.lowercase()} $partner" } ?: "none"}"
+            }
+
+            "links" -> {
+                state.bluetooth.joinToString {
+                    "${it.number} ${it.partner} ${it.status.name.lowercase()}"
+                }.ifEmpty { "none" }
+            }
+
+            "received" -> {
+                received(number)
+            }
+
+            "sending" -> {
+                "${state.isSending}"
+            }
+
+            "knows" -> {
+                if (brick.nxt.knowsRobot(rest)) rest else "nobody"
+            }
+
+            else -> {
+                error("$path:$line says \"$word\", which is no word of scripts")
+            }
         }
     }
 
@@ -217,14 +323,30 @@ internal class NxtScript(private val path: String, private val text: String) {
 
     companion object {
         private val ACTIONS = setOf(
-            "programs", "robot", "on", "press", "release", "push", "stop", "run-now", "call", "library", "measure",
-            "colour", "hub", "motor", "battery", "sonar", "wall",
+            "programs",
+            "robot",
+            "on",
+            "press",
+            "release",
+            "push",
+            "stop",
+            "run-now",
+            "call",
+            "library",
+            "measure",
+            "colour",
+            "hub",
+            "motor",
+            "battery",
+            "sonar",
+            "wall",
         )
 
         private fun buttonOf(word: String): BrickButton = BrickButton.valueOf(word.uppercase().replace('-', '_'))
 
-        private fun hexadecimal(bytes: ByteArray, count: Int): String =
-            bytes.take(count).joinToString(" ") { (it.toInt() and 0xFF).toString(radix = 16).padStart(2, '0') }.ifEmpty { "nothing" }
+        private fun hexadecimal(bytes: ByteArray, count: Int): String = bytes.take(count).joinToString(" ") {
+            (it.toInt() and 0xFF).toString(radix = 16).padStart(2, '0')
+        }.ifEmpty { "nothing" }
 
         private fun wordFor(run: RunState): String = when (run) {
             RunState.Idle -> "idle"
@@ -234,11 +356,14 @@ internal class NxtScript(private val path: String, private val text: String) {
         }
 
         private fun wordsFor(event: SoundEvent): String = when (event) {
-            is SoundEvent.Tone ->
+            is SoundEvent.Tone -> {
                 "${(event.hertz + 0.5).toInt()} Hz ${event.durationMilliseconds} ms ${event.volume} %" +
                     if (event.isFirmware) " by the brick" else ""
+            }
 
-            is SoundEvent.Cut -> "cut"
+            is SoundEvent.Cut -> {
+                "cut"
+            }
         }
 
         /** `drawString "Hello" 0 0 0`, `i2cStartById 3 2 1 [42]`: name, text, numbers, bytes. */
@@ -247,7 +372,15 @@ internal class NxtScript(private val path: String, private val text: String) {
             val native = NxtNative.entries.first { it.nativeName == name }
             val quotes = Regex("\"(.*)\"").find(written)
             val brackets = Regex("\\[(.*)]").find(written)
-            val numbers = written.substringAfter(' ', "").let { if (quotes == null) it else it.replace(quotes.value, "") }
+            val numbers = written.substringAfter(' ', "").let {
+                if (quotes ==
+                    null
+                ) {
+                    it
+                } else {
+                    it.replace(quotes.value, "")
+                }
+            }
                 .substringBefore('[').split(' ').filter { it.isNotEmpty() }
             return NxtCall(
                 native,

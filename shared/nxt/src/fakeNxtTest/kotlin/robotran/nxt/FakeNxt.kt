@@ -16,8 +16,8 @@ import robotran.nxt.regulator.MotorRegulator
 import robotran.nxt.regulator.RegulatedMotor
 
 /**
- * An NXT for tests of programs, without a brick: it keeps the calls, says what the test has told it, and has motors that
- * follow their power at once, at [degreesPerSecond] for each percent. Time passes only in [advance].
+ * An NXT for tests of programs, without a brick: it keeps the calls, says what the test has told it, and has motors
+ * that follow their power at once, at [degreesPerSecond] for each percent. Time passes only in [advance].
  */
 class FakeNxt(private val degreesPerSecond: Double = 10.0, override val name: String = "NXT") : Nxt {
     /** All calls so far. */

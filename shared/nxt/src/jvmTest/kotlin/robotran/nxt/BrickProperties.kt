@@ -42,7 +42,11 @@ class BrickProperties :
             Arb.enum<BrickButton>().map { button -> { brick: NxtBrick -> brick.push(button) } },
             Arb.int(1..700).map { time -> { brick: NxtBrick -> brick.tick(time) } },
             Arb.constant { brick: NxtBrick -> brick.stopProgram() },
-            Arb.bind(Arb.int(0..3), Arb.int(-10..1100)) { port, raw -> { brick: NxtBrick -> brick.setAnalog(port, raw) } },
+            Arb.bind(Arb.int(0..3), Arb.int(-10..1100)) { port, raw ->
+                { brick: NxtBrick ->
+                    brick.setAnalog(port, raw)
+                }
+            },
             anyCall.map { call ->
                 { brick: NxtBrick -> if (brick.state.run is RunState.Running) brick.nxt.call(call, TEST_LINE) }
             },

@@ -16,7 +16,12 @@ import robotran.nxt.program.NxtCall
 class RegulatorProperties :
     StringSpec({
         "a move ends within two degrees of its limit, whatever it was doing before" {
-            checkAll(200, Arb.int(-1500..1500), Arb.int(-1500..1500), Arb.int(60..700), Arb.int(0..900)) { one, two, speed, pause ->
+            checkAll(200, Arb.int(-1500..1500), Arb.int(-1500..1500), Arb.int(60..700), Arb.int(0..900)) {
+                one,
+                two,
+                speed,
+                pause,
+                ->
                 val bench = Bench()
                 bench.start(speed.toFloat(), one, hold = true)
                 bench.pass(pause)

@@ -5,8 +5,8 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
 
 /**
- * The three output ports and their counters. Commands and counts cross over to the processor of the ports and back every
- * 2 milliseconds, in [exchange].
+ * The three output ports and their counters. Commands and counts cross over to the processor of the ports and back
+ * every 2 milliseconds, in [exchange].
  */
 internal class MotorPorts {
     private val commanded = Array(PORTS) { MotorState(MotorPort.entries[it], MotorMode.FLOAT, power = 0) }

@@ -106,13 +106,7 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
         owedSteps = 0
     }
 
-    fun record(
-        call: NxtCall,
-        result: Int?,
-        origin: CallOrigin,
-        sourceLine: Int = 0,
-        sourceFile: String? = null,
-    ) {
+    fun record(call: NxtCall, result: Int?, origin: CallOrigin, sourceLine: Int = 0, sourceFile: String? = null) {
         val outcome = if (result == null) CallOutcome.WRONG_ARGUMENTS else CallOutcome.DONE
         log.add(NxtLogEntry(milliseconds, call, result ?: 0, outcome, origin, sourceLine, sourceFile, messages))
     }

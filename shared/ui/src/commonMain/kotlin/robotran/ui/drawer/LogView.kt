@@ -34,7 +34,6 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
@@ -128,7 +127,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in CallGroup.of(BrickKind.RCX)) {
+        for (group in CallGroup.of(state.kind)) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
