@@ -105,7 +105,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
         val request = RunRequest(
             programs,
             options.robots,
-            options.robotFiles,
+            options.builds,
             options.java,
             world,
             WorldChanges(seed, options.realism),

@@ -106,6 +106,9 @@ class NxtBrick(
 
     override fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
 
+    /** Whether a regulator sets the power of [port], and so makes up for a weak motor or battery. */
+    fun isRegulated(port: MotorPort): Boolean = hardware.regulators[port.ordinal].isActive
+
     override fun press(button: BrickButton) {
         if (hardware.buttons.hold(button, down = true)) shell.pressed(button)
     }

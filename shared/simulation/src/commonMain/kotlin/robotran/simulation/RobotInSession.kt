@@ -4,8 +4,10 @@ import robotran.brick.Brick
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallLog
 import robotran.brick.program.RuntimeWarning
-import robotran.brick.sensors.SensorKind
 import robotran.language.Language
+import robotran.nxt.NxtBrick
+import robotran.nxt.bluetooth.BluetoothNetwork
+import robotran.nxt.messages.NxtMessages
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.messages.BrickMessages
@@ -15,6 +17,7 @@ import robotran.simulation.explain.DeviationCause
 import robotran.simulation.explain.Explanation
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.nxt.NxtPorts
 import robotran.simulation.robot.BrickPorts
 import robotran.simulation.robot.LightReading
 import robotran.simulation.robot.PortComparison
@@ -31,10 +34,11 @@ internal class RobotInSession(
     load: RobotLoad,
     private val simulation: Simulation,
     air: InfraredAir,
+    network: BluetoothNetwork,
     private val language: Language,
 ) {
     private val machine = simulation.machines[number]
-    val ports: BrickPorts = portsOf(load, air)
+    val ports: BrickPorts = portsOf(load, air, network)
     val brick: Brick get() = ports.brick
     private var hashedCalls = 0L
 
@@ -60,40 +64,53 @@ internal class RobotInSession(
                 machine.bumpedAt,
             )
 
-    /** The causes of its deviation so far. */
-    fun deviationCauses(): List<DeviationCause> {
-        val hasLightSensor = world.robots[number].description.parts.any {
-            it.port != null && it.kind == SensorKind.LIGHT
+    /** How loud it is, in percent of the full volume of a brick. */
+    val loudness: Int
+        get() = when (val brick = brick) {
+            is NxtBrick -> brick.loudness
+            else -> if (brick.isSounding) FULL_VOLUME else 0
         }
-        val realism = if (hasLightSensor) world.realism else 0.0
-        val bias = if (hasLightSensor) ports.lightBias else 0.0
-        return Explanation(
-            world.robots[number],
-            machine,
-            bias,
-            realism,
-            SimulationMessages.of(language),
-        ).deviationCauses()
-    }
+
+    /** The causes of its deviation so far. */
+    fun deviationCauses(): List<DeviationCause> =
+        Explanation(world.robots[number], machine, ports.sensorErrors, SimulationMessages.of(language)).deviationCauses()
 
     /** Adds the logged calls since the last call of this function. */
     fun addCallsTo(hash: TraceHash) {
         while (hashedCalls < log.total) log[hashedCalls++]?.let(hash::add)
     }
 
-    private fun portsOf(load: RobotLoad, air: InfraredAir): BrickPorts {
-        val robot = world.robots[number].description
-        val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
-        // There is no other brick yet: a robot that needs one stands still.
-        val programs = if (robot.brick == BrickKind.RCX) load.programs.map { it as? RcxProgram } else emptyList()
-        return RcxPorts(
-            robot,
-            RcxBrick(programs, air, BrickMessages.of(language), load.firstSlot),
-            machine,
-            { part -> simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } } },
-            { simulation.temperature },
-            NoiseStreams(world.seed, number),
-            world.realism,
-        )
+    private fun portsOf(load: RobotLoad, air: InfraredAir, network: BluetoothNetwork): BrickPorts {
+        val place = world.robots[number]
+        val robot = place.description
+        val facing = place.lightFacing ?: load.lightFacing ?: LightFacing.DOWN
+        val streams = NoiseStreams(world.seed, number)
+        return when (robot.brick) {
+            BrickKind.RCX -> RcxPorts(
+                robot,
+                RcxBrick(load.programs.map { it as? RcxProgram }, air, BrickMessages.of(language), load.firstSlot),
+                machine,
+                { part ->
+                    simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } }
+                },
+                { simulation.temperature },
+                streams,
+                world.realism,
+            )
+
+            BrickKind.NXT -> NxtPorts(
+                robot,
+                NxtBrick(load.programs, network, place.name, NxtMessages.of(language), load.firstSlot),
+                simulation.scene,
+                number,
+                facing,
+                streams,
+                world.realism,
+            )
+        }
+    }
+
+    private companion object {
+        const val FULL_VOLUME = 100
     }
 }

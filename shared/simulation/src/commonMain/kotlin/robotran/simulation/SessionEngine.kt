@@ -1,7 +1,9 @@
 package robotran.simulation
 
+import robotran.brick.kind.BrickKind
 import robotran.brick.sound.SoundEvent
 import robotran.language.Language
+import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.simulation.config.SimulationLimits
@@ -9,6 +11,7 @@ import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.goal.GoalJudge
 import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.nxt.Loudness
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.AmbientConditions
 import robotran.simulation.state.LampState
@@ -25,6 +28,10 @@ internal class SessionEngine(
 ) {
     private val simulation = Simulation(world, physics)
     private val air = InfraredAir(::reaches)
+    private val network = BluetoothNetwork()
+
+    /** The indices of the robots in the air, in its order. */
+    private val withInfrared = world.robots.indices.filter { world.robots[it].description.brick == BrickKind.RCX }
     private val hash = TraceHash()
     private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
     private val tonesJudged = LongArray(world.robots.size)
@@ -36,7 +43,7 @@ internal class SessionEngine(
 
     /** In the world's order. */
     val robots = world.robots.indices.map {
-        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, language)
+        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, network, language)
     }
 
     /** Virtual time since the beginning. */
@@ -44,6 +51,7 @@ internal class SessionEngine(
         private set
 
     init {
+        simulation.scene.loudness = robots.map { robot -> Loudness { robot.loudness } }
         // The initial state, such as the volts on the display, counts for no goal.
         if (world.goals.isNotEmpty()) judgeGoals()
     }
@@ -145,8 +153,8 @@ internal class SessionEngine(
     /** Whether infrared light of one brick reaches another: through a room, or across a table. */
     private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
         if (range == InfraredRange.LONG) return true
-        val from = simulation.machines[sender].body.motion
-        val to = simulation.machines[receiver].body.motion
+        val from = simulation.machines[withInfrared[sender]].body.motion
+        val to = simulation.machines[withInfrared[receiver]].body.motion
         return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
     }
 

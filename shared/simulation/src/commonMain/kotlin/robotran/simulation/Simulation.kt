@@ -8,6 +8,7 @@ import robotran.simulation.ink.TrailWriter
 import robotran.simulation.light.LightField
 import robotran.simulation.light.PaperSurface
 import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.nxt.NxtScene
 import robotran.simulation.physics.BodyMotion
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.addBarrier
@@ -18,6 +19,7 @@ import robotran.simulation.state.Ink
 import robotran.simulation.state.TrailPiece
 import robotran.world.RobotPart
 import robotran.world.SensorPart
+import robotran.world.Sonar
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -45,6 +47,9 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     val surface = PaperSurface(world.paper, world.marks, trigonometry)
     val light: LightField
 
+    /** What the sensors of NXTs see and hear. */
+    val scene: NxtScene
+
     /** In degrees Celsius. */
     var temperature = world.temperature
 
@@ -58,6 +63,8 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
             SimulatedRobot(physics, trigonometry, robot.start, robot.description, streams, world.realism)
         }
         light = LightField(world.lamps, world.ambientLight, physics, trigonometry)
+        val soft = blockBodies.filterIndexed { number, _ -> world.blocks[number].friction >= Sonar.SOFT_FRICTION }
+        scene = NxtScene(physics, surface, light, machines, soft.toSet(), ::beaconsBeside)
         lightSensors = world.robots.mapIndexed { number, robot ->
             val parts = robot.description.things.filterIsInstance<SensorPart>()
             parts.filter { it.sensor == SensorKind.LIGHT }.associate { it.on(null) to LightSensor(number, it, this) }

@@ -1,7 +1,6 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -26,7 +25,7 @@ class ExampleRunTest {
         val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
         val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
         val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
-        val load = RobotLoad(listOf<RcxProgram?>(result.program), lightFacing = facing)
+        val load = RobotLoad(listOf(result.program), lightFacing = facing)
         return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine()).apply {
             runUnattended(60_000)
             close()

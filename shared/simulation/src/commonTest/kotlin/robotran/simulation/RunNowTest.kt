@@ -2,9 +2,9 @@ package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.rcxrom.log.romCalls
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -22,7 +22,7 @@ import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
 class RunNowTest {
-    private fun program(text: String): RcxProgram =
+    private fun program(text: String): BrickProgram =
         (compileRobolang("now.robo", text, RobotTarget.Rcx(50.0, 5.0)) as RobolangResult.Ready).program
 
     private suspend fun session(text: String = "beep") =

@@ -10,6 +10,8 @@ import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
+import robotran.simulation.nxt.ScriptedNxt
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Block
 import robotran.world.Paper
@@ -47,10 +49,24 @@ class RobotProperties :
             }
         }
 
-        "a random robot is refused, or drives for a minute without leaving its pen" {
+        val drivingNxt = ScriptedNxt {
+            for (port in 1..4) sonar(port)
+            repeat(6) {
+                regulate(ScriptedNxt.A, ScriptedNxt.B, ScriptedNxt.C, speed = 700f)
+                pause(4_000)
+                motors(-100, -100, brakes = false)
+                pause(3_000)
+                motors(-50, 50)
+                pause(1_000)
+                motors(0, 0, brakes = false)
+                pause(1_000)
+            }
+        }
+
+        suspend fun check(brick: BrickKind, program: BrickProgram, times: Int) {
             val physics = loadPhysicsEngine()
             var driven = 0
-            checkAll(120, arbitraryRobots(BrickKind.RCX), Arb.double(-180.0, 180.0), Arb.int(0..3)) {
+            checkAll(times, arbitraryRobots(brick), Arb.double(-180.0, 180.0), Arb.int(0..3)) {
                 robot,
                 heading,
                 noise,
@@ -65,7 +81,7 @@ class RobotProperties :
                     blocks = listOf(Block(Shape.Rectangle(Point(40.0, 40.0), 10.0, 10.0), mass = 0.2)),
                     realism = noise / 3.0,
                 )
-                val session = Session(world, listOf(driving), physics)
+                val session = Session(world, listOf(program), physics)
                 session.pressRun()
                 repeat(120) {
                     session.advance(500)
@@ -79,6 +95,14 @@ class RobotProperties :
                 }
                 session.close()
             }
-            driven shouldBeGreaterThan 25
+            driven shouldBeGreaterThan 20
+        }
+
+        "a random robot with an RCX is refused, or drives for a minute without leaving its pen" {
+            check(BrickKind.RCX, driving, times = 120)
+        }
+
+        "so is or does one with an NXT" {
+            check(BrickKind.NXT, drivingNxt, times = 100)
         }
     })

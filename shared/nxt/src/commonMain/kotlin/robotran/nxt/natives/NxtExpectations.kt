@@ -2,6 +2,7 @@ package robotran.nxt.natives
 
 import robotran.brick.sensors.ExpectedSensor
 import robotran.brick.sensors.SensorKind
+import robotran.nxt.hardware.SensorPort
 import robotran.nxt.hardware.SensorType
 import robotran.nxt.hardware.SonarDevice
 
@@ -13,18 +14,25 @@ internal class NxtExpectations {
     var all: List<ExpectedSensor> = emptyList()
         private set
 
+    private val types = IntArray(SensorPort.PORTS)
+
     fun startRun() {
         all = emptyList()
+        types.fill(SensorType.NO_SENSOR)
     }
 
     /** The program has said that [port], 0..3, has a sensor of [type]. */
     fun typeSet(port: Int, type: Int, sourceLine: Int, sourceFile: String?) {
+        types[port] = type
         SensorType.kindOf(type)?.let { expect(port, it, sourceLine, sourceFile) }
     }
 
     /** The program has sent bytes to a sensor at [port], 0..3. */
     fun addressed(port: Int, address: Int, sourceLine: Int, sourceFile: String?) {
-        if (address == SonarDevice.ADDRESS) expect(port, SensorKind.ULTRASONIC, sourceLine, sourceFile)
+        if (address != SonarDevice.ADDRESS) return
+        // A compass has the same address, but needs no 9 volts.
+        val kind = if (types[port] == SensorType.LOWSPEED) SensorKind.COMPASS else SensorKind.ULTRASONIC
+        expect(port, kind, sourceLine, sourceFile)
     }
 
     private fun expect(port: Int, kind: SensorKind, sourceLine: Int, sourceFile: String?) {

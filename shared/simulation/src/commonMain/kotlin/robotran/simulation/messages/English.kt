@@ -9,6 +9,7 @@ object EnglishSimulationMessages :
     GoalMessages by EnglishGoalMessages,
     ShortfallMessages by EnglishShortfallMessages,
     DeviationMessages by EnglishDeviationMessages,
+    NxtDeviationMessages by EnglishNxtDeviationMessages,
     SensorMessages by EnglishSensorMessages
 
 private object EnglishGoalMessages : GoalMessages {

@@ -11,6 +11,7 @@ object GermanSimulationMessages :
     GoalMessages by GermanGoalMessages,
     ShortfallMessages by GermanShortfallMessages,
     DeviationMessages by GermanDeviationMessages,
+    NxtDeviationMessages by GermanNxtDeviationMessages,
     SensorMessages by GermanSensorMessages
 
 /**

@@ -11,6 +11,7 @@ object SpanishSimulationMessages :
     GoalMessages by SpanishGoalMessages,
     ShortfallMessages by SpanishShortfallMessages,
     DeviationMessages by SpanishDeviationMessages,
+    NxtDeviationMessages by SpanishNxtDeviationMessages,
     SensorMessages by SpanishSensorMessages
 
 /**

@@ -6,8 +6,8 @@ import robotran.brick.Brick
 internal interface BrickPorts {
     val brick: Brick
 
-    /** The constant error of the light sensor, in the brick's raw units; 0 for an ideal one. */
-    val lightBias: Double
+    /** The errors of the sensors that are plugged in. */
+    val sensorErrors: SensorErrors
 
     /** Lets the sensors measure what the brick reads in the millisecond number [tick]; call it before [Brick.tick]. */
     fun sense(tick: Long)
@@ -18,6 +18,23 @@ internal interface BrickPorts {
     /** Presses or releases the touch sensor that the user holds, on the input port [port], from 0. */
     fun touch(port: Int, pressed: Boolean)
 }
+
+/**
+ * The errors of the sensors of one robot; 0 for an ideal one and for a kind that it does not have.
+ *
+ * @property lightBias the constant error of the first light sensor, in the brick's raw units.
+ * @property lightNoise standard deviation of its noise, in the same.
+ * @property sonarBias the constant error of the first ultrasonic sensor, in centimetres.
+ * @property sonarNoise standard deviation of its noise, in the same.
+ * @property colourNoise standard deviation of the noise of a colour sensor, in parts of 255.
+ */
+internal data class SensorErrors(
+    val lightBias: Double = 0.0,
+    val lightNoise: Double = 0.0,
+    val sonarBias: Double = 0.0,
+    val sonarNoise: Double = 0.0,
+    val colourNoise: Double = 0.0,
+)
 
 /** Reads a light sensor. */
 internal fun interface LightReading {

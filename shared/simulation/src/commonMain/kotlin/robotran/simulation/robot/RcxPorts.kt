@@ -44,8 +44,10 @@ internal class RcxPorts(
         robot.parts.filter { it.port == port + 1 }.mapNotNull { sensorOf(it, port) }
     }
 
-    override val lightBias =
-        robot.parts.filter { it.port != null }.firstNotNullOfOrNull { lightEyes[it.on(null)] }?.bias ?: 0.0
+    override val sensorErrors: SensorErrors =
+        robot.parts.filter { it.port != null }.firstNotNullOfOrNull { lightEyes[it.on(null)] }?.let { eye ->
+            SensorErrors(lightBias = eye.bias, lightNoise = realism * Realism.LIGHT_NOISE)
+        } ?: SensorErrors()
 
     /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)

@@ -87,6 +87,9 @@ data class LampState(val place: Point, val on: Boolean)
  * @property touching the kinds that any part of it touches now.
  * @property touched the kinds that any part of it has touched since the session began.
  * @property pressed the indices of the pressed ones among the robot's bumpers, see [robotran.world.robot.bumpers].
+ * @property motorDegrees degrees that the motors A, B and C of an NXT have turned since the session began; empty for an
+ * RCX, whose motors nobody counts.
+ * @property turret degrees by which a turret is turned to the left.
  */
 data class RobotState(
     val pose: Pose,
@@ -99,4 +102,6 @@ data class RobotState(
     val touched: Set<TouchKind> = emptySet(),
     val penDepth: Double = if (penDown) 1.0 else 0.0,
     val pressed: Set<Int> = emptySet(),
+    val motorDegrees: List<Double> = emptyList(),
+    val turret: Double = 0.0,
 )

@@ -3,6 +3,7 @@ package robotran.world.robot
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.json.nearestDecimal
+import robotran.world.NxtMotorFigures
 import robotran.world.Penbot
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -86,12 +87,12 @@ class RobotFigures internal constructor(
             val top = if (isRcx) {
                 Penbot.MOTOR_NO_LOAD_SPEED / drive.gear / SECONDS_PER_MINUTE * circumference
             } else {
-                NxtFigures.FREE_SPEED / drive.gear / FULL_TURN * circumference
+                NxtMotorFigures.FREE_SPEED / drive.gear / FULL_TURN * circumference
             }
             val calibrated = if (isRcx) {
                 top * (Penbot.CALIBRATED_SPEED / Penbot.TOP_SPEED)
             } else {
-                NxtFigures.PILOT_SPEED / drive.gear / FULL_TURN * circumference
+                NxtMotorFigures.PILOT_SPEED / drive.gear / FULL_TURN * circumference
             }
             val radius = drive.wheelDiameter / 2
             val pace = nearestDecimal(MILLISECONDS_PER_SECOND / calibrated)
@@ -102,17 +103,17 @@ class RobotFigures internal constructor(
                 wheelWidth = drive.wheelWidth,
                 topSpeed = top,
                 calibratedSpeed = calibrated,
-                motorLag = if (isRcx) Penbot.MOTOR_LAG else NxtFigures.MOTOR_LAG,
+                motorLag = if (isRcx) Penbot.MOTOR_LAG else NxtMotorFigures.LAG,
                 stallForce = if (isRcx) {
                     RCX_STALL_TORQUE * drive.gear * RCX_GEAR_EFFICIENCY / radius * NEWTON
                 } else {
-                    NxtFigures.STALL_TORQUE * drive.gear * NxtFigures.GEAR_EFFICIENCY / radius * NEWTON
+                    NxtMotorFigures.STALL_TORQUE * drive.gear * NxtMotorFigures.GEAR_EFFICIENCY / radius * NEWTON
                 },
                 unfeltLoad = Penbot.UNFELT_LOAD * (chassis.mass / Penbot.MASS),
                 rollingDeceleration = if (isRcx) {
                     Penbot.ROLLING_DECELERATION
                 } else {
-                    NxtFigures.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
+                    NxtMotorFigures.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
                 },
                 mass = chassis.mass,
                 massX = chassis.massAt.x,
@@ -146,23 +147,6 @@ class RobotFigures internal constructor(
         /** Of the inertia of a mass that is spread evenly over a rectangle. */
         private const val SPREAD = 12.0
     }
-}
-
-/** An NXT's motor without gears, in degrees a second at its hub. */
-private object NxtFigures {
-    /** 113 degrees a second per volt at 8 V. */
-    const val FREE_SPEED = 904.0
-
-    /** Eight tenths of 100 degrees a second per volt, as a pilot has it. */
-    const val PILOT_SPEED = 640.0
-    const val MOTOR_LAG = 70.0
-
-    /** At 9 V in N cm, and the part of it that hub and gears leave. */
-    const val STALL_TORQUE = 50.0
-    const val GEAR_EFFICIENCY = 0.95
-
-    /** In degrees a second each second. */
-    const val ROLLING_DECELERATION = 1700.0
 }
 
 /** Whether chassis, wheels and casters are the penbot's, whichever motors drive them. */

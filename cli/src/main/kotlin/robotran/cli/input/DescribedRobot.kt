@@ -5,9 +5,7 @@ import robotran.cli.console.messages
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
 import robotran.world.RobotDescription
-import robotran.world.World
 import robotran.world.file.RobotFileResult
-import robotran.world.file.hasRoomAtStart
 import robotran.world.file.readRobot
 
 /** The result of reading a robot file. */
@@ -40,32 +38,3 @@ internal fun readDescribedRobot(name: String, console: Console): DescribedRobot 
             }
         }
     }
-
-/**
- * [world] with robots built as [files] say, which name them by robot. On error prints it and returns null.
- */
-internal fun withDescribedRobots(world: World, files: List<RobotFile>, console: Console): World? {
-    var changed = world
-    for (file in files) {
-        val number = changed.robots.indexOfFirst { it.name == file.robot }
-        val problem = if (number < 0) {
-            console.messages.noRobot(file.robot)
-        } else {
-            when (val read = readDescribedRobot(file.file, console)) {
-                is DescribedRobot.Rejected -> read.reason
-
-                is DescribedRobot.Read -> {
-                    val robots = changed.robots.toMutableList()
-                    robots[number] = robots[number].copy(description = read.robot)
-                    changed = changed.copy(robots = robots)
-                    if (hasRoomAtStart(changed, number)) null else console.messages.standsIn(file.robot, file.file)
-                }
-            }
-        }
-        if (problem != null) {
-            console.complain(problem)
-            return null
-        }
-    }
-    return changed
-}
