@@ -2,6 +2,7 @@ plugins {
     id("robotran.core")
     id("robotran.texts")
     id("robotran.brick-programs")
+    id("robotran.nxj-web")
 }
 
 texts {

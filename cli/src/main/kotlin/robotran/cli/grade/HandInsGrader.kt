@@ -88,8 +88,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
 
     private fun planOf(assignment: Project, place: LoadedWorld, request: GradeRequest): GradingPlan {
         val plan = GradingPlan.of(assignment, request.seeds)
-        val first = place.world.robots.first().name
-        val names = request.options.builds.map { it.robot.ifEmpty { first } }
+        val names = request.options.robotFiles.map { it.robot }
         val built = place.world.robots.filter { it.name in names }.associate { it.name to it.description }
         val changes = WorldChanges(realism = request.options.realism, built = built)
         return plan.copy(worlds = plan.worlds.map { GradedWorld(it.name, changes.of(it.world)) })

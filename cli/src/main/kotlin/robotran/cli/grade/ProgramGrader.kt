@@ -13,7 +13,7 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.loadWorld
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
-import robotran.cli.input.withBuilds
+import robotran.cli.input.withDescribedRobots
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
@@ -26,7 +26,7 @@ import robotran.world.World
 internal class ProgramGrader(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: GradeRequest): ExitCode {
         val read = loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
-        val built = read?.let { withBuilds(it.world, request.options.builds, console) }
+        val built = read?.let { withDescribedRobots(it.world, request.options.robotFiles, console) }
             ?: return ExitCode.BAD_INPUT
         val place = read.copy(world = built)
         val world = place.world

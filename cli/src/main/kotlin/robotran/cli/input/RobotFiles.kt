@@ -25,6 +25,10 @@ internal fun readRobotFile(text: String): RobotFile? {
     return RobotFile(name, file).takeIf { name.isNotEmpty() && file.isNotEmpty() }
 }
 
+/** Parses `NAME=FILE`, or `FILE` for the first robot, whose name is then empty; null if [text] has another form. */
+internal fun readRobotBuild(text: String): RobotFile? =
+    if ('=' in text) readRobotFile(text) else RobotFile("", text.trim()).takeIf { it.file.isNotEmpty() }
+
 /** The result of reading the programs of all robots in a world. */
 internal sealed interface RobotProgramsResult {
     /** @property loads one per robot, in the world's order. */
@@ -69,7 +73,10 @@ internal fun readLoads(
     }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
+        is RobotLoads.Ready -> {
+            RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
+        }
+
         is RobotLoads.HasErrors -> {
             val target = world.robots.firstOrNull { it.name == result.robot }?.description?.target
             val itsReader = if (target == null) reader else reader.forTarget(target)

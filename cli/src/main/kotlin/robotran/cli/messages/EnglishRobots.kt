@@ -13,6 +13,9 @@ internal object EnglishRobotMessages : RobotMessages {
 
     override fun noKit(brick: String) = "This program is for an $brick: only programs for an RCX can be put into a kit."
 
+    override fun standsIn(robot: String, file: String) =
+        "Built as $file says, the robot $robot has no room where it starts in this world."
+
     override fun robotIsFine(name: String, title: String, brick: String) =
         "$name has no mistakes. It is the robot \"$title\" with an $brick."
 }

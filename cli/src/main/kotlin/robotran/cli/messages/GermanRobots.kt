@@ -15,6 +15,9 @@ internal object GermanRobotMessages : RobotMessages {
     override fun noKit(brick: String) =
         "Dieses Programm ist für einen $brick: Nur Programme für einen RCX passen in ein Paket."
 
+    override fun standsIn(robot: String, file: String) =
+        "Gebaut, wie $file sagt, hat der Roboter $robot an seinem Start in dieser Welt keinen Platz."
+
     override fun robotIsFine(name: String, title: String, brick: String) =
         "$name hat keine Fehler. Das ist der Roboter „$title“ mit einem $brick."
 }

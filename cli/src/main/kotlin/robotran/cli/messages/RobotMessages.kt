@@ -14,6 +14,9 @@ internal interface RobotMessages {
     /** `--kit` needs a program for an RCX. */
     fun noKit(brick: String): String
 
+    /** The robot with this description, given by `--robot-file`, would start in an obstacle of the world. */
+    fun standsIn(robot: String, file: String): String
+
     /** The file [name] describes a robot without mistakes. */
     fun robotIsFine(name: String, title: String, brick: String): String
 }

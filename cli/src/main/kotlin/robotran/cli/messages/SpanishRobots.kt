@@ -14,6 +14,9 @@ internal object SpanishRobotMessages : RobotMessages {
     override fun noKit(brick: String) =
         "Este programa es para un $brick: solo los programas para un RCX caben en un paquete."
 
+    override fun standsIn(robot: String, file: String) =
+        "Construido como dice $file, el robot $robot no cabe en su salida de este mundo."
+
     override fun robotIsFine(name: String, title: String, brick: String) =
         "$name no tiene errores. Es el robot «$title» con un $brick."
 }

@@ -19,7 +19,7 @@ import robotran.cli.input.plainSheetFor
 import robotran.cli.input.projectOf
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
-import robotran.cli.input.withBuilds
+import robotran.cli.input.withDescribedRobots
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
@@ -39,7 +39,7 @@ import robotran.world.World
  * @property programs the program files of the first robot, or one project. If [world] is set, only the programs of the
  * project's first robot count, see [readSubmission].
  * @property robots programs for other robots.
- * @property builds how robots are built, instead of what the world says.
+ * @property robotFiles how robots are built, instead of what the world says.
  * @property java the options for Java programs.
  * @property world the file of the world, or a project or link that contains it; null for the project's world or the
  * empty sheet with a penbot for the programs.
@@ -49,7 +49,7 @@ import robotran.world.World
 internal class RunRequest(
     val programs: List<String>,
     val robots: List<RobotFile>,
-    val builds: List<RobotFile>,
+    val robotFiles: List<RobotFile>,
     val java: JavaSettings,
     val world: String?,
     val changes: WorldChanges,
@@ -111,7 +111,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
 
     /** [world] with its robots as the command line builds them. Prints an error and returns null if it cannot be run. */
     private fun readyWorld(world: World, request: RunRequest, outputs: RunOutputs): World? {
-        val ready = withBuilds(world, request.builds, console) ?: return null
+        val ready = withDescribedRobots(world, request.robotFiles, console) ?: return null
         val brick = ready.robots.first().description.brick
         val missing = missingOnBrick(brick, request.presses, outputs, console.messages) ?: return ready
         console.complain(missing)

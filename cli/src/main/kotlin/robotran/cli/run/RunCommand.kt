@@ -38,8 +38,9 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private val world by option(
         "--world",
         metavar = "FILE",
-        help = "the world to run in (.world.json, or a project or link with it); if not given, a plain sheet with the " +
-            "penbot that the programs are for",
+        help =
+            "the world to run in (.world.json, or a project or link with it); if not given, a plain sheet with the " +
+                "penbot that the programs are for",
     )
     private val seed by option(
         "--seed",
@@ -105,7 +106,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
         val request = RunRequest(
             programs,
             options.robots,
-            options.builds,
+            options.robotFiles,
             options.java,
             world,
             WorldChanges(seed, options.realism),

@@ -58,15 +58,15 @@ internal class RunOptions : OptionGroup() {
         }
         .multiple()
 
-    /** How robots are built, instead of what the world says. */
-    val builds by option(
+    /** How robots are built, instead of what the world says; an empty name is the first robot. */
+    val robotFiles by option(
         "--robot-file",
         metavar = "[NAME=]FILE",
         help =
-            "builds a robot of the world, the first one without NAME, as this file says (.robot.json); may be given " +
+            "builds this robot of the world, the first one without NAME, as FILE (.robot.json) says; may be given " +
                 "several times",
     )
-        .convert { text -> readRobotBuild(text) ?: fail("$text is not a file, as in Racer.robot.json") }
+        .convert { text -> readRobotBuild(text) ?: fail("$text is not a file, as in red=sumo.robot.json") }
         .multiple()
 
     val java: JavaSettings
@@ -81,7 +81,9 @@ internal class RunOptions : OptionGroup() {
         get() = buildList {
             realism?.let { addAll(listOf("--realism", it.toString())) }
             robots.forEach { addAll(listOf("--robot", "${it.robot}=${it.file}")) }
-            builds.forEach { addAll(listOf("--robot-file", if (it.robot.isEmpty()) it.file else "${it.robot}=${it.file}")) }
+            robotFiles.forEach {
+                addAll(listOf("--robot-file", if (it.robot.isEmpty()) it.file else "${it.robot}=${it.file}"))
+            }
             if (forgiving) add("--forgiving")
             if (unlimited) add("--unlimited")
             if (version != LejosVersion.DEFAULT) addAll(listOf("--lejos", version.label))

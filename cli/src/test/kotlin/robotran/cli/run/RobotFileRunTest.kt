@@ -53,13 +53,6 @@ class RobotFileRunTest : CommandTest() {
                 "robots": [{"start": {"x": 25, "y": 25, "heading": 0}}], "walls": [{"from": [0, 0], "to": [50, 0], "thickness": 1}]}""",
             )
         }.toString()
-        assertContains(refused("--world", world, "--robot-file", huge), "puts the robot into walls[0]")
-    }
-
-    @Test
-    fun `a robot with an NXT drives as far as it is told`() {
-        val nxt = robot("nxt", """"brick": "nxt"""")
-        assertEquals(0, commandLine.execute(listOf("run", straight, "--robot-file", nxt, "--report", "-")))
-        assertEquals(60.0, console.said.single().substringAfter("\"x\": ").substringBefore(',').toDouble(), 0.3)
+        assertContains(refused("--world", world, "--robot-file", huge), "has no room where it starts in this world.")
     }
 }

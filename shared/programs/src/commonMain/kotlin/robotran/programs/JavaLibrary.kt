@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.javacompiler.BrickTarget
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.lejoslibrary.LejosDifference
 import robotran.nxjlibrary.NxjLibrary
 

@@ -22,6 +22,9 @@ internal class NxjExpectations(source: String) {
     /** The rows of the display at the end, without empty ones behind them; null if there is no comment about them. */
     val screen: List<String>? = after("screen").map { it.second.trimEnd() }.ifEmpty { null }
 
+    /** A program with comments about the display may say nothing of what it prints. */
+    val saysWhatIsPrinted: Boolean get() = printed.isNotEmpty() || screen == null
+
     /** The calls of each line. */
     val calls: Map<Int, List<String>> =
         after("calls").associate { (line, text) -> line to text.split('|').map { it.trim() } }
@@ -36,8 +39,6 @@ internal class NxjExpectations(source: String) {
         val (port, time, raw) = checkNotNull(SENSOR.matchEntire(text)) { "Not a sensor: $text" }.destructured
         NxjInput.Analog(time.toLong(), port.toInt() - 1, raw.toInt())
     }
-
-    val isOnlyHere: Boolean = comments.any { it.second == "only here" }
 
     private fun after(mark: String): List<Pair<Int, String>> =
         comments.filter { it.second == mark || it.second.startsWith("$mark ") }

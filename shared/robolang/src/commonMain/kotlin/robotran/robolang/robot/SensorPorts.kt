@@ -1,4 +1,4 @@
-package robotran.robolang.run
+package robotran.robolang.robot
 
 import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Expression
@@ -18,17 +18,17 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
     private val uses = allExpressions(tree).filterIsInstance<Expression.Sense>()
     private val lightUse = uses.filter { it.sense == Sense.Light }.minByOrNull { it.range.line }
 
-    val leftBumperPort = RobotConstants.LEFT_BUMPER_PORT
+    val leftBumperPort = LEFT_BUMPER_PORT
 
     val rightBumperPort = when (kind) {
-        BrickKind.RCX -> RobotConstants.RIGHT_BUMPER_PORT
-        BrickKind.NXT -> RobotConstants.NXT_RIGHT_BUMPER_PORT
+        BrickKind.RCX -> RCX_RIGHT_BUMPER_PORT
+        BrickKind.NXT -> NXT_RIGHT_BUMPER_PORT
     }
 
     /** The port of the light sensor, even if the program does not use it. */
     val lightPort: Int = setting?.port ?: when (kind) {
-        BrickKind.RCX -> RobotConstants.LIGHT_PORT
-        BrickKind.NXT -> RobotConstants.NXT_LIGHT_PORT
+        BrickKind.RCX -> RCX_LIGHT_PORT
+        BrickKind.NXT -> NXT_LIGHT_PORT
     }
 
     /** Whether the light sensor's lamp is off, since it looks ahead. */
@@ -111,5 +111,13 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
         Sense.LeftBumper -> leftBumperPort
         Sense.RightBumper -> rightBumperPort
         else -> null
+    }
+
+    private companion object {
+        const val LEFT_BUMPER_PORT = 1
+        const val RCX_RIGHT_BUMPER_PORT = 3
+        const val NXT_RIGHT_BUMPER_PORT = 2
+        const val RCX_LIGHT_PORT = 2
+        const val NXT_LIGHT_PORT = 3
     }
 }

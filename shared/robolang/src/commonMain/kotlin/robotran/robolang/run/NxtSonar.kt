@@ -1,4 +1,4 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.nxt.hardware.I2cStatus
 import robotran.nxt.program.Nxt

@@ -1,4 +1,4 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -9,11 +9,7 @@ import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.program.Rom
 import robotran.robolang.robot.Durations
-import robotran.robolang.run.LejosRandom
-import robotran.robolang.run.RcxRandom
-import robotran.robolang.run.RobotConstants
-import robotran.robolang.run.SensorPorts
-import robotran.robolang.run.lcdNumber
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition

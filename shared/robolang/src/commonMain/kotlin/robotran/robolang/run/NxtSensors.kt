@@ -1,4 +1,4 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
@@ -8,7 +8,7 @@ import robotran.nxt.hardware.SensorType
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Sense
 

@@ -1,8 +1,7 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.run.roundToWhole
 
 /** Drives like the class `Pilot` of a translation, in the same 32-bit decimals. */
 internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
@@ -41,8 +40,8 @@ internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
     private fun turnWheels(leftDegrees: Float, rightDegrees: Float, sourceLine: Int) {
         leftGoal = goal(left, leftGoal) + leftDegrees
         rightGoal = goal(right, rightGoal) + rightDegrees
-        motors.rotateTo(left, roundToWhole(leftGoal), sourceLine)
-        motors.rotateTo(right, roundToWhole(rightGoal), sourceLine)
+        motors.rotateTo(left, rounded(leftGoal), sourceLine)
+        motors.rotateTo(right, rounded(rightGoal), sourceLine)
     }
 
     /** What is left of a degree counts only if the wheel is where the last move ended. */
@@ -51,6 +50,9 @@ internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
         val difference = position - last
         return if (difference > 1 || difference < -1) position.toFloat() else last
     }
+
+    /** `Math.round(goal)`, also of infinite numbers. */
+    private fun rounded(goal: Float): Int = if (goal <= Int.MIN_VALUE.toFloat()) Int.MIN_VALUE else roundToWhole(goal)
 
     private companion object {
         const val FULL_TURN = 360

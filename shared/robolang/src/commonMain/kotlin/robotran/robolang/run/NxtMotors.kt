@@ -1,12 +1,10 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.nxt.regulator.MotorRegulator
-import robotran.robolang.run.NxtConstants
-import robotran.robolang.run.roundToWhole
 
 /** The motors of an NXT, with the calls of leJOS NXJ's `NXTRegulatedMotor`, which remembers the speed of each. */
 internal class NxtMotors(private val nxt: Nxt) {

@@ -1,4 +1,4 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -9,13 +9,7 @@ import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.run.LejosRandom
-import robotran.robolang.run.NxtConstants
-import robotran.robolang.run.NxtRandom
-import robotran.robolang.run.SensorPorts
-import robotran.robolang.run.colourName
-import robotran.robolang.run.nxtText
-import robotran.robolang.run.roundToWhole
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition

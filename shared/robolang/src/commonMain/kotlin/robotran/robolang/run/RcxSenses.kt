@@ -1,4 +1,4 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
@@ -8,8 +8,7 @@ import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorRequest
-import robotran.robolang.run.RobotConstants
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 
 /** Reads the sensors with the same ROM calls as the josx methods named below. */

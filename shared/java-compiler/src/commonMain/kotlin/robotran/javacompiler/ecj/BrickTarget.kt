@@ -1,4 +1,4 @@
-package robotran.javacompiler
+package robotran.javacompiler.ecj
 
 /** The system on a brick that programs are compiled for. The order is that of `BrickTarget.java`. */
 enum class BrickTarget {

@@ -1,9 +1,8 @@
-package robotran.robolang.run.device
+package robotran.robolang.run
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
-import robotran.robolang.run.LejosRandom
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
