@@ -43,6 +43,12 @@ texts {
         "shared/lejos-library/src/commonTest/resources/programs",
         "**/*.java",
     )
+    constant(
+        "jvmTest",
+        "robotran.programs.nxjPrograms",
+        "shared/nxj-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
 }
 
 kotlin {
@@ -58,6 +64,9 @@ kotlin {
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))
+        }
+        jvmTest {
+            kotlin.srcDir("../tinyvm/src/nxjExpectations/kotlin")
         }
     }
 }

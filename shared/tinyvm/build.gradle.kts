@@ -38,6 +38,9 @@ kotlin {
             api(project(":shared:rcx-rom"))
             api(project(":shared:nxt"))
         }
+        commonTest {
+            kotlin.srcDir("src/nxjExpectations/kotlin")
+        }
         commonTest.dependencies {
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:nxj-library"))

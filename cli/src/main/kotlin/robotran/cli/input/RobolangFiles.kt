@@ -9,7 +9,7 @@ import robotran.language.Language
 import robotran.projects.penbotTarget
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.brickInHeader
+import robotran.robolang.brickOfRobolang
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
@@ -43,7 +43,7 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                 val result = compileRobolang(
                     Path(name).name,
                     file.text,
-                    (brick ?: brickInHeader(file.text) ?: BrickKind.RCX).penbotTarget,
+                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.RCX).penbotTarget,
                     RobolangMessages.of(language),
                 )
             ) {
