@@ -19,6 +19,7 @@ rootProject.name = "robotran"
 include(":shared:language")
 include(":shared:brick")
 include(":shared:rcx-rom")
+include(":shared:nxt")
 include(":shared:robolang")
 include(":shared:tinyvm")
 include(":shared:lejos-linker")

@@ -67,12 +67,33 @@ sealed interface ProgramStatus {
  * @property exceptionNumber its last digit is the program digit: in leJOS the number of the exception's class. 0 or
  * more.
  * @property sourceFile the file of the failure; null if the program has only one.
+ * @property stack the calls that were active, innermost first, as an NXT shows them; empty if the language has none.
+ * @property thrownText the text that the program gave the exception, as an NXT shows it; null if none.
  */
 data class ProgramFailure(
     val message: String,
     val sourceLine: Int,
     val methodNumber: Int = sourceLine,
     val exceptionNumber: Int = 0,
+    val sourceFile: String? = null,
+    val stack: List<FailureFrame> = emptyList(),
+    val thrownText: String? = null,
+)
+
+/**
+ * A call that was active when a program failed.
+ *
+ * @property methodNumber the number that an NXT shows for the method.
+ * @property offset of the instruction in the method's code, in bytes.
+ * @property name of the method, for people.
+ * @property sourceLine its line, from 1; 0 if there is none.
+ * @property sourceFile the file of the line; null if the program has only one.
+ */
+data class FailureFrame(
+    val methodNumber: Int,
+    val offset: Int,
+    val name: String,
+    val sourceLine: Int = 0,
     val sourceFile: String? = null,
 )
 

@@ -1,6 +1,8 @@
 package robotran.rcxrom.display
 
 import robotran.brick.state.Screen
+import robotran.brick.state.isNumber
+import robotran.brick.state.isSameNumber
 import robotran.rcxrom.memory.RcxMemory
 
 /** The visible content of the LCD: the bytes of its memory as of the last refresh. Immutable. */
@@ -68,22 +70,11 @@ class LcdGlass private constructor(private val bytes: List<Int>) : Screen {
     /** Whether the display shows the characters of [wanted] from its left edge or, if it is not a number, anywhere. */
     private fun isFormed(wanted: String): Boolean {
         val shown = (LcdLayout.DIGITS - 1 downTo 0).map(::digit).dropLastWhile { it == 0 }
-        val begun = if (wanted.matches(NUMBER)) shown else shown.dropWhile { it == 0 }
+        val begun = if (isNumber(wanted)) shown else shown.dropWhile { it == 0 }
         val characters = wanted.take(TextLcd.CHARACTERS)
         return begun.size == characters.trimEnd().length && begun.zip(characters.toList()).all { (mask, character) ->
             mask == LcdGlyphs.maskOf(character.lowercaseChar()) || mask == LcdGlyphs.maskOf(character.uppercaseChar())
         }
-    }
-
-    /** Whether both are numbers and equal, apart from extra zeros. */
-    private fun isSameNumber(one: String, other: String): Boolean =
-        one.matches(NUMBER) && other.matches(NUMBER) && withoutIdleZeros(one) == withoutIdleZeros(other)
-
-    private fun withoutIdleZeros(number: String): String {
-        val minus = if (number.startsWith('-')) "-" else ""
-        val whole = number.removePrefix("-").substringBefore('.').trimStart('0').ifEmpty { "0" }
-        val decimals = number.substringAfter('.', "").trimEnd('0')
-        return minus + whole + if (decimals.isEmpty()) "" else ".$decimals"
     }
 
     override fun equals(other: Any?): Boolean = other is LcdGlass && bytes == other.bytes
@@ -96,8 +87,6 @@ class LcdGlass private constructor(private val bytes: List<Int>) : Screen {
         bytes[segment.address - LcdLayout.FIRST_ADDRESS] shr segment.bit and 1 == 1
 
     companion object {
-        private val NUMBER = Regex("-?[0-9]+(\\.[0-9]+)?")
-
         /** Nothing is visible, as on a brick that is switched off. */
         val BLANK = LcdGlass(List(LcdLayout.SHOWN_BYTES) { 0 })
 

@@ -1,0 +1,21 @@
+plugins {
+    id("robotran.core")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.nxt.nxtScripts", "shared/nxt/src/commonTest/resources/scripts", "**/*.txt")
+    constant("commonTest", "robotran.nxt.displayGoldens", "shared/nxt/src/commonTest/resources/displays", "*.txt")
+}
+
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:brick"))
+            api(project(":shared:language"))
+        }
+        commonTest {
+            kotlin.srcDir("src/fakeNxt/kotlin")
+        }
+    }
+}
