@@ -50,7 +50,7 @@ class MissingSensorTest {
 
     private val SessionState.missing get() = missingSensors?.sensors.orEmpty()
 
-    private fun World.withPorts(ports: List<List<PortSensor>>) = copy(robots = robots.map { it.copy(ports = ports) })
+    private fun World.withPorts(ports: List<List<PortSensor>>) = copy(robots = robots.map { it.withPorts(ports) })
 
     @Test
     fun `a touch sensor on port 2 is missing, since the penbot has its light sensor there`() = runTest {

@@ -195,7 +195,7 @@ class SensorTest {
         }
         val world = sheet.copy(
             robots = sheet.robots.map {
-                it.copy(ports = listOf(listOf(PortSensor.LEFT_ROTATION), emptyList(), emptyList()))
+                it.withPorts(listOf(listOf(PortSensor.LEFT_ROTATION), emptyList(), emptyList()))
             },
         )
         val session = startRun(program, world)
@@ -217,7 +217,7 @@ class SensorTest {
                     ScriptedProgram {
                         pause(9_000)
                     },
-                    sheet.copy(robots = sheet.robots.map { it.copy(ports = ports) }, temperature = 25.0),
+                    sheet.copy(robots = sheet.robots.map { it.withPorts(ports) }, temperature = 25.0),
                 )
             session.advance(10)
             val light = session.raw(1)

@@ -3,7 +3,6 @@ package robotran.simulation.explain
 import robotran.simulation.messages.DeviationMessages
 import robotran.simulation.noise.Realism
 import robotran.simulation.robot.SimulatedRobot
-import robotran.world.Penbot
 import robotran.world.RobotPlacement
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.length
@@ -53,7 +52,7 @@ internal class Explanation(
 
     private fun flutter() = (left.flutter - right.flutter).let {
         told(Cause.FLUTTER, it, MIN_LENGTH) {
-            messages.flutter(text(it), text(it / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE), left = it < 0)
+            messages.flutter(text(it), text(it / machine.figures.wheelTrack / RADIANS_PER_DEGREE), left = it < 0)
         }
     }
 
@@ -76,7 +75,7 @@ internal class Explanation(
         told(Cause.LIGHT_NOISE, it, MIN_RAW) { messages.lightNoise(text(it)) }
     }
 
-    private fun bounce() = (machine.leftBumper.bounceCount + machine.rightBumper.bounceCount).let {
+    private fun bounce() = machine.bumpers.sumOf { it.bounceCount }.let {
         told(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }
     }
 

@@ -7,7 +7,7 @@ import robotran.rcxrom.sensors.TemperatureSensor
 import robotran.rcxrom.sensors.TouchSensor
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.Realism
-import robotran.world.Penbot
+import robotran.world.BumperSide
 import robotran.world.PortSensor
 import robotran.world.RobotPlacement
 import kotlin.math.floor
@@ -63,12 +63,12 @@ internal class InputPorts(
         celsius: Double,
         light: LightReading,
     ): Int = when (sensor) {
-        PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.leftBumper.isClosed)
-        PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.rightBumper.isClosed)
+        PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.isClosed(BumperSide.LEFT))
+        PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.isClosed(BumperSide.RIGHT))
         PortSensor.TOUCH -> TouchSensor.raw(pressed[port])
         PortSensor.LIGHT -> rounded(light.raw(brick.sensorIsActive(port)) + lightNoise())
-        PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, port)
-        PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, port)
+        PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, machine, port)
+        PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, machine, port)
         PortSensor.TEMPERATURE -> temperature(celsius)
     }
 
@@ -78,8 +78,8 @@ internal class InputPorts(
         lightBias + realism * Realism.LIGHT_NOISE * lightNoise.normal()
     }
 
-    private fun rotation(wheel: Wheel, port: Int): Int {
-        val count = floor(wheel.turned / Penbot.WHEEL_CIRCUMFERENCE * RotationSensor.COUNTS_PER_TURN).toInt()
+    private fun rotation(wheel: Wheel, machine: SimulatedRobot, port: Int): Int {
+        val count = floor(wheel.turned / machine.figures.wheelCircumference * RotationSensor.COUNTS_PER_TURN).toInt()
         return RotationSensor.raw(count, brick.sensorIsActive(port))
     }
 

@@ -4,14 +4,13 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.WheelNoise
-import robotran.world.Penbot
+import robotran.world.robot.RobotFigures
 import kotlin.math.abs
 
 /**
  * One driven wheel: its motor, the effect of the floor, and its rotation. Speeds are in cm/s, distances in centimetres.
  */
-internal class Wheel(private val noise: WheelNoise) {
-    private val motor = Motor()
+internal class Wheel(private val noise: WheelNoise, private val motor: MotorModel, private val f: RobotFigures) {
     private var floats = true
     private var load = 0.0
     private var travel = 0.0
@@ -59,12 +58,12 @@ internal class Wheel(private val noise: WheelNoise) {
      * @param ground the robot's speed over the floor at this wheel.
      */
     fun endStep(force: Double, slips: Boolean, ground: Double) {
-        val felt = if (abs(force) > Penbot.UNFELT_LOAD) {
-            force - (if (force > 0) Penbot.UNFELT_LOAD else -Penbot.UNFELT_LOAD)
+        val felt = if (abs(force) > f.unfeltLoad) {
+            force - (if (force > 0) f.unfeltLoad else -f.unfeltLoad)
         } else {
             0.0
         }
-        load = if (felt == 0.0 && abs(load) < Penbot.UNFELT_LOAD) 0.0 else load + (felt - load) * LOAD_RESPONSE
+        load = if (felt == 0.0 && abs(load) < f.unfeltLoad) 0.0 else load + (felt - load) * LOAD_RESPONSE
         if (slips) {
             turned += travel
             account.spin += abs(travel - ground * SimulationLimits.PHYSICS_STEP_SECONDS)

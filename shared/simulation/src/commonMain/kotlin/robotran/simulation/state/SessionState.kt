@@ -75,7 +75,7 @@ data class AmbientConditions(val light: Double = Light.DIM_ROOM, val celsius: Do
 data class LampState(val place: Point, val on: Boolean)
 
 /**
- * The penbot on the paper.
+ * A robot on the paper.
  *
  * @property pose the point between its wheels, and its heading.
  * @property leftWheelTurn rotation of the left wheel since the session began, in turns, forwards positive.
@@ -86,6 +86,7 @@ data class LampState(val place: Point, val on: Boolean)
  * @property rightBumperPressed whether the right bumper is pressed.
  * @property touching the kinds that any part of it touches now.
  * @property touched the kinds that any part of it has touched since the session began.
+ * @property pressed the indices of the pressed ones among the robot's bumpers, see [robotran.world.robot.bumpers].
  */
 data class RobotState(
     val pose: Pose,
@@ -97,4 +98,5 @@ data class RobotState(
     val touching: Set<TouchKind> = emptySet(),
     val touched: Set<TouchKind> = emptySet(),
     val penDepth: Double = if (penDown) 1.0 else 0.0,
+    val pressed: Set<Int> = emptySet(),
 )

@@ -55,7 +55,7 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
         atOnce(robot.copy(lightFacing = it))
     }
-    PortFields(robot) { atOnce(robot.copy(ports = it)) }
+    PortFields(robot) { atOnce(robot.withPorts(it)) }
     NumberRow(
         stringResource(Res.string.worldedit_beacon),
         robot.beacon,

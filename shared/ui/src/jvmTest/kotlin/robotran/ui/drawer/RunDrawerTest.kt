@@ -191,7 +191,7 @@ class RunDrawerTest {
     @Test
     fun `a touch sensor that only a finger presses is pressed on the brick`() = onTablet { workshop ->
         val world = BuiltInWorlds.plain.let {
-            it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH)))))
+            it.copy(robots = listOf(it.robots.first().withPorts(listOf(listOf(PortSensor.TOUCH)))))
         }
         workshop.openProject(Project(world))
         showWholeBrick()

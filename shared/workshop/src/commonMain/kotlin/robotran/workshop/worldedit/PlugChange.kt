@@ -33,7 +33,7 @@ internal class PlugChange(private val robot: RobotPlacement, missing: List<Missi
     private fun edit(world: World, sensors: Map<Int, List<PortSensor>>): Edit? {
         val (index, place) = robotIn(world) ?: return null
         val ports = place.ports.mapIndexed { port, plugged -> sensors[port] ?: plugged }
-        return Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(place.copy(ports = ports)))
+        return Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(place.withPorts(ports)))
     }
 
     private fun robotIn(world: World): IndexedValue<RobotPlacement>? =

@@ -30,6 +30,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.Shade
@@ -81,7 +82,9 @@ private class ArbitraryWorld(private val random: Random) {
         start = Pose(number(30.0 + 40 * number, 32.0 + 40 * number), number(20.0, 30.0), number(-179.9, 180.0)),
         name = if (number == 0 && random.nextBoolean()) FIRST_ROBOT else name(),
         colour = RobotColour.entries.random(random),
-        ports = List(3) { PortSensor.entries.shuffled(random).take(random.nextInt(3)) },
+        description = ReadyRobots.penbotWith(
+            List(3) { PortSensor.entries.shuffled(random).take(random.nextInt(3)) },
+        ),
         lightFacing = maybe { LightFacing.entries.random(random) },
         beacon = number(0.0, 100.0),
         program = maybe {

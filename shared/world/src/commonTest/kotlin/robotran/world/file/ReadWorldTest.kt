@@ -22,6 +22,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.Shade
@@ -71,7 +72,7 @@ class ReadWorldTest {
                     Pose(40.0, 30.0, -90.0),
                     "ann",
                     RobotColour.BLUE,
-                    ports,
+                    ReadyRobots.penbotWith(ports),
                     LightFacing.FORWARD,
                     0.5,
                     program,

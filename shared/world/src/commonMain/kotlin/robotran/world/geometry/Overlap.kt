@@ -1,11 +1,5 @@
-package robotran.world.file
+package robotran.world.geometry
 
-import robotran.world.geometry.Outline
-import robotran.world.geometry.Point
-import robotran.world.geometry.Shape
-import robotran.world.geometry.cross
-import robotran.world.geometry.distance
-import robotran.world.geometry.side
 
 /** Whether two non-adjacent edges of the polygon cross or touch, or adjacent ones fold back onto each other. */
 fun edgesCross(corners: List<Point>): Boolean {

@@ -3,40 +3,46 @@ package robotran.simulation.robot
 import robotran.simulation.physics.BodyMotion
 import robotran.simulation.physics.PhysicsWorld
 import robotran.world.Penbot
+import robotran.world.RobotDescription
 import robotran.world.TouchKind
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.normalHeading
+import robotran.world.robot.RobotFigures
+import robotran.world.robot.bumpers
+import robotran.world.robot.chassisCorners
+import robotran.world.robot.corners
 import kotlin.math.PI
 
-/** The penbot as a body of the physics. */
-internal class PenbotBody(private val physics: PhysicsWorld, private val trigonometry: Trigonometry, start: Pose) {
+/** A robot as a body of the physics. */
+internal class RobotBody(
+    private val physics: PhysicsWorld,
+    private val trigonometry: Trigonometry,
+    start: Pose,
+    robot: RobotDescription,
+    private val figures: RobotFigures,
+) {
     /** Its index in the physics. */
     val body = physics.addBody(TouchKind.ROBOTS.ordinal, start.x, start.y, start.heading * RADIANS_PER_DEGREE)
-    private val leftBumper: Int
-    private val rightBumper: Int
+    private val bumpers: IntArray
     private var contacts = 0
 
     init {
-        addBox(Penbot.CHASSIS_BACK, Penbot.CHASSIS_FRONT, 0.0, Penbot.CHASSIS_WIDTH)
-        val wheelPlace = Penbot.WHEEL_TRACK / 2
-        val wheelRadius = Penbot.WHEEL_DIAMETER / 2
-        addBox(-wheelRadius, wheelRadius, wheelPlace, Penbot.WHEEL_WIDTH)
-        addBox(-wheelRadius, wheelRadius, -wheelPlace, Penbot.WHEEL_WIDTH)
-        val bumperPlace = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
-        leftBumper = addBox(Penbot.CHASSIS_FRONT, Penbot.BUMPER_FRONT, bumperPlace, Penbot.BUMPER_WIDTH)
-        rightBumper = addBox(Penbot.CHASSIS_FRONT, Penbot.BUMPER_FRONT, -bumperPlace, Penbot.BUMPER_WIDTH)
-        physics.setMass(body, Penbot.MASS_POSITION, 0.0, Penbot.MASS, Penbot.INERTIA)
+        // The order of the shapes is part of the result of a run.
+        addPolygon(robot.chassisCorners)
+        val wheelPlace = figures.wheelTrack / 2
+        val wheelRadius = figures.wheelDiameter / 2
+        addBox(-wheelRadius, wheelRadius, wheelPlace, figures.wheelWidth)
+        addBox(-wheelRadius, wheelRadius, -wheelPlace, figures.wheelWidth)
+        bumpers = IntArray(robot.bumpers.size) { addPolygon(robot.bumpers[it].corners) }
+        physics.setMass(body, figures.massX, figures.massY, figures.mass, figures.inertia)
     }
 
     /** Its motion after the last step. */
     var motion: BodyMotion = physics.motion(body)
         private set
-
-    val leftBumperTouches: Boolean get() = touches(leftBumper)
-    val rightBumperTouches: Boolean get() = touches(rightBumper)
 
     /** The kinds that any part of it touches after the last step: a bit for each [TouchKind], the first the lowest. */
     val touchedKinds: Int get() = contacts ushr PhysicsWorld.FIXTURE_BITS
@@ -50,8 +56,8 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
 
     /** Applies the impulses of the tyres before a physics step. */
     fun push(rollingImpulses: TyreImpulses) {
-        push(rollingImpulses.left, rollingImpulses.leftSideways, Penbot.WHEEL_TRACK / 2)
-        push(rollingImpulses.right, rollingImpulses.rightSideways, -Penbot.WHEEL_TRACK / 2)
+        push(rollingImpulses.left, rollingImpulses.leftSideways, figures.wheelTrack / 2)
+        push(rollingImpulses.right, rollingImpulses.rightSideways, -figures.wheelTrack / 2)
     }
 
     /** Updates it after a physics step. */
@@ -74,7 +80,18 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
     /** The world point that is [forwards] of the midpoint between the wheels. */
     fun pointAhead(forwards: Double) = Point(motion.x + forwards * motion.cosine, motion.y + forwards * motion.sine)
 
-    private fun touches(fixture: Int) = contacts shr fixture and 1 == 1
+    /** The world point that is [forwards] of the midpoint between the wheels and [leftwards] of the middle line. */
+    fun point(forwards: Double, leftwards: Double): Point = with(motion) {
+        // A product with 0 must not touch what is on the middle line.
+        if (leftwards == 0.0) return pointAhead(forwards)
+        Point(
+            x + forwards * cosine - leftwards * sine,
+            y + forwards * sine + leftwards * cosine,
+        )
+    }
+
+    /** Whether the bumper with this index among the robot's bumpers touches anything. */
+    fun bumperTouches(number: Int): Boolean = contacts shr bumpers[number] and 1 == 1
 
     /** Applies an impulse, in the robot's frame, at the point of the axle that is [place] left of its centre. */
     private fun push(forwards: Double, sideways: Double, place: Double) = with(motion) {
@@ -97,5 +114,10 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
             doubleArrayOf(back, right, front, right, front, left, back, left),
             Penbot.SHELL_FRICTION,
         )
+    }
+
+    private fun addPolygon(corners: List<Point>): Int {
+        val coordinates = DoubleArray(2 * corners.size) { if (it % 2 == 0) corners[it / 2].x else corners[it / 2].y }
+        return physics.addPolygon(body, coordinates, Penbot.SHELL_FRICTION)
     }
 }

@@ -1,7 +1,5 @@
-package robotran.world.file
+package robotran.world.geometry
 
-import robotran.world.geometry.Point
-import robotran.world.geometry.RADIANS_PER_DEGREE
 import kotlin.math.floor
 
 /**
