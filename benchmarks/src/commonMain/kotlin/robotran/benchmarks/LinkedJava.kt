@@ -15,6 +15,6 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
             settings,
         ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
     ) {
-        is ProgramResult.Ready -> result.program
+        is ProgramResult.Ready -> result.program as RcxProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
     }

@@ -7,11 +7,13 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.brick.controls.MotorState
 import robotran.brick.sound.SoundEvent
+import robotran.brick.state.InputReading
 import robotran.brick.state.RunState
 import robotran.cli.console.jsonOutput
 import robotran.projects.elementOf
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.sensors.SensorState
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.Session
 
 /**
@@ -28,10 +30,10 @@ internal fun brickReport(session: Session): String {
             put("program", brick.selectedSlot)
             put("state", stateName(brick.run))
             put("line", lineOf(brick.run))
-            put("lcd", json(brick.glass))
+            (brick as? RcxState)?.let { put("lcd", json(it.glass)) }
             put("explanation", brick.explanation)
             put("motors", JsonObject(brick.motors.associate { it.port.name to json(it) }))
-            put("sensors", JsonArray(brick.sensors.map(::json)))
+            put("sensors", JsonArray(brick.inputs.map(::json)))
             put("batteryMillivolts", brick.batteryMillivolts)
             put("sounds", JsonArray(session.sounds.since(0).map(::json)))
             put("inputs", JsonArray(session.inputs.map { elementOf(it, session.world) }))
@@ -62,11 +64,11 @@ private fun json(motor: MotorState): JsonObject = buildJsonObject {
     put("power", motor.power)
 }
 
-private fun json(sensor: SensorState): JsonObject = buildJsonObject {
-    put("port", sensor.port)
-    put("raw", sensor.raw)
-    put("value", sensor.value)
-    put("active", sensor.active)
+private fun json(input: InputReading): JsonObject = buildJsonObject {
+    put("port", input.port)
+    (input as? SensorState)?.let { put("raw", it.raw) }
+    put("value", input.value)
+    put("active", input.isActive)
 }
 
 private fun json(event: SoundEvent): JsonObject = buildJsonObject {

@@ -9,7 +9,6 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.robot.Calibration
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -45,7 +44,7 @@ class ExampleTest {
         val result = reader.read(source)
         val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
         assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, word)
-        val session = Session(BuiltInWorlds.plain, listOf<RcxProgram?>(ready.program), loadPhysicsEngine())
+        val session = Session(BuiltInWorlds.plain, listOf(ready.program), loadPhysicsEngine())
         session.pressRun()
         session.advance(LONG_ENOUGH)
         assertEquals(RunState.Ended(stopped = false), session.state.brick.run, "$word does not end")

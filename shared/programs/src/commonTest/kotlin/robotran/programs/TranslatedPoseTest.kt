@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
-import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -44,7 +44,7 @@ class TranslatedPoseTest {
         assertTrue(compared >= MIN_COMPARED, "only $compared programs were compared")
     }
 
-    private fun drive(program: RcxProgram, physics: PhysicsEngine): Drive {
+    private fun drive(program: BrickProgram, physics: PhysicsEngine): Drive {
         val session = Session(BuiltInWorlds.plain, listOf(program), physics)
         session.runUnattended(MILLISECONDS)
         session.close()

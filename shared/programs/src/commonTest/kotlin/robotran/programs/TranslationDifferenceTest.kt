@@ -58,7 +58,7 @@ class TranslationDifferenceTest {
         for (program in programs) {
             val reader = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
             val words = when (val result = reader.translated(program.robolang)) {
-                is ProgramResult.Ready -> difference(program, result.program) ?: continue
+                is ProgramResult.Ready -> difference(program, result.program as RcxProgram) ?: continue
                 is ProgramResult.HasErrors -> result.diagnostics.joinToString()
             }
             compared++

@@ -7,7 +7,6 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.projects.messages.ProjectMessages
 import robotran.projects.messages.RobotMessages
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
 import robotran.simulation.RobotLoad
@@ -51,7 +50,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
         if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
         val facing = ready.firstOrNull()?.let { lightFacingOf(it.program) }
-        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = facing)
+        loads += RobotLoad(ready.map<ProgramResult.Ready, BrickProgram?> { it.program }, lightFacing = facing)
         if (sources.isNotEmpty()) warnings += ready.flatMap { it.warnings }
     }
     return RobotLoads.Ready(loads, warnings)
@@ -77,7 +76,7 @@ fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>):
     }
 
 /** The light sensor's direction in the header of [program]; null if it has none, like all Java programs. */
-fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
+fun lightFacingOf(program: BrickProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
     LightSensorFacing.DOWN -> LightFacing.DOWN
     LightSensorFacing.FORWARD -> LightFacing.FORWARD
     null -> null

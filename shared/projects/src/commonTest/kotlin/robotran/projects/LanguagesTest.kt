@@ -7,7 +7,6 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.log.romCalls
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.robot.Calibration
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -43,7 +42,7 @@ class LanguagesTest {
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = ProgramSource.Robolang("a.robo", text)
-        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
+        val program = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
         return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
     }
 

@@ -2,24 +2,45 @@ package robotran.runcontrol
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
+import robotran.brick.kind.BrickKind
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 
-/** The lanes of a robot's chart over time: its sensor readings and motor commands. */
-enum class ChartLane {
+/**
+ * The lanes of a robot's chart over time: its sensor readings and motor commands.
+ *
+ * @property kinds the bricks whose robots have the lane.
+ */
+enum class ChartLane(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
     SENSOR_1,
     SENSOR_2,
     SENSOR_3,
 
     /**
-     * The power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which differs from power 0.
+     * For an RCX, the power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which differs
+     * from power 0. For an NXT, the power in percent, -100..100.
      */
     MOTOR_A,
     MOTOR_B,
     MOTOR_C,
+    SENSOR_4(setOf(BrickKind.NXT)),
     ;
 
-    val isMotor: Boolean get() = this >= MOTOR_A
+    val isMotor: Boolean get() = this in MOTOR_A..MOTOR_C
+
+    /** Index of the port that the lane is about, among the motors or the sensors. */
+    val port: Int
+        get() = when (this) {
+            SENSOR_1, MOTOR_A -> 0
+            SENSOR_2, MOTOR_B -> 1
+            SENSOR_3, MOTOR_C -> 2
+            SENSOR_4 -> 3
+        }
+
+    companion object {
+        /** The lanes of a robot with a [kind] of brick: sensors, then motors. */
+        fun of(kind: BrickKind): List<ChartLane> = entries.filter { kind in it.kinds }.sortedBy { it.isMotor }
+    }
 }
 
 /** Records the min and the max of each [ChartLane] in equal time intervals, with a bounded number of intervals. */
@@ -81,15 +102,18 @@ internal class ChartTrack(private val robots: Int) {
 
         /** The value of [lane] for [robot]. */
         fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = if (lane.isMotor) {
-            signedPower(robot.brick.motors[lane.ordinal - ChartLane.MOTOR_A.ordinal])
+            signedPower(robot.brick.motors[lane.port], robot.brick.kind)
         } else {
-            robot.brick.sensors[lane.ordinal].value
+            robot.brick.inputs.getOrNull(lane.port)?.value ?: 0
         }
 
-        private fun signedPower(motor: MotorState): Int = when (motor.mode) {
-            MotorMode.FORWARD -> motor.power + 1
-            MotorMode.BACKWARD -> -motor.power - 1
-            MotorMode.BRAKE, MotorMode.FLOAT -> 0
+        private fun signedPower(motor: MotorState, kind: BrickKind): Int {
+            val power = if (kind == BrickKind.RCX) motor.power + 1 else motor.power
+            return when (motor.mode) {
+                MotorMode.FORWARD -> power
+                MotorMode.BACKWARD -> -power
+                MotorMode.BRAKE, MotorMode.FLOAT -> 0
+            }
         }
     }
 }

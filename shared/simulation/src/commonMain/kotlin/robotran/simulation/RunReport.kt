@@ -3,10 +3,11 @@ package robotran.simulation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
+import robotran.brick.kind.BrickKind
+import robotran.brick.messages.PlaceMessages
 import robotran.brick.messages.place
 import robotran.brick.sensors.SensorKind
 import robotran.brick.state.RunState
-import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.messages.ShortfallMessages
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
@@ -20,10 +21,11 @@ import robotran.world.roundToThousandths
  *
  * @property seconds virtual time since the session began.
  * @property lcd the display's content in plain text.
- * @property traceHash a hash of the robot's pose in every tick and of every ROM call; the same on every platform.
+ * @property traceHash a hash of the robot's pose in every tick and of every logged call; the same on every platform.
  * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
  * @property goals the results of the world's goals.
  * @property missingSensors what the program expects at the ports, but the robot does not have there; omitted if nothing.
+ * @property screen the lines of the display of an NXT; omitted for an RCX.
  */
 @Serializable
 data class RunReport(
@@ -38,6 +40,7 @@ data class RunReport(
     val error: String?,
     val goals: List<GoalReport>,
     val missingSensors: List<ReportedSensor> = emptyList(),
+    val screen: List<String> = emptyList(),
 ) {
     /** The report as JSON, with its fields in the order above. */
     fun toJson(): String = reportJson.encodeToString(serializer(), this)
@@ -60,7 +63,7 @@ enum class RunStatus {
 /**
  * A [MissingSensor] in a report.
  *
- * @property port 1..3.
+ * @property port from 1.
  * @property remark the sentence that the pupil reads.
  */
 @Serializable
@@ -160,16 +163,17 @@ fun Session.report(): RunReport {
         },
         inkCentimetres = roundToThousandths(now.ink.lengthCentimetres),
         bumps = now.bumps,
-        lcd = now.brick.glass.text,
+        lcd = now.brick.screen.text,
         romCalls = now.romCalls,
         traceHash = traceHash,
         error = (run as? RunState.Failed)?.failure?.let {
-            listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
+            listOfNotNull(it.place(PlaceMessages.of(language)), it.message).joinToString(": ")
         },
         goals = now.goals.map { GoalReport.of(it, SimulationMessages.of(language)) },
         missingSensors = now.missingSensors?.sensors.orEmpty().map {
             ReportedSensor(it.port, reported(it.kind), it.remark.message)
         },
+        screen = if (now.brick.kind == BrickKind.NXT) now.brick.screen.lines else emptyList(),
     )
 }
 

@@ -1,6 +1,8 @@
 package robotran.simulation
 
+import robotran.brick.Brick
 import robotran.brick.log.CallLog
+import robotran.brick.program.BrickProgram
 import robotran.brick.program.CallFrame
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.program.StepKind
@@ -10,7 +12,6 @@ import robotran.brick.sound.SoundTrack
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
-import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
@@ -40,16 +41,16 @@ class Session(
      * A session in which only the first robot has programs: [programs] are its brick's slots, Run starts the one in
      * [firstSlot].
      */
-    constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
+    constructor(world: World, programs: List<BrickProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
     private val running = SessionEngine(world, loads, physics, language)
-    private val brick: RcxBrick get() = running.robots[watched].brick
+    private val brick: Brick get() = running.robots[watched].brick
     private val recorded = mutableListOf<RecordedInput>()
     private var closed = false
     private var step: Stepping? = null
 
-    /** Index of the robot to debug; its ROM calls and sounds are available here. */
+    /** Index of the robot to debug; its log and sounds are available here. */
     var watched = 0
         set(number) {
             require(number in world.robots.indices) { "There is no robot $number." }
@@ -57,7 +58,7 @@ class Session(
             field = number
         }
 
-    /** All ROM calls by the program and the firmware of the [watched] robot. */
+    /** All calls by the program and the firmware of the [watched] robot. */
     val romLog: CallLog get() = brick.log
 
     /** The sounds of the [watched] robot's brick, at times of [SessionState.milliseconds]. */
@@ -82,7 +83,7 @@ class Session(
     val state: SessionState get() = running.state
 
     /**
-     * A hash of all robot and block poses after every physics step and of every ROM call so far, as 16 hexadecimal
+     * A hash of all robot and block poses after every physics step and of every logged call so far, as 16 hexadecimal
      * digits.
      */
     val traceHash: String get() = running.traceHash
@@ -155,8 +156,8 @@ class Session(
      */
     fun explain(): List<DeviationCause> = running.explain()
 
-    /** A copy of the brick's current memory. */
-    fun memory(): MemorySnapshot = brick.memory()
+    /** A copy of the current memory of the [watched] robot's brick; null if it is no RCX. */
+    fun memory(): MemorySnapshot? = (brick as? RcxBrick)?.memory()
 
     /**
      * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.

@@ -4,7 +4,6 @@ import robotran.brick.sound.SoundEvent
 import robotran.language.Language
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.sensors.SensorCode
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
@@ -55,8 +54,8 @@ internal class SessionEngine(
     /** Advances by one millisecond or the rest of one. It is not over if a program is paused in the middle of it. */
     fun tick() {
         latest = null
-        if (!hasSensed && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) {
-            robots.forEach(RobotInSession::sense)
+        if (!hasSensed) {
+            for (robot in robots) robot.ports.sense(milliseconds + 1)
             hasSensed = true
         }
         while (nextToTick < robots.size) {
@@ -119,7 +118,7 @@ internal class SessionEngine(
     fun close() = simulation.close()
 
     private fun move() {
-        for (robot in robots) robot.moveMotors(milliseconds)
+        for (robot in robots) robot.ports.moveMotors(milliseconds)
         if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
             simulation.step()
             simulation.addTo(hash)

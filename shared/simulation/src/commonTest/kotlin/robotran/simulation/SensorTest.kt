@@ -2,6 +2,7 @@ package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.sensors.TouchSensor
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.state.LampState
 import robotran.world.Barrier
 import robotran.world.Lamp
@@ -39,7 +40,7 @@ class SensorTest {
         return session.raw(2)
     }
 
-    private fun Session.raw(port: Int, robot: Int = 0) = state.robots[robot].brick.sensors[port - 1].raw
+    private fun Session.raw(port: Int, robot: Int = 0) = (state.robots[robot].brick as RcxState).sensors[port - 1].raw
 
     /** A spot under the light sensor of a robot at the sheet's start. */
     private fun spot(size: Double, shade: Shade) =

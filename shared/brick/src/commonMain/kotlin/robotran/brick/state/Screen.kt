@@ -5,6 +5,9 @@ interface Screen {
     /** Its rows from top to bottom in plain text, without blanks at their ends; a display of one row has one. */
     val lines: List<String>
 
+    /** All of it in plain text: its [lines], without blanks around them. */
+    val text: String get() = lines.joinToString("\n").trim()
+
     /** The parts that a program may have shown as one text, in plain text and without blanks around them; may repeat. */
     val texts: List<String>
 

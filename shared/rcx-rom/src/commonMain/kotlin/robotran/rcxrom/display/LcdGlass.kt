@@ -45,7 +45,7 @@ class LcdGlass private constructor(private val bytes: List<Int>) : Screen {
      * The [number], a blank, and the [programDigit], such as `9.0 0` or `-42 0`. If one of them is dark, only the
      * other; empty on a clear display.
      */
-    val text: String get() = "$number $programDigit".trim()
+    override val text: String get() = "$number $programDigit".trim()
 
     /**
      * The five characters from left to right in plain text, without surrounding blanks; letters as seven segments form

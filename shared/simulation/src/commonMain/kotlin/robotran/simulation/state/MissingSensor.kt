@@ -7,7 +7,7 @@ import robotran.world.PortSensor
 /**
  * A sensor that a program expects at a port of a robot that has none of its kind there.
  *
- * @property port 1..3.
+ * @property port from 1.
  * @property remark says so of this sensor alone, with the line of the program.
  */
 data class MissingSensor(val port: Int, val kind: SensorKind, val remark: RuntimeWarning) {

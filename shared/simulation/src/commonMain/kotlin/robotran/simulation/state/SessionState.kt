@@ -1,7 +1,7 @@
 package robotran.simulation.state
 
 import robotran.brick.program.RuntimeWarning
-import robotran.rcxrom.state.RcxState
+import robotran.brick.state.BrickState
 import robotran.world.Light
 import robotran.world.TouchKind
 import robotran.world.World
@@ -34,7 +34,7 @@ data class SessionState(
     private val first: RobotSnapshot get() = robots.first()
 
     /** The first robot's brick; the properties below are also the first robot's. */
-    val brick: RcxState get() = first.brick
+    val brick: BrickState get() = first.brick
     val robot: RobotState get() = first.robot
     val bumps: Int get() = first.bumps
     val remarks: List<RuntimeWarning> get() = first.remarks
@@ -49,12 +49,12 @@ data class SessionState(
  * @property robot the pose and the parts of the penbot.
  * @property bumps number of times a bumper has touched something.
  * @property remarks warnings for the pupil about the current or last program, that of [missingSensors] first.
- * @property romCalls number of ROM calls so far.
+ * @property romCalls number of logged calls so far.
  * @property missingSensors what that program expects at the ports, but the robot does not have there; null for nothing.
  * @property bumpedAt virtual time of the latest of [bumps], in milliseconds since the session began; null before it.
  */
 data class RobotSnapshot(
-    val brick: RcxState,
+    val brick: BrickState,
     val robot: RobotState,
     val bumps: Int,
     val remarks: List<RuntimeWarning>,

@@ -6,6 +6,7 @@ import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -63,11 +64,13 @@ internal class Run(world: World, trigonometry: Trigonometry) {
         change(number) { copy(robot = robot.copy(touching = kinds.toSet(), touched = robot.touched + kinds)) }
     }
 
-    fun programIs(run: RunState, number: Int = 0) = look { change(number) { copy(brick = brick.copy(run = run)) } }
+    fun programIs(run: RunState, number: Int = 0) = look {
+        change(number) { copy(brick = brick.withRun(brick.motors.map { it.mode }, run)) }
+    }
 
     fun shows(text: String, number: Int = 0) = look {
         val memory = RcxMemory().also { TextLcd.print(text, it) }
-        change(number) { copy(brick = brick.copy(glass = LcdGlass.of(memory))) }
+        change(number) { copy(brick = (brick as RcxState).copy(glass = LcdGlass.of(memory))) }
     }
 
     fun draws(vararg places: Pair<Double, Double>, robot: Int = 0) = look {

@@ -16,7 +16,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.state.RcxState
+import robotran.brick.state.BrickState
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -29,7 +29,7 @@ import robotran.ui.theme.TextSizes
 
 /** A message that the display cannot show, and the button that helps; null if there is none. */
 @Composable
-internal fun brickHintWords(state: RcxState): String? =
+internal fun brickHintWords(state: BrickState): String? =
     state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
 
 /**
@@ -38,7 +38,7 @@ internal fun brickHintWords(state: RcxState): String? =
  */
 @Composable
 internal fun BrickHint(
-    state: RcxState,
+    state: BrickState,
     modifier: Modifier = Modifier,
     onClose: (() -> Unit)? = null,
     action: @Composable () -> Unit = {},

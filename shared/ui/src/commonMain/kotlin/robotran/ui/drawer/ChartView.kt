@@ -105,9 +105,9 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 
 @Composable
 private fun laneName(lane: ChartLane): String = if (lane.isMotor) {
-    stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
+    stringResource(Res.string.run_chart_motor, 'A' + lane.port)
 } else {
-    stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
+    stringResource(Res.string.run_chart_sensor, lane.port + 1)
 }
 
 /**

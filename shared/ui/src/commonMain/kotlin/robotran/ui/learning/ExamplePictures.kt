@@ -1,6 +1,7 @@
 package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
+import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
@@ -8,7 +9,6 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.PENBOT_CALIBRATION
-import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.RobotLoad
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -35,7 +35,7 @@ internal object ExamplePictures : CardPictures<String> {
         }
     }
 
-    private suspend fun programOf(name: String): RcxProgram? {
+    private suspend fun programOf(name: String): BrickProgram? {
         val source = ProgramLanguage.ROBOLANG.examples[name]?.let { ProgramSource.Robolang(name, it) }
             ?: ProgramLanguage.JAVA.examples[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
             ?: return null

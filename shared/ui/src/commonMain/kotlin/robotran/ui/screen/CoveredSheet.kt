@@ -18,7 +18,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.state.RcxState
+import robotran.brick.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
@@ -184,7 +184,7 @@ private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp =
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
-private fun ClosableHint(brick: RcxState, onWholeBrick: (() -> Unit)?, modifier: Modifier = Modifier) {
+private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifier: Modifier = Modifier) {
     val words = brickHintWords(brick) ?: return
     var isClosed by remember(words) { mutableStateOf(false) }
     if (isClosed) return

@@ -32,7 +32,7 @@ internal class SensorReading(val text: String, val place: Point, val colour: Col
 internal fun readings(world: World, state: SessionState): List<SensorReading> = buildList {
     for ((place, now) in world.robots.zip(state.robots)) {
         if (!now.brick.poweredOn) continue
-        for (sensor in now.brick.sensors) {
+        for (sensor in now.brick.inputs) {
             val plugged = place.ports.getOrNull(sensor.port - 1)?.firstOrNull() ?: continue
             val pressed = when (plugged) {
                 PortSensor.LEFT_BUMPER -> now.robot.leftBumperPressed

@@ -197,9 +197,9 @@ class RunDrawerTest {
         showWholeBrick()
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
-        assertTrue(workshop.state.session.brick.sensors[0].boolean)
+        assertTrue(workshop.state.session.brick.inputs[0].isPressed)
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
-        assertTrue(!workshop.state.session.brick.sensors[0].boolean)
+        assertTrue(!workshop.state.session.brick.inputs[0].isPressed)
     }
 }

@@ -27,7 +27,7 @@ internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, 
     if (trial is TrialResult.Refused) return ImmediateResult.Refused(trial.reason)
     val text = (trial as TrialResult.Ready).text
     return when (val result = compileNow(ProgramSource.Robolang(name, text))) {
-        is ProgramResult.Ready -> ImmediateResult.Ready(result.program)
+        is ProgramResult.Ready -> ImmediateResult.Ready(result.program as RcxProgram)
 
         is ProgramResult.HasErrors -> with(result.diagnostics.first()) {
             ImmediateResult.Refused(BlockEditError.Mistaken(range?.line ?: 0, message))

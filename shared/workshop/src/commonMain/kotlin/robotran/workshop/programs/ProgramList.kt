@@ -9,7 +9,6 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.projects.ProgramView
-import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.state.PupilProgram
 
 /**
@@ -41,7 +40,7 @@ internal class ProgramList(
     val pendingCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
 
     /** The programs for the brick's slots; null for a program that cannot run. */
-    val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
+    val slots: List<BrickProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 
     /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
     fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics

@@ -28,6 +28,7 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.ImmediateProgram
+import robotran.workshop.state.ImmediateRcxProgram
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
@@ -141,7 +142,7 @@ class ProgramsStateHolder(
         val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
         return when (val result = compiler.compileAlone(load, blocks, robot.entry.program.name)) {
             is ImmediateResult.Ready -> {
-                ImmediateProgram(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
+                ImmediateRcxProgram(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
             }
 
             is ImmediateResult.Refused -> {

@@ -48,21 +48,32 @@ internal class DrawerUpdater {
 
     private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
         // While seeking, the intermediate positions are not shown.
-        DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) {
-            drawer
-        } else {
-            drawer.copy(variables = updateVariables(player))
+        DrawerTab.VARIABLES -> {
+            if (player.playback is PlaybackState.Seeking) {
+                drawer
+            } else {
+                drawer.copy(variables = updateVariables(player))
+            }
         }
 
-        DrawerTab.LOG -> drawer.copy(log = updateLog(player))
+        DrawerTab.LOG -> {
+            drawer.copy(log = updateLog(player))
+        }
 
-        DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
+        DrawerTab.CHART -> {
+            val lanes = ChartLane.of(player.state.robots[player.watched].brick.kind)
+            drawer.copy(chart = drawer.chart.copy(lines = lanes.map(player::chart)))
+        }
 
-        DrawerTab.WHY -> drawer.copy(
-            why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
-        )
+        DrawerTab.WHY -> {
+            drawer.copy(
+                why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
+            )
+        }
 
-        DrawerTab.GOALS -> drawer
+        DrawerTab.GOALS -> {
+            drawer
+        }
     }
 
     private fun updateVariables(player: RunPlayer): VariablesState {

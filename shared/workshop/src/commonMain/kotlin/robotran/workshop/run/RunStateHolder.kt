@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import robotran.brick.controls.BrickButton
+import robotran.brick.controls.startButton
 import robotran.brick.program.StepKind
 import robotran.brick.state.RunState
 import robotran.language.Language
@@ -19,6 +20,7 @@ import robotran.simulation.RunReport
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
+import robotran.simulation.startInputs
 import robotran.simulation.state.GoalShortfall
 import robotran.workshop.event.RunEvent
 import robotran.workshop.platform.Platform
@@ -211,10 +213,7 @@ class RunStateHolder(
         startNewRun(slot)
         tries.begin()
         state = state.copy(untouched = false)
-        for (robot in run.world.robots.indices) {
-            player.apply(SessionInput.Press(BrickButton.RUN, robot))
-            player.apply(SessionInput.Release(BrickButton.RUN, robot))
-        }
+        run.world.startInputs().forEach(player::apply)
         when (what) {
             StartAction.Play, StartAction.PlayFromBrick -> player.play()
             StartAction.StopBeforeFirstStatement -> stopBeforeFirstStatement()
@@ -298,13 +297,13 @@ class RunStateHolder(
 
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
-        if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
+        if (button == button.kind.startButton && state.brick.run !is RunState.Running && state.changed) {
             val slot = run.slotOnBrick
             pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
             if (!programs.canStart(slot)) return
             startNewRun(slot)
         }
-        if (button == BrickButton.RUN) {
+        if (button == button.kind.startButton) {
             state = state.copy(untouched = false)
             tries.goOn()
         }

@@ -1,5 +1,6 @@
 package robotran.workshop.state
 
+import robotran.brick.program.BrickProgram
 import robotran.rcxrom.program.RcxProgram
 
 /**
@@ -9,9 +10,17 @@ import robotran.rcxrom.program.RcxProgram
  * @property slot the index of the whole program.
  * @property source the text of the whole program. The same line of both has the same number.
  */
-class ImmediateProgram internal constructor(
-    private val program: RcxProgram,
-    val robot: String,
-    val slot: Int,
-    val source: String,
-) : RcxProgram by program
+interface ImmediateProgram : BrickProgram {
+    val robot: String
+    val slot: Int
+    val source: String
+}
+
+/** An [ImmediateProgram] for an RCX. */
+internal class ImmediateRcxProgram(
+    program: RcxProgram,
+    override val robot: String,
+    override val slot: Int,
+    override val source: String,
+) : ImmediateProgram,
+    RcxProgram by program

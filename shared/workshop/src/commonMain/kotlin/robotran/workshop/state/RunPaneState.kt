@@ -2,9 +2,9 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
+import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.projects.ProjectSettings
-import robotran.rcxrom.state.RcxState
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RomCallLine
 import robotran.runcontrol.RunOutcome
@@ -70,7 +70,7 @@ data class RunPaneState(
         get() = !outcome.isSolved && (outcome.finished ?: 0) >= world.timeLimit * 1_000L
 
     /** The brick of the [watched] robot. */
-    val brick: RcxState get() = session.robots[watched].brick
+    val brick: BrickState get() = session.robots[watched].brick
 
     /** Whether any robot runs a program. */
     val running: Boolean get() = session.robots.any { it.brick.run is RunState.Running }

@@ -3,8 +3,8 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.RuntimeWarning
+import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
-import robotran.rcxrom.state.RcxState
 import robotran.simulation.state.MissingSensors
 
 /**
@@ -46,7 +46,7 @@ data class ShownProgramRun(
 
         private fun isShown(
             immediate: ImmediateProgram?,
-            brick: RcxState,
+            brick: BrickState,
             programs: ProgramsState,
             run: RunPaneState,
         ): Boolean = if (brick.isImmediate) {

@@ -2,9 +2,9 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
+import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.programs.ProgramDiagnostic
-import robotran.rcxrom.state.RcxState
 import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
 import robotran.workshop.blocks.SheetPreview
@@ -145,7 +145,7 @@ data class WorkshopState(
     }
 
     /** The brick that the status is about. */
-    private val brickTold: RcxState get() = session.robots[run.told].brick
+    private val brickTold: BrickState get() = session.robots[run.told].brick
 
     /** Whether the status is about a program that was sent to run at once. It is no attempt at the goals. */
     private val isImmediate: Boolean get() = brickTold.isImmediate

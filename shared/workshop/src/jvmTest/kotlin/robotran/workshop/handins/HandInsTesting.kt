@@ -37,7 +37,7 @@ internal abstract class HandInsTesting {
     protected var scanner: QrScanner? = null
     protected lateinit var arrivals: OpenRequests
         private set
-    private lateinit var time: TestScope
+    protected lateinit var time: TestScope
 
     protected val Workshop.page: HandInsState get() = checkNotNull(state.handIns)
 

@@ -70,9 +70,9 @@ internal class RobotText(
         val (x, y, heading) = pose
         val (left, right) = bumpers
         return start.copy(
-            brick = start.brick.copy(
-                motors = start.brick.motors.zip(motors) { motor, mode -> motor.copy(mode = mode) },
-                run = if (isRunning) RunState.Running(0) else RunState.Ended(stopped = false),
+            brick = start.brick.withRun(
+                motors,
+                if (isRunning) RunState.Running(0) else RunState.Ended(stopped = false),
             ),
             robot = start.robot.copy(
                 pose = Pose(x, y, heading),

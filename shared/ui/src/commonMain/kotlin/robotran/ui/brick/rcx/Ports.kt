@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.rcx
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
@@ -28,6 +28,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.rcxrom.sensors.SensorState
+import robotran.ui.parts.holdable
 import robotran.ui.resources.Res
 import robotran.ui.resources.motor_backward
 import robotran.ui.resources.motor_brake

@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.rcx
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.runtime.Composable

@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.rcx
 
 import androidx.compose.ui.geometry.Rect
 import robotran.brick.controls.BrickButton
@@ -11,6 +11,9 @@ import robotran.brick.controls.MotorPort
 internal object BrickPlan {
     const val WIDTH = 264f
     const val HEIGHT = 424f
+
+    /** The ratio of width to height. */
+    const val ASPECT = WIDTH / HEIGHT
 
     /** The min dp per unit. A button is 52 units high and would otherwise be too small for a finger. */
     const val MIN_UNIT = 48f / 52f

@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.parts
 
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.gestures.awaitEachGesture

@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.rcx
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect

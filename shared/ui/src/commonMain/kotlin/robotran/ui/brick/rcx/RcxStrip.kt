@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.rcx
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
@@ -15,18 +15,18 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.Shapes
 
 /**
- * A compact brick where room is scarce: the digits of its display, and Run.
+ * A compact RCX where room is scarce: the digits of its display, and Run.
  *
  * @param isLow whether it is as low as a finger allows.
  */
 @Composable
-internal fun BrickStrip(
+internal fun RcxStrip(
     state: RcxState,
     down: Set<BrickButton>,
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
-    modifier: Modifier = Modifier,
-    isLow: Boolean = false,
+    modifier: Modifier,
+    isLow: Boolean,
 ) {
     Row(
         modifier.background(RobotranColours.YELLOW, Shapes.LARGE).padding(if (isLow) 4.dp else 8.dp),

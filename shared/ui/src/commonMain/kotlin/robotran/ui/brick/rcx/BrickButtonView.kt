@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.rcx
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
@@ -26,6 +26,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
+import robotran.ui.parts.holdable
 import robotran.ui.resources.Res
 import robotran.ui.resources.button_on_off
 import robotran.ui.resources.button_prgm
