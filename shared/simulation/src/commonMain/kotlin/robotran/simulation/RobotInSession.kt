@@ -3,6 +3,7 @@ package robotran.simulation
 import robotran.brick.Brick
 import robotran.brick.log.CallLog
 import robotran.brick.program.RuntimeWarning
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
@@ -14,12 +15,12 @@ import robotran.simulation.explain.Explanation
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.robot.BrickPorts
+import robotran.simulation.robot.LightReading
 import robotran.simulation.robot.PortComparison
 import robotran.simulation.robot.RcxPorts
 import robotran.simulation.state.MissingSensors
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.LightFacing
-import robotran.world.PortSensor
 import robotran.world.World
 
 /** One robot of a session: its brick and its machine. */
@@ -36,7 +37,7 @@ internal class RobotInSession(
     val brick: Brick get() = ports.brick
     private var hashedCalls = 0L
 
-    private val comparison = PortComparison(world.robots[number], SimulationMessages.of(language))
+    private val comparison = PortComparison(world.robots[number].description, SimulationMessages.of(language))
 
     private val log: CallLog get() = brick.log
 
@@ -60,7 +61,7 @@ internal class RobotInSession(
 
     /** The causes of its deviation so far. */
     fun deviationCauses(): List<DeviationCause> {
-        val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
+        val hasLightSensor = world.robots[number].description.parts.any { it.port != null && it.kind == SensorKind.LIGHT }
         val realism = if (hasLightSensor) world.realism else 0.0
         val bias = if (hasLightSensor) ports.lightBias else 0.0
         return Explanation(
@@ -80,10 +81,10 @@ internal class RobotInSession(
     private fun portsOf(load: RobotLoad, air: InfraredAir): BrickPorts {
         val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
         return RcxPorts(
-            world.robots[number],
+            world.robots[number].description,
             RcxBrick(load.programs.map { it as? RcxProgram }, air, BrickMessages.of(language), load.firstSlot),
             machine,
-            { active -> simulation.lightOn(number, facing, active) },
+            { part -> simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } } },
             { simulation.temperature },
             NoiseStreams(world.seed, number),
             world.realism,

@@ -16,7 +16,6 @@ import robotran.simulation.physics.addWall
 import robotran.simulation.robot.SimulatedRobot
 import robotran.simulation.state.Ink
 import robotran.simulation.state.TrailPiece
-import robotran.world.LightFacing
 import robotran.world.RobotPart
 import robotran.world.SensorPart
 import robotran.world.World
@@ -78,10 +77,6 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
 
     /** The light sensor [part] of the robot at index [robot]. */
     fun lightSensor(robot: Int, part: SensorPart): LightSensor = lightSensors[robot].getValue(part.on(null))
-
-    /** The value of the first light sensor of the robot at index [robot], see [LightSensor]. */
-    fun lightOn(robot: Int, facing: LightFacing, active: Boolean): Double =
-        lightSensors[robot].values.first().raw(facing, active)
 
     /** The lamps on all robots except the one at index [robot]. */
     fun beaconsBeside(robot: Int): List<Pair<Point, Double>> {

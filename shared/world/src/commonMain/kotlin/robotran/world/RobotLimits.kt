@@ -35,7 +35,7 @@ object RobotLimits {
     const val NEAREST_CASTER = 1.0
 
     /** With full power and fresh batteries, in centimetres a second: above that, it could pass through thin walls. */
-    val SPEEDS = 1.0..60.0
+    const val FASTEST = 60.0
 
     /** The physics tells so many of a body's shapes apart. */
     const val MAXIMUM_SHAPES = 16

@@ -1,6 +1,7 @@
 package robotran.simulation.robot
 
 import robotran.brick.controls.MotorPort
+import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.sensors.RotationSensor
 import robotran.rcxrom.sensors.SensorCode
@@ -8,26 +9,42 @@ import robotran.rcxrom.sensors.TemperatureSensor
 import robotran.rcxrom.sensors.TouchSensor
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.Realism
+import robotran.world.BumperPart
 import robotran.world.BumperSide
-import robotran.world.PortSensor
-import robotran.world.RobotPlacement
+import robotran.world.FingerTouchPart
+import robotran.world.RobotDescription
+import robotran.world.RobotPart
+import robotran.world.RotationPart
+import robotran.world.SensorPart
+import robotran.world.robot.things
 import kotlin.math.abs
 import kotlin.math.floor
 
 /** The ports of an RCX. Its sensors are measured as often as the firmware reads them. */
 internal class RcxPorts(
-    private val place: RobotPlacement,
+    robot: RobotDescription,
     override val brick: RcxBrick,
     private val machine: SimulatedRobot,
-    private val light: LightReading,
+    lightOf: (SensorPart) -> LightReading,
     private val thermometer: Thermometer,
     streams: NoiseStreams,
     private val realism: Double,
 ) : BrickPorts {
-    private val lightNoise = streams.named("light sensor: noise")
+    private val lightEyes: Map<RobotPart, LightEye> =
+        robot.things.filterIsInstance<SensorPart>().filter { it.sensor == SensorKind.LIGHT }.mapIndexed { number, part ->
+            val name = if (number == 0) "light sensor" else "light sensor ${number + 1}"
+            part.on(null) to LightEye(lightOf(part), streams, name, realism)
+        }.toMap()
     private val temperatureNoise = streams.named("temperature sensor: noise")
 
-    override val lightBias = realism * Realism.LIGHT_BIAS * streams.named("light sensor: bias").normal()
+    /** What measures on each port. */
+    private val sensors: List<List<RawSensor>> = List(SensorCode.PORTS) { port ->
+        robot.parts.filter { it.port == port + 1 }.mapNotNull { sensorOf(it, port) }
+    }
+
+    override val lightBias =
+        robot.parts.firstOrNull { it.port != null && it.on(null) in lightEyes }?.let { lightEyes.getValue(it.on(null)).bias }
+            ?: 0.0
 
     /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)
@@ -53,34 +70,40 @@ internal class RcxPorts(
         machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
 
     private fun measure() {
-        for (port in place.ports.indices) {
-            if (place.ports[port].isEmpty()) continue
-            val sensors = place.ports[port]
+        for (port in sensors.indices) {
+            val plugged = sensors[port]
+            if (plugged.isEmpty()) continue
             var raw = SensorCode.OPEN_RAW
-            for (number in sensors.indices) raw = minOf(raw, raw(sensors[number], port))
+            for (number in plugged.indices) raw = minOf(raw, plugged[number].raw())
             brick.setRawSensorValue(port, raw)
         }
     }
 
-    private fun raw(sensor: PortSensor, port: Int): Int = when (sensor) {
-        PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.isClosed(BumperSide.LEFT))
-        PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.isClosed(BumperSide.RIGHT))
-        PortSensor.TOUCH -> TouchSensor.raw(pressed[port])
-        PortSensor.LIGHT -> rounded(light.raw(brick.sensorIsActive(port)) + lightNoise())
-        PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, port)
-        PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, port)
-        PortSensor.TEMPERATURE -> temperature(thermometer.celsius())
-    }
+    /** null for what an RCX cannot read. */
+    private fun sensorOf(part: RobotPart, port: Int): RawSensor? = when (part) {
+        is BumperPart -> machine.bumper(part).let { bumper -> RawSensor { TouchSensor.raw(bumper.isClosed) } }
 
-    private fun lightNoise() = if (realism == 0.0) {
-        0.0
-    } else {
-        lightBias + realism * Realism.LIGHT_NOISE * lightNoise.normal()
+        is FingerTouchPart -> RawSensor { TouchSensor.raw(pressed[port]) }
+
+        is RotationPart -> {
+            val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
+            RawSensor { rotation(wheel, port) }
+        }
+
+        is SensorPart -> when (part.sensor) {
+            SensorKind.LIGHT -> lightEyes.getValue(part.on(null)).let { eye ->
+                RawSensor { rounded(eye.raw(brick.sensorIsActive(port))) }
+            }
+
+            SensorKind.TEMPERATURE -> RawSensor { temperature(thermometer.celsius()) }
+
+            else -> null
+        }
     }
 
     private fun rotation(wheel: Wheel, port: Int): Int {
-        val count = floor(wheel.turned / machine.figures.wheelCircumference * RotationSensor.COUNTS_PER_TURN).toInt()
-        return RotationSensor.raw(count, brick.sensorIsActive(port))
+        val turns = wheel.turned / machine.figures.wheelCircumference
+        return RotationSensor.raw(floor(turns * RotationSensor.COUNTS_PER_TURN).toInt(), brick.sensorIsActive(port))
     }
 
     private fun temperature(celsius: Double): Int {
@@ -104,4 +127,27 @@ internal class RcxPorts(
         /** Half of the resolution of the brick's converter. */
         const val MILLIVOLT_TOLERANCE = 14
     }
+}
+
+/** One sensor on one port. */
+private fun interface RawSensor {
+    /** Its raw value, alone on the port. */
+    fun raw(): Int
+}
+
+/** A light sensor with its errors; one object for all ports that it is plugged into. */
+private class LightEye(
+    private val light: LightReading,
+    streams: NoiseStreams,
+    name: String,
+    private val realism: Double,
+) {
+    private val noise = streams.named("$name: noise")
+
+    /** The constant error of this light sensor, in raw units. */
+    val bias = realism * Realism.LIGHT_BIAS * streams.named("$name: bias").normal()
+
+    fun raw(active: Boolean): Double = light.raw(active) + error()
+
+    private fun error() = if (realism == 0.0) 0.0 else bias + realism * Realism.LIGHT_NOISE * noise.normal()
 }

@@ -138,9 +138,6 @@ internal class SimulatedRobot(
         MotorPort.C -> c
     }
 
-    /** Whether the contact of a bumper on this side is closed. */
-    fun isClosed(side: BumperSide) = bumpers.indices.any { bumperParts[it].side == side && bumpers[it].isClosed }
-
     private fun isPressed(side: BumperSide) =
         bumpers.indices.any { bumperParts[it].side == side && bumpers[it].isPressed }
 

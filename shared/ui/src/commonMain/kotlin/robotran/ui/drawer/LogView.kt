@@ -44,6 +44,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
 import robotran.ui.resources.run_log_empty
+import robotran.ui.resources.run_log_empty_calls
 import robotran.ui.resources.run_log_firmware
 import robotran.ui.resources.run_log_group_bluetooth
 import robotran.ui.resources.run_log_group_buttons
@@ -56,6 +57,7 @@ import robotran.ui.resources.run_log_group_sound
 import robotran.ui.resources.run_log_group_system
 import robotran.ui.resources.run_log_group_timer
 import robotran.ui.resources.run_log_group_unknown
+import robotran.ui.resources.run_log_library
 import robotran.ui.resources.run_log_line
 import robotran.ui.resources.run_log_none
 import robotran.ui.resources.run_log_program
@@ -71,12 +73,20 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LogState
 
-/** All ROM calls so far, newest last, to search, filter, copy and save. */
+/** All calls of the [brick] so far, newest last, to search, filter, copy and save. */
 @Composable
-internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, EmptyPicture.LINES, modifier)
+internal fun LogView(
+    state: LogState,
+    brick: BrickKind,
+    onEvent: (RunEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    if (state.total == 0L) {
+        val words = if (brick == BrickKind.RCX) Res.string.run_log_empty else Res.string.run_log_empty_calls
+        return EmptyDrawer(words, EmptyPicture.LINES, modifier)
+    }
     Column(modifier.padding(horizontal = 12.dp)) {
-        LogTools(state, onEvent)
+        LogTools(state, brick, onEvent)
         if (state.entries.isEmpty() && state.isComplete) {
             EmptyDrawer(Res.string.run_log_none, EmptyPicture.LINES, Modifier.fillMaxWidth())
         } else {
@@ -86,7 +96,7 @@ internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Mod
 }
 
 @Composable
-private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
+private fun LogTools(state: LogState, brick: BrickKind, onEvent: (RunEvent) -> Unit) {
     val filter = state.filter
     val search = stringResource(Res.string.run_log_search)
     Row(
@@ -128,7 +138,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in CallGroup.of(BrickKind.RCX)) {
+        for (group in CallGroup.of(brick)) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
@@ -202,10 +212,10 @@ private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
             Text(callText(entry), Modifier.weight(1f), style = quiet, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
         Text(
-            if (entry.sourceLine == 0) {
-                stringResource(Res.string.run_log_firmware)
-            } else {
-                stringResource(Res.string.run_log_line, entry.sourceLine)
+            when {
+                entry.isByLibrary -> stringResource(Res.string.run_log_library)
+                entry.sourceLine == 0 -> stringResource(Res.string.run_log_firmware)
+                else -> stringResource(Res.string.run_log_line, entry.sourceLine)
             },
             Modifier.width(84.dp * scale),
             style = style.copy(color = colours.quiet),

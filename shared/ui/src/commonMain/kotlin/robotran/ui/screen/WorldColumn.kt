@@ -117,7 +117,7 @@ internal fun WholeBrick(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, mod
         { onEvent(RunEvent.ButtonPressed(it)) },
         { onEvent(RunEvent.ButtonReleased(it)) },
         modifier,
-        run.world.robots[run.watched].ports,
+        run.world.robots[run.watched].description,
         { port, pressed ->
             onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(run.watched, port, pressed)))
         },

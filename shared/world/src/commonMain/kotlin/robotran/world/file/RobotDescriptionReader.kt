@@ -26,18 +26,13 @@ import robotran.world.robot.robotErrors
 import robotran.world.robot.rounded
 import robotran.world.roundToThousandths
 
-/**
- * The robot in the members of [place], of which those that are missing are like the ready robot that it names.
- *
- * @param needsTitle whether it must have a title of its own.
- */
-internal fun readDescription(place: JsonCursor, needsTitle: Boolean): RobotDescription {
+/** The robot in the members of [place]; those that are missing are like those of the ready robot that it names. */
+internal fun readDescription(place: JsonCursor): RobotDescription {
     val base = place.optional("like")?.let(::readyRobot)
     val brick = place.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.RCX
     val like = base ?: ReadyRobots.defaultOf(brick)
-    val title = if (needsTitle) place.member("title") else place.optional("title")
     val robot = RobotDescription(
-        title = title?.text(RobotLimits.MAXIMUM_TITLE_CHARACTERS) ?: like.title,
+        title = place.member("title").text(RobotLimits.MAXIMUM_TITLE_CHARACTERS),
         brick = brick,
         chassis = readChassis(place, like.chassis),
         drive = place.optional("wheels")?.let { readDrive(it, like.drive) } ?: like.drive,
@@ -84,9 +79,9 @@ private fun readDrive(place: JsonCursor, like: Drive) = Drive(
 )
 
 private fun readDiameter(place: JsonCursor): Double {
-    val diameter = roundToThousandths(place.number(RobotLimits.COORDINATES))
+    val diameter = place.number(ANY_NUMBER)
     if (diameter !in RobotLimits.WHEEL_DIAMETERS) place.refuseInSentence(toldOfRobot { noWheels() })
-    return diameter
+    return roundToThousandths(diameter)
 }
 
 private fun readPen(place: JsonCursor): PenMount? =
@@ -183,5 +178,6 @@ private val MEMBERS: Map<RobotPiece, List<String>> = RobotPiece.entries.associat
     }
 }
 
+private val ANY_NUMBER = -Double.MAX_VALUE..Double.MAX_VALUE
 private const val DOWN_HEIGHT = 1.0
 private const val AHEAD_HEIGHT = 6.0

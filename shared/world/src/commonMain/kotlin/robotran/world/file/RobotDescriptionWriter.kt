@@ -22,13 +22,13 @@ import robotran.world.robot.rounded
 /** [robot] in a world: its name if it is a ready one. */
 internal fun elementOf(robot: RobotDescription): JsonElement =
     robot.base?.takeIf { ReadyRobots.all[it] == robot }?.let(::JsonPrimitive)
-        ?: jsonObject(robot.unknown.members) { describe(robot, needsTitle = false) }
+        ?: jsonObject(robot.unknown.members) { describe(robot) }
 
 /** Only what differs from the robot that it is like. */
-internal fun ObjectBuilder.describe(robot: RobotDescription, needsTitle: Boolean) {
+internal fun ObjectBuilder.describe(robot: RobotDescription) {
     val base = robot.base?.let { ReadyRobots.all[it] }
     val like = base ?: ReadyRobots.defaultOf(robot.brick)
-    text("title", robot.title, default = like.title.takeIf { !needsTitle })
+    text("title", robot.title)
     text("like", base?.base)
     text("brick", wordFor(robot.brick), default = wordFor(base?.brick ?: ReadyRobots.RCX_PENBOT.brick))
     val chassis = robot.chassis

@@ -47,7 +47,7 @@ fun writeRobot(robot: RobotDescription): String = writeJson(
     jsonObject(robot.unknown.members) {
         text("format", ROBOT_FORMAT)
         number("version", ROBOT_VERSION)
-        describe(robot, needsTitle = true)
+        describe(robot)
     },
 )
 
@@ -60,7 +60,7 @@ private fun robotIn(place: JsonCursor): RobotDescription {
     if (version > ROBOT_VERSION) {
         throw JsonValidationException(null, toldOfRobot { newerRobot(version, ROBOT_VERSION) })
     }
-    return readDescription(place, needsTitle = true)
+    return readDescription(place)
 }
 
 private fun resultOf(reading: JsonReading<RobotDescription>): RobotFileResult = when (reading) {

@@ -40,7 +40,7 @@ private fun readBuild(place: JsonCursor): RobotDescription {
     val robot = place.optional("robot") ?: return ports?.let { ReadyRobots.penbotWith(readPorts(it)) }
         ?: ReadyRobots.RCX_PENBOT
     ports?.refuseInSentence(toldOfRobot { robotAndPorts() })
-    return if (robot.textOrNull() != null) readyRobot(robot) else readDescription(robot, needsTitle = false)
+    return if (robot.textOrNull() != null) readyRobot(robot) else readDescription(robot)
 }
 
 private fun readPorts(place: JsonCursor): List<List<PortSensor>> {

@@ -40,8 +40,6 @@ internal object EnglishRobotMessages : RobotMessages {
 
     override fun wheelsTooClose() = "The wheels are inside each other: the track must be wider than a tyre."
 
-    override fun tooSlow() = "With this gear the robot is slower than 1 cm a second."
-
     override fun tooFast() = "With this gear the robot is faster than 60 cm a second."
 
     override fun tipsOver(backwards: Boolean) =

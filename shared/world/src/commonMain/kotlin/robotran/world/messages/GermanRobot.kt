@@ -43,8 +43,6 @@ internal object GermanRobotMessages : RobotMessages {
     override fun wheelsTooClose() =
         "Die Räder stecken ineinander: Die Spurweite muss größer sein, als ein Reifen breit ist."
 
-    override fun tooSlow() = "Mit diesem Getriebe ist der Roboter langsamer als 1 cm in der Sekunde."
-
     override fun tooFast() = "Mit diesem Getriebe ist der Roboter schneller als 60 cm in der Sekunde."
 
     override fun tipsOver(backwards: Boolean) =

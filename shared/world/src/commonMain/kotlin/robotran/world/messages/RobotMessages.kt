@@ -37,8 +37,6 @@ interface RobotMessages {
 
     fun wheelsTooClose(): String
 
-    fun tooSlow(): String
-
     fun tooFast(): String
 
     fun tipsOver(backwards: Boolean): String
@@ -94,7 +92,6 @@ fun RobotError.sentence(language: Language): String = with(RobotMessages.of(lang
         is RobotError.PenMotorTaken -> penMotorTaken(error.motor)
         RobotError.NoWheels -> noWheels()
         RobotError.WheelsTooClose -> wheelsTooClose()
-        RobotError.TooSlow -> tooSlow()
         RobotError.TooFast -> tooFast()
         is RobotError.TipsOver -> tipsOver(error.backwards)
         RobotError.CasterOnAxle -> casterOnAxle()

@@ -42,8 +42,6 @@ internal object SpanishRobotMessages : RobotMessages {
     override fun wheelsTooClose() =
         "Las ruedas están una dentro de otra: la distancia entre ellas tiene que ser mayor que el ancho de una."
 
-    override fun tooSlow() = "Con estos engranajes el robot va a menos de 1 cm por segundo."
-
     override fun tooFast() = "Con estos engranajes el robot va a más de 60 cm por segundo."
 
     override fun tipsOver(backwards: Boolean) =

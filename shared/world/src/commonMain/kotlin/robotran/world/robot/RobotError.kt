@@ -41,8 +41,6 @@ sealed interface RobotError {
     /** The tyres are inside each other. */
     data object WheelsTooClose : OfWheels
 
-    data object TooSlow : OfWheels
-
     data object TooFast : OfWheels
 
     /** The mass is not between the axle and a caster. */

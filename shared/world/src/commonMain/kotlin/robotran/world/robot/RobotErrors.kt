@@ -97,8 +97,7 @@ private fun driveErrors(robot: RobotDescription): List<RobotError> {
         RobotError.OneDriveMotor(drive.left).takeIf { drive.left == drive.right },
         robot.pen?.motor?.takeIf { it == drive.left || it == drive.right }?.let { RobotError.PenMotorTaken(it) },
         RobotError.WheelsTooClose.takeIf { drive.track <= drive.wheelWidth },
-        RobotError.TooSlow.takeIf { speed < RobotLimits.SPEEDS.start },
-        RobotError.TooFast.takeIf { speed > RobotLimits.SPEEDS.endInclusive },
+        RobotError.TooFast.takeIf { speed > RobotLimits.FASTEST },
     )
 }
 
