@@ -1,8 +1,9 @@
 package robotran.ui.sheet
 
-import robotran.world.Penbot
+import robotran.world.RobotDescription
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.robot.footprint
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos
@@ -36,26 +37,9 @@ internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<P
     )
 }
 
-/** The convex hull of a robot from above. */
-internal fun robotOutline(pose: Pose): List<Point> {
+/** The convex hull of [robot] from above. */
+internal fun robotOutline(pose: Pose, robot: RobotDescription): List<Point> {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)
-    return ROBOT_CORNERS.map { Point(pose.x + it.x * cosine - it.y * sine, pose.y + it.x * sine + it.y * cosine) }
+    return robot.footprint.map { Point(pose.x + it.x * cosine - it.y * sine, pose.y + it.x * sine + it.y * cosine) }
 }
-
-private const val WHEEL_REACH = Penbot.WHEEL_DIAMETER / 2
-private const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
-private const val HALF_CHASSIS = Penbot.CHASSIS_WIDTH / 2
-private const val HALF_WIDTH = Penbot.OVERALL_WIDTH / 2
-
-/** Counter-clockwise, relative to the pen. */
-private val ROBOT_CORNERS = listOf(
-    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS),
-    Point(-WHEEL_REACH, -HALF_WIDTH),
-    Point(WHEEL_REACH, -HALF_WIDTH),
-    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH),
-    Point(Penbot.BUMPER_FRONT, BUMPER_REACH),
-    Point(WHEEL_REACH, HALF_WIDTH),
-    Point(-WHEEL_REACH, HALF_WIDTH),
-    Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
-)

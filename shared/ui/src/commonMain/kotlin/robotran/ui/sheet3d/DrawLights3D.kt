@@ -24,7 +24,7 @@ import kotlin.math.PI
 
 /** The shadows of robots and blocks in the light of the lamps, and the light of the lamps on robots. */
 internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projection: Projection) {
-    val things = state.robots.map { robotOutline(it.robot.pose) } +
+    val things = world.robots.zip(state.robots) { place, now -> robotOutline(now.robot.pose, place.description) } +
         world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
         if (!now.on || lamp.brightness <= 0) continue
