@@ -73,20 +73,15 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LogState
 
-/** All calls of the [brick] so far, newest last, to search, filter, copy and save. */
+/** All calls of the brick so far, newest last, to search, filter, copy and save. */
 @Composable
-internal fun LogView(
-    state: LogState,
-    brick: BrickKind,
-    onEvent: (RunEvent) -> Unit,
-    modifier: Modifier = Modifier,
-) {
+internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.total == 0L) {
-        val words = if (brick == BrickKind.RCX) Res.string.run_log_empty else Res.string.run_log_empty_calls
+        val words = if (state.kind == BrickKind.RCX) Res.string.run_log_empty else Res.string.run_log_empty_calls
         return EmptyDrawer(words, EmptyPicture.LINES, modifier)
     }
     Column(modifier.padding(horizontal = 12.dp)) {
-        LogTools(state, brick, onEvent)
+        LogTools(state, onEvent)
         if (state.entries.isEmpty() && state.isComplete) {
             EmptyDrawer(Res.string.run_log_none, EmptyPicture.LINES, Modifier.fillMaxWidth())
         } else {
@@ -96,7 +91,7 @@ internal fun LogView(
 }
 
 @Composable
-private fun LogTools(state: LogState, brick: BrickKind, onEvent: (RunEvent) -> Unit) {
+private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     val filter = state.filter
     val search = stringResource(Res.string.run_log_search)
     Row(
@@ -138,7 +133,7 @@ private fun LogTools(state: LogState, brick: BrickKind, onEvent: (RunEvent) -> U
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in CallGroup.of(brick)) {
+        for (group in CallGroup.of(state.kind)) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))

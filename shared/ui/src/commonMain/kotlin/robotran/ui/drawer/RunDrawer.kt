@@ -144,7 +144,7 @@ private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (Worksho
     when (tab) {
         DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
 
-        DrawerTab.LOG -> LogView(state.drawer.log, state.brick.kind, onEvent, modifier)
+        DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
 
         DrawerTab.CHART -> ChartView(state, onEvent, modifier)
 

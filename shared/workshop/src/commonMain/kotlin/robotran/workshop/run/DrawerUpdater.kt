@@ -86,6 +86,7 @@ internal class DrawerUpdater {
 
     private fun updateLog(player: RunPlayer): LogState {
         val now = player.romCalls
-        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete)
+        val kind = player.state.robots[player.watched].brick.kind
+        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete, kind)
     }
 }

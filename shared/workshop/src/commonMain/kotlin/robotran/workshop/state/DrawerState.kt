@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.LoggedCall
 import robotran.brick.program.RuntimeWarning
@@ -63,11 +64,12 @@ data class VariablesState(
 )
 
 /**
- * The ROM calls so far.
+ * The calls of a brick so far.
  *
  * @property entries those that match [filter], oldest first.
  * @property total the number of all calls.
  * @property isComplete whether all of them were filtered.
+ * @property kind the brick whose calls these are.
  */
 @Immutable
 data class LogState(
@@ -75,6 +77,7 @@ data class LogState(
     val filter: CallLogFilter = CallLogFilter(),
     val total: Long = 0,
     val isComplete: Boolean = true,
+    val kind: BrickKind = BrickKind.RCX,
 )
 
 /**

@@ -1,17 +1,12 @@
-package robotran.rcxrom
+package robotran.brick.log
 
-import robotran.brick.log.CallLog
-import robotran.brick.log.CallOutcome
-import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.log.RomLogEntry
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
-class RomLogTest {
+class CallLogTest {
     private val log = CallLog()
 
     @Test
@@ -52,8 +47,15 @@ class RomLogTest {
         assertEquals(calls - 1, log[calls - 1L]?.sourceLine)
     }
 
-    private fun addCalls(count: Int) {
-        val call = RomCall(RomAddress.REFRESH_LCD, emptyList())
-        repeat(count) { log.add(RomLogEntry(it.toLong(), call, "refresh the LCD", sourceLine = it, CallOutcome.DONE)) }
+    @Test
+    fun `the last call can be amended, and no other`() {
+        log.amendLast { error("There is none.") }
+        addCalls(1_001)
+        log.amendLast { ShownCall(it.milliseconds, sourceLine = 7) }
+        assertEquals(7, log[1_000]?.sourceLine)
+        assertEquals(999, log[999]?.sourceLine)
+        assertEquals(1_001L, log.total)
     }
+
+    private fun addCalls(count: Int) = repeat(count) { log.add(ShownCall(it.toLong(), sourceLine = it)) }
 }
