@@ -39,6 +39,13 @@ class ProgramCompiler(
     fun withJava(java: JavaSettings): ProgramCompiler =
         if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
 
+    /** Returns a compiler for a robot with this [calibration]; this one if it already is. */
+    fun withCalibration(calibration: Calibration): ProgramCompiler = if (calibration == this.calibration) {
+        this
+    } else {
+        ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
+    }
+
     /** Loads the compiler that [source] needs. */
     suspend fun prepareFor(source: ProgramSource): CompilerLoading {
         if (source !is ProgramSource.Java) return CompilerLoading.Loaded

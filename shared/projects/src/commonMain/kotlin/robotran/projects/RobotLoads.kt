@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
@@ -40,12 +41,15 @@ sealed interface RobotLoads {
  * @throws Throwable like [ProgramCompiler.read].
  */
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
-    assignmentError(world, given, ProjectMessages.of(reader.language))?.let { return it }
+    val messages = ProjectMessages.of(reader.language)
+    brickError(world, messages)?.let { return it }
+    assignmentError(world, given, messages)?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
-        val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { reader.read(it) }
+        val compiler = reader.withCalibration(robot.description.calibration)
+        val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { compiler.read(it) }
         val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
         if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
@@ -89,6 +93,11 @@ fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<Program
 private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let {
     ProgramSource.Robolang("${robot.name}.robo", it)
 }
+
+private fun brickError(world: World, messages: RobotMessages): RobotLoads.HasErrors? =
+    world.robots.firstOrNull { it.description.brick != BrickKind.RCX }?.let {
+        RobotLoads.HasErrors(it.name, listOf(ProgramDiagnostic("", null, messages.nxtCannotRun(it.name))))
+    }
 
 private fun assignmentError(
     world: World,

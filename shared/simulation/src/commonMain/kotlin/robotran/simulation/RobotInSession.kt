@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import robotran.brick.Brick
+import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallLog
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.sensors.SensorKind
@@ -79,10 +80,13 @@ internal class RobotInSession(
     }
 
     private fun portsOf(load: RobotLoad, air: InfraredAir): BrickPorts {
+        val robot = world.robots[number].description
         val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
+        // There is no other brick yet: a robot that needs one stands still.
+        val programs = if (robot.brick == BrickKind.RCX) load.programs.map { it as? RcxProgram } else emptyList()
         return RcxPorts(
-            world.robots[number].description,
-            RcxBrick(load.programs.map { it as? RcxProgram }, air, BrickMessages.of(language), load.firstSlot),
+            robot,
+            RcxBrick(programs, air, BrickMessages.of(language), load.firstSlot),
             machine,
             { part -> simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } } },
             { simulation.temperature },

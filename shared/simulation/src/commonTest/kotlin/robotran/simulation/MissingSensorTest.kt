@@ -13,6 +13,7 @@ import robotran.simulation.state.SessionState
 import robotran.world.PortSensor
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
+import robotran.world.robot.withSensor
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -119,8 +120,9 @@ class MissingSensorTest {
                 val empty = BuiltInWorlds.plain.withPorts(List(SensorCode.PORTS) { emptyList() })
                 val missing = sessionOf(program, empty).state.missing.single()
                 assertEquals(port to kind, missing.port to missing.kind)
-                val plugged = List(SensorCode.PORTS) { if (it == port - 1) missing.plug else emptyList() }
-                assertNull(sessionOf(program, empty.withPorts(plugged)).state.missingSensors)
+                val robot = empty.robots.single().description.withSensor(missing.kind, missing.port)
+                val plugged = empty.copy(robots = empty.robots.map { it.copy(description = robot) })
+                assertNull(sessionOf(program, plugged).state.missingSensors)
             }
         }
     }

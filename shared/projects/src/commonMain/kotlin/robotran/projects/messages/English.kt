@@ -75,6 +75,9 @@ internal object EnglishProjectMessages : ProjectMessages {
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "The robot $robot has been given $count programs, but a brick has room for $limit."
 
+    override fun nxtCannotRun(robot: String) =
+        "The robot $robot has an NXT, and Robotran cannot run an NXT yet: give it an RCX."
+
     private fun tooLong(what: String, characters: Int, limit: Int) =
         "This $what is too long for a link: it would take $characters characters, and $limit are the most. Share its " +
             "file instead."

@@ -76,6 +76,9 @@ internal object GermanProjectMessages : ProjectMessages {
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "Der Roboter $robot hat $count Programme bekommen, aber in einen Stein passen nur $limit."
 
+    override fun nxtCannotRun(robot: String) =
+        "Der Roboter $robot hat einen NXT, und den kann Robotran noch nicht laufen lassen: Gib ihm einen RCX."
+
     private fun tooLong(what: String, pronoun: String, characters: Int, limit: Int) =
         "$what ist zu lang für einen Link: $pronoun würde $characters Zeichen brauchen, und höchstens $limit gehen. " +
             "Teil stattdessen die Datei."

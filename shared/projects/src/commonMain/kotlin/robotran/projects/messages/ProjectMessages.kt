@@ -102,6 +102,9 @@ interface RobotMessages {
     fun unknownRobot(name: String, robots: List<String>): String
 
     fun tooManyPrograms(robot: String, count: Int, limit: Int): String
+
+    /** This version cannot run programs on the NXT of [robot]. */
+    fun nxtCannotRun(robot: String): String
 }
 
 internal fun told(reason: ProjectMessages.() -> String): (Language) -> String = { ProjectMessages.of(it).reason() }

@@ -76,6 +76,9 @@ internal object SpanishProjectMessages : ProjectMessages {
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "El robot $robot ha recibido $count programas, pero en un ladrillo caben $limit."
 
+    override fun nxtCannotRun(robot: String) =
+        "El robot $robot tiene un NXT, y Robotran todavía no puede hacerlo funcionar: dale un RCX."
+
     private fun tooLong(what: String, characters: Int, limit: Int) =
         "Este $what es demasiado largo para un enlace: ocuparía $characters letras y signos, y como mucho pueden ser " +
             "$limit. Comparte mejor su archivo."

@@ -17,6 +17,7 @@ import java.lang.reflect.Modifier
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.world.messages.RobotMessages as RobotBuildMessages
 
 /** Checks every message of every table in all languages, found by reflection, so that none can be forgotten. */
 class MessageTablesTest {
@@ -113,6 +114,7 @@ class MessageTablesTest {
             SimulationMessages::class.java to SimulationMessages::of,
             JsonMessages::class.java to JsonMessages::of,
             WorldFileMessages::class.java to WorldFileMessages::of,
+            RobotBuildMessages::class.java to RobotBuildMessages::of,
             ProjectMessages::class.java to ProjectMessages::of,
         )
 

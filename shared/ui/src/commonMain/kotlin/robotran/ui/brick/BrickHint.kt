@@ -1,6 +1,7 @@
 package robotran.ui.brick
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -23,6 +24,7 @@ import robotran.nxt.state.NxtState
 import robotran.ui.brick.nxt.ExceptionCalls
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick_off
 import robotran.ui.resources.notice_close
@@ -61,7 +63,14 @@ internal fun BrickHint(
         border = BorderStroke(1.dp, colours.line),
     ) {
         Row {
-            Column(Modifier.weight(1f).verticalScroll(rememberScrollState()).padding(12.dp)) {
+            val scroll = rememberScrollState()
+            Column(
+                Modifier
+                    .weight(1f)
+                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .verticalScroll(scroll)
+                    .padding(12.dp),
+            ) {
                 Text(
                     words,
                     Modifier.testTag("brick-hint").semantics { liveRegion = LiveRegionMode.Polite },

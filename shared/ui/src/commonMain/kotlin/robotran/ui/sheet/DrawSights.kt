@@ -8,6 +8,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
 import robotran.world.BumperPart
+import robotran.world.Paper
 import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.geometry.Point
@@ -51,28 +52,31 @@ private fun DrawScope.drawCone(cone: Sight.Cone, corners: List<Point>, transform
     val colour = SheetColours.SIGHT
     val line = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f))
     val fading = Brush.radialGradient(
-        0f to colour.copy(alpha = 0.45f),
-        1f to colour.copy(alpha = if (cone.isSound) 0.03f else 0.08f),
+        0f to colour.copy(alpha = if (cone.isSound) 0.3f else 0.45f),
+        1f to colour.copy(alpha = if (cone.isSound) 0.04f else 0.08f),
         center = transform.toPixels(cone.eye),
         radius = max(transform.toPixels(cone.reach), 1f),
     )
     drawPath(path, fading)
-    drawPath(path, colour.copy(alpha = 0.6f), style = line)
+    drawPath(path, colour.copy(alpha = if (cone.isSound) 0.35f else 0.6f), style = line)
     val heard = cone.heard ?: return
     val echo = Path().apply { addLine(cone.arc(heard).map(transform::toPixels), closed = false) }
     val width = max(transform.toPixels(ECHO_CENTIMETRES), 2.5f)
     drawPath(echo, SheetColours.ECHO, style = Stroke(width, cap = StrokeCap.Round))
 }
 
-/** The area that is seen, up to what hides the rest. */
+/** The area that is seen, up to what hides the rest. Sound is drawn as far as the paper. */
 internal fun sightCorners(cone: Sight.Cone, number: Int, world: World, state: SessionState): List<Point> {
-    val others = state.robots.indices.filter { it != number }.mapNotNull { other ->
-        world.robots.getOrNull(other)?.let { robotOutline(state.robots[other].robot.pose, it.description) }
-    }
+    val others = robotOutlines(world, state).filterIndexed { other, _ -> other != number }
+    val edges = if (cone.isSound) listOf(cornersOf(world.paper)) else emptyList()
     val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
-        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
+        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others + edges
     return litArea(cone.eye, cone.direction, cone.degrees, cone.reach, inTheWay)
 }
+
+private fun cornersOf(paper: Paper): List<Point> =
+    listOf(0.0 to 0.0, paper.width to 0.0, paper.width to paper.height, 0.0 to paper.height)
+        .map { (x, y) -> Point(x, y) }
 
 /** Three short lines at each pressed bumper. */
 internal fun contacts(

@@ -1,6 +1,8 @@
 package robotran.ui.sheet
 
+import robotran.simulation.state.SessionState
 import robotran.world.RobotDescription
+import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.robot.footprint
@@ -37,7 +39,11 @@ internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<P
     )
 }
 
-/** The convex hull of [robot] from above. */
+/** The convex hull of each robot from above. */
+internal fun robotOutlines(world: World, state: SessionState): List<List<Point>> =
+    world.robots.zip(state.robots) { place, now -> robotOutline(now.robot.pose, place.description) }
+
+/** The convex hull of a robot from above. */
 internal fun robotOutline(pose: Pose, robot: RobotDescription): List<Point> {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)

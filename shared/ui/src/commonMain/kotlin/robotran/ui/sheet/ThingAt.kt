@@ -123,10 +123,9 @@ private fun distanceToRobot(pose: Pose, robot: RobotDescription, point: Point): 
     val x = point.x - pose.x
     val y = point.y - pose.y
     val seen = Point(x * cosine + y * sine, y * cosine - x * sine)
-    return with(robot.box) {
-        val middle = Point((left + right) / 2, (bottom + top) / 2)
-        Shape.Rectangle(middle, right - left, top - bottom).distanceTo(seen)
-    }
+    val box = robot.box
+    val middle = Point((box.right + box.left) / 2, (box.top + box.bottom) / 2)
+    return Shape.Rectangle(middle, box.right - box.left, box.top - box.bottom).distanceTo(seen)
 }
 
 private const val LAMP_RADIUS = 1.5

@@ -38,7 +38,7 @@ internal fun poseOf(thing: SheetElement, world: World, session: SessionState): P
 /** The radius of a movable element around that point. */
 internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.kind) {
     SheetElementKind.ROBOT -> {
-        world.robots.getOrNull(thing.number)?.let { it.description.box.right + 1 } ?: 0.0
+        (world.robots.getOrNull(thing.number) ?: world.robots.first()).description.box.right + 1
     }
 
     SheetElementKind.BLOCK -> {

@@ -3,10 +3,12 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.asSkiaBitmap
 import org.jetbrains.skia.Image
+import robotran.brick.sensors.SensorKind
 import robotran.nxt.state.NxtState
 import robotran.simulation.state.SessionState
 import robotran.ui.brick.nxt.NxtScenes
 import robotran.ui.golden.GoldenPicture
+import robotran.ui.sheet3d.renderSpace
 import robotran.ui.theme.RobotranColours
 import robotran.world.BumperPart
 import robotran.world.Paper
@@ -58,15 +60,31 @@ class RobotsPictureTest {
         resting.copy(
             robots = resting.robots.zip(robots) { snapshot, place ->
                 val isNxt = place.description.brick == NxtScenes.menu.kind
-                val brick = if (isNxt) hearing(NxtScenes.running, 45) else snapshot.brick
+                val brick = if (isNxt) hearing(place.description) else snapshot.brick
                 snapshot.copy(brick = brick, robot = snapshot.robot.copy(pressed = if (isNxt) setOf(0) else emptySet()))
             },
         )
     }
 
-    private fun hearing(state: NxtState, distance: Int): NxtState = state.copy(
-        sensorPorts = state.sensorPorts.map { if (it.distance != null) it.copy(distance = distance) else it },
-    )
+    /** The state of an NXT whose ultrasonic sensors hear the wall and the other robots. */
+    private fun hearing(robot: RobotDescription): NxtState = NxtScenes.running.let { state ->
+        val sonars = robot.parts.filter { it.kind == SensorKind.ULTRASONIC }.map { it.port }
+        state.copy(
+            sensorPorts = state.sensorPorts.map {
+                it.copy(distance = if (it.port in sonars) HEARD.getValue(checkNotNull(robot.base))[it.port] else null)
+            },
+        )
+    }
+
+    @Test
+    fun `all robots look as they did in perspective`() {
+        for ((name, turn, tilt) in listOf(Triple("left", 60.0, 40.0), Triple("front", 200.0, 30.0))) {
+            val seen = renderSpace(world, state, WIDTH, 1_000) {
+                it.around(world.paper, Point(62.0, 47.0), turn, tilt, 1.1)
+            }
+            GoldenPicture.check("robots-space-$name", image(seen))
+        }
+    }
 
     private fun picture(colours: SheetColours, shown: Set<SheetLayer>): Image =
         image(renderOn(world, WIDTH, density = 1f) { drawSheet(it, state, colours, shown = shown) })
@@ -75,5 +93,13 @@ class RobotsPictureTest {
 
     private companion object {
         const val WIDTH = 1_600
+
+        /** By the robot and the port. */
+        val HEARD = mapOf(
+            "nxt-penbot" to mapOf(4 to 11),
+            "sumo" to mapOf(4 to 255),
+            "both-sides" to mapOf(1 to 33, 4 to 255),
+            "line-follower" to emptyMap(),
+        )
     }
 }

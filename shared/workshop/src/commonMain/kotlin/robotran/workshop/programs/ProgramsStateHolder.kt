@@ -216,6 +216,8 @@ class ProgramsStateHolder(
             known?.movedTo(placement) ?: robotOf(placement, ProjectRobot(placement.name), emptyList())
         }
         if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
+        // A robot with other wheels drives for other times.
+        requestCompile()
         refresh()
     }
 

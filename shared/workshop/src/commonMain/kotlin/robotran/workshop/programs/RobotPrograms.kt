@@ -7,6 +7,7 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.projects.calibration
 import robotran.projects.lightFacingOf
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
@@ -24,10 +25,11 @@ import robotran.world.RobotPlacement
 internal class RobotPrograms(
     val placement: RobotPlacement,
     private val saved: ProjectRobot,
-    private val compiler: ProgramCompiler,
+    anyCompiler: ProgramCompiler,
     first: List<PupilProgram>,
     private val view: ProgramView,
 ) {
+    private val compiler = anyCompiler.withCalibration(placement.description.calibration)
     private val given: PupilProgram = worldProgramOf(placement)
 
     val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler) { slot ->
@@ -119,7 +121,7 @@ internal class RobotPrograms(
                 if (isOwn) emptyList() else list.programs,
                 entry.view,
             )
-        if (!isOwn) moved.remember(this) { it }
+        if (!isOwn) moved.remember(this) { if (moved.compiler === compiler) it else it.unread() }
         moved.closed = closed
         moved.closedMessageShown = closedMessageShown
         return moved

@@ -42,7 +42,7 @@ internal fun readDescription(place: JsonCursor): RobotDescription {
             place.optional("brickAt")?.let(::readPoint) ?: like.brickAt.at,
             place.optional("brickTurned")?.flag() ?: like.brickAt.turned,
         ),
-        parts = place.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it, like) } ?: like.parts,
+        parts = place.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
         base = base?.base,
         unknown = unknownOf(place),
     )
@@ -86,13 +86,6 @@ private fun readDiameter(place: JsonCursor): Double {
 
 private fun readPen(place: JsonCursor): PenMount? =
     if (place.isNull) null else PenMount(place.choice(MOTORS))
-
-/** A part that is, but for its rounding, one of the robot that this one is like, is that part. */
-private fun readPart(place: JsonCursor, like: RobotDescription): RobotPart {
-    val part = readPart(place)
-    val same = like.parts.firstOrNull { it.on(null).rounded() == part.on(null) }
-    return same?.on(part.port) ?: part
-}
 
 private fun readPart(place: JsonCursor): RobotPart {
     val kind = place.member("kind").choice(PART_KINDS)

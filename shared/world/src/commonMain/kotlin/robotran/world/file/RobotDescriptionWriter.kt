@@ -17,7 +17,6 @@ import robotran.world.RobotDescription
 import robotran.world.RobotPart
 import robotran.world.RotationPart
 import robotran.world.SensorPart
-import robotran.world.robot.rounded
 
 /** [robot] in a world: its name if it is a ready one. */
 internal fun elementOf(robot: RobotDescription): JsonElement =
@@ -56,29 +55,29 @@ private fun elementOf(drive: Drive, like: Drive) = jsonObject {
 }
 
 private fun elementOf(part: RobotPart): JsonObject = jsonObject(part.unknown.members) {
-    when (val exact = part.rounded()) {
+    when (part) {
         is BumperPart -> {
-            head(PartKind.BUMPER, exact)
-            put("at", point(exact.at))
-            number("width", exact.width)
-            number("depth", exact.depth, default = BumperPart.DEFAULT_DEPTH)
-            number("direction", exact.direction, default = 0.0)
-            text("side", exact.side?.let(::wordFor))
+            head(PartKind.BUMPER, part)
+            put("at", point(part.at))
+            number("width", part.width)
+            number("depth", part.depth, default = BumperPart.DEFAULT_DEPTH)
+            number("direction", part.direction, default = 0.0)
+            text("side", part.side?.let(::wordFor))
         }
 
-        is FingerTouchPart -> head(PartKind.TOUCH, exact)
+        is FingerTouchPart -> head(PartKind.TOUCH, part)
 
         is RotationPart -> {
-            head(PartKind.ROTATION, exact)
-            text("wheel", wordFor(exact.wheel))
+            head(PartKind.ROTATION, part)
+            text("wheel", wordFor(part.wheel))
         }
 
         is SensorPart -> {
-            head(PartKind.entries.first { it.sensor == exact.sensor }, exact)
-            put("at", point(exact.at))
-            number("height", exact.height, default = defaultHeight(exact.facing))
-            if (exact.facing != defaultFacing(exact.sensor)) put("facing", elementOf(exact.facing))
-            text("turret", exact.turret?.name)
+            head(PartKind.entries.first { it.sensor == part.sensor }, part)
+            put("at", point(part.at))
+            number("height", part.height, default = defaultHeight(part.facing))
+            if (part.facing != defaultFacing(part.sensor)) put("facing", elementOf(part.facing))
+            text("turret", part.turret?.name)
         }
     }
 }

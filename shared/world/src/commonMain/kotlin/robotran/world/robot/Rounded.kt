@@ -3,6 +3,7 @@ package robotran.world.robot
 import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.FingerTouchPart
+import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.RobotPart
 import robotran.world.RotationPart
@@ -30,7 +31,13 @@ fun RobotDescription.rounded(): RobotDescription = copy(
     parts = parts.map { it.rounded() },
 )
 
-fun RobotPart.rounded(): RobotPart = when (this) {
+/** A part that is one of the penbot's but for its rounding is that part. */
+fun RobotPart.rounded(): RobotPart {
+    val inThousandths = inThousandths()
+    return PENBOT_PARTS[inThousandths.on(null)]?.on(port) ?: inThousandths
+}
+
+private fun RobotPart.inThousandths(): RobotPart = when (this) {
     is BumperPart -> copy(
         at = at.rounded(),
         width = roundToThousandths(width),
@@ -46,5 +53,9 @@ fun RobotPart.rounded(): RobotPart = when (this) {
 
     is FingerTouchPart, is RotationPart -> this
 }
+
+/** The penbot's parts, by what they are when they are rounded. */
+private val PENBOT_PARTS: Map<RobotPart, RobotPart> =
+    ReadyRobots.RCX_PENBOT.parts.map { it.on(null) }.associateBy { it.inThousandths() }
 
 private fun Point.rounded() = Point(roundToThousandths(x), roundToThousandths(y))

@@ -78,6 +78,8 @@ class ReadWorldTest {
                     program,
                 ),
                 RobotPlacement(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
+                RobotPlacement(Pose(120.0, 30.0, 0.0), "carl", description = ReadyRobots.LINE_FOLLOWER),
+                RobotPlacement(Pose(180.0, 50.0, 0.0), "dora", description = loadedRobot(FULL_ROBOT)),
             ),
             full.robots,
         )

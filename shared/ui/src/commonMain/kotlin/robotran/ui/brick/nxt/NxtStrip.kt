@@ -39,10 +39,10 @@ internal fun NxtStrip(
     ) {
         NxtDisplayView(
             state,
-            4.dp,
-            (if (isLow) Modifier.size(144.dp, 48.dp) else Modifier.size(182.dp, 58.dp))
+            2.dp,
+            (if (isLow) Modifier.size(118.dp, 48.dp) else Modifier.size(178.dp, 58.dp))
                 .background(NxtColours.FRAME, Shapes.SMALL)
-                .padding(2.dp),
+                .padding(1.dp),
             rowsToShow(state),
         )
         NxtButtonView(

@@ -11,6 +11,7 @@ import robotran.world.Penbot
 import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
+import robotran.world.robot.box
 
 /** Writes the sheet and everything on it as an SVG picture; a unit is a centimetre, y points down. */
 internal class SheetSvg(private val world: World, private val state: SessionState) {
@@ -133,7 +134,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
     private fun names() {
         for ((place, now) in world.robots.zip(state.robots)) {
             val pose = now.robot.pose
-            shapes.label(place.name, Point(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_SIZE), NAME_SIZE)
+            shapes.label(place.name, Point(pose.x, pose.y - place.description.box.top - NAME_SIZE), NAME_SIZE)
         }
     }
 

@@ -26,6 +26,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
+import robotran.world.ReadyRobots
 import kotlin.test.Test
 
 /** Compares pictures of an NXT with reviewed ones. */
@@ -35,7 +36,7 @@ class NxtPictureTest {
 
     @Test
     fun `the front looks as it did in all its states`() = byDayAndNight { name, dark ->
-        GoldenPicture.check("nxt-fronts-$name", picture(1_640, 640, dark) { Fronts() })
+        GoldenPicture.check("nxt-fronts-$name", picture(1_640, 800, dark) { Fronts() })
     }
 
     @Test
@@ -47,7 +48,7 @@ class NxtPictureTest {
     fun `a phone, a tablet and a laptop show it as they did`() = byDayAndNight { name, dark ->
         for ((screen, width, height) in SCREENS) {
             for ((pane, brick) in listOf(Pane.WORLD to NxtScenes.running, Pane.BRICK to NxtScenes.failed)) {
-                val state = NxtScenes.screen(brick).copy(pane = pane)
+                val state = NxtScenes.screen(brick, isWhole = pane == Pane.BRICK).copy(pane = pane)
                 val seen = picture(width, height, dark) { WorkshopScreen(state, { }) }
                 GoldenPicture.check("nxt-$screen-${pane.name.lowercase()}-$name", seen)
             }
@@ -58,7 +59,8 @@ class NxtPictureTest {
     private fun Fronts() = Row(Modifier.padding(20.dp), Arrangement.spacedBy(20.dp)) {
         for (state in states) {
             Column(Modifier.width(300.dp), Arrangement.spacedBy(12.dp)) {
-                BrickFront(state, state.pressed, { }, { }, robot = NxtScenes.robot)
+                val robot = if (state === NxtScenes.loud) ReadyRobots.LINE_FOLLOWER else NxtScenes.robot
+                BrickFront(state, state.pressed, { }, { }, robot = robot)
                 BrickHint(state)
             }
         }

@@ -17,7 +17,9 @@ import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
 import robotran.nxt.state.NxtState
 import robotran.simulation.state.SessionState
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
+import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -37,8 +39,7 @@ internal object NxtScenes {
         setAnalog(0, 183)
         setAnalog(2, 430)
         connect(3, Sonar(45))
-        press(BrickButton.RIGHT)
-    }
+    }.let { it.copy(pressed = setOf(BrickButton.RIGHT)) }
 
     /** A tone, messages and a colour. */
     val loud: NxtState = started(
@@ -71,8 +72,9 @@ internal object NxtScenes {
     )
 
     /** The screen of a workshop whose first robot is [robot] with this brick. */
-    fun screen(brick: NxtState, robot: RobotDescription = this.robot): WorkshopState {
+    fun screen(brick: NxtState, robot: RobotDescription = this.robot, isWhole: Boolean = false): WorkshopState {
         val workshop = runBlocking { openWorkshop() }
+        for (form in WindowForm.entries) workshop.handle(SettingsEvent.BrickSizeChosen(form, isWhole))
         val state = workshop.state.also { workshop.close() }
         fun SessionState.with() = copy(robots = listOf(robots.first().copy(brick = brick)) + robots.drop(1))
         val first = state.world.robots.first().copy(description = robot)
