@@ -17,7 +17,7 @@ internal class BrickOnRobot(
     wheels: WheelShape,
 ) {
     private val seat = robot.brickSeat
-    private val isAlong = seat.upperEnd % HALF_TURN == 0
+    private val isAlong = seat.isAlong
 
     // Where the tyres are, it is as wide as the chassis.
     private val isBesideWheels = abs(seat.middle.x) - seat.halfAlong < wheels.radius
@@ -46,7 +46,7 @@ internal class BrickOnRobot(
         palette.brickEdge(build.colour),
         palette,
         round,
-        ahead = front - EYE_BACK,
+        ahead = front - if (isAlong) EYE_BACK_ALONG else EYE_BACK,
         aside = if (hasSensorInFront) minOf(EYE_FAR_ASIDE, halfAcross) else EYE_ASIDE,
     )
     val beacon: Body? = if (build.beacon > 0) beaconBody(palette, round, seat.middle.x) else null
@@ -113,6 +113,9 @@ internal class BrickOnRobot(
         const val QUARTER_TURN = 90
         const val HALF_TURN = 180
         const val EYE_BACK = 1.05
+
+        /** Less, to keep the display visible. */
+        const val EYE_BACK_ALONG = 0.45
         const val EYE_ASIDE = 2.45
         const val EYE_FAR_ASIDE = 3.75
         const val EYE_ROOM = 2.5

@@ -6,6 +6,7 @@ import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
@@ -31,6 +32,7 @@ import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
+import robotran.ui.runbar.LocalBrickKind
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
@@ -81,11 +83,13 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             WithAllowedBlocks(state, onEvent) {
                 val edit = state.worldEdit
-                when {
-                    edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
-                    layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
-                    layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
-                    else -> NarrowScreen(state, onEvent)
+                CompositionLocalProvider(LocalBrickKind provides state.run.brick.kind) {
+                    when {
+                        edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
+                        layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
+                        layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
+                        else -> NarrowScreen(state, onEvent)
+                    }
                 }
             }
         }

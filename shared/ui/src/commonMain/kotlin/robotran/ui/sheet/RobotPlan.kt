@@ -8,6 +8,7 @@ import androidx.compose.ui.graphics.Path
 import robotran.brick.kind.BrickKind
 import robotran.world.RobotDescription
 import robotran.world.geometry.Point
+import robotran.world.robot.brickSeat
 import robotran.world.robot.bumpers
 import kotlin.math.max
 
@@ -41,9 +42,12 @@ internal class RobotPlan(val robot: RobotDescription) {
     /** The visible sensors, the lower ones first. */
     val sensors: List<SensorTop> = sensorTops(robot)
 
+    /** On a brick that lies along the robot, the eyes are farther ahead, to keep its display visible. */
+    private val eyesAhead: Float get() = brick.box.right + if (robot.brickSeat.isAlong) EYE_BEYOND else -EYE_BACK
+
     /** Two round tiles on the front edge of the brick, left and right of what is in the middle. */
     val eyes: List<Offset> = eyeSides().let { y ->
-        val x = brick.box.right - EYE_BACK
+        val x = eyesAhead
         listOf(Offset(x, brick.box.center.y - y), Offset(x, brick.box.center.y + y))
     }
 
@@ -85,7 +89,7 @@ internal class RobotPlan(val robot: RobotDescription) {
 
     /** How far the eyes are from the middle: farther where a sensor is between them. */
     private fun eyeSides(): Float {
-        val x = brick.box.right - EYE_BACK
+        val x = eyesAhead
         return EYE_SIDES.firstOrNull { y ->
             val eye = Rect(Offset(x, y), EYE_RADIUS)
             sensors.none { it.box.overlaps(eye) }
@@ -113,6 +117,7 @@ internal class RobotPlan(val robot: RobotDescription) {
         const val EYE_RADIUS = 1.3f
         const val PUPIL_RADIUS = 0.66f
         private const val EYE_BACK = 0.3f
+        private const val EYE_BEYOND = 0.5f
         private val EYE_SIDES = listOf(2.25f, 3.7f)
 
         /** How far a pupil moves from the middle of its eye. */

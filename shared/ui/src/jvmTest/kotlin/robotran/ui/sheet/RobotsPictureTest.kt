@@ -8,6 +8,8 @@ import robotran.nxt.state.NxtState
 import robotran.simulation.state.SessionState
 import robotran.ui.brick.nxt.NxtScenes
 import robotran.ui.golden.GoldenPicture
+import robotran.ui.pictures.labelsWith
+import robotran.ui.pictures.pictureFonts
 import robotran.ui.sheet3d.renderSpace
 import robotran.ui.theme.RobotranColours
 import robotran.world.BumperPart
@@ -87,7 +89,7 @@ class RobotsPictureTest {
     }
 
     private fun picture(colours: SheetColours, shown: Set<SheetLayer>): Image =
-        image(renderOn(world, WIDTH, density = 1f) { drawSheet(it, state, colours, shown = shown) })
+        image(renderOn(world, WIDTH, density = 1f) { drawSheet(it, state, colours, labelsWith(checkNotNull(pictureFonts())), shown) })
 
     private fun image(bitmap: ImageBitmap): Image = Image.makeFromBitmap(bitmap.asSkiaBitmap())
 

@@ -15,11 +15,14 @@ import kotlin.math.abs
  * @property length in centimetres, from its upper to its lower end.
  */
 data class BrickSeat(val middle: Point, val upperEnd: Int, val width: Double, val length: Double) {
+    /** Whether it lies along the robot, not across. */
+    val isAlong: Boolean get() = upperEnd % HALF_TURN == 0
+
     /** Half of what it covers along the robot. */
-    val halfAlong: Double get() = (if (upperEnd % HALF_TURN == 0) length else width) / 2
+    val halfAlong: Double get() = (if (isAlong) length else width) / 2
 
     /** Half of what it covers across the robot. */
-    val halfAcross: Double get() = (if (upperEnd % HALF_TURN == 0) width else length) / 2
+    val halfAcross: Double get() = (if (isAlong) width else length) / 2
 }
 
 /**

@@ -81,8 +81,8 @@ internal fun DrawScope.drawPlug(colour: Color, isAbove: Boolean, isPlugged: Bool
     }
     val width = NxtPlan.CABLE_WIDTH * unit
     val start = if (isAbove) 0f else block.bottom - unit
-    drawRect(NxtColours.PLUG, Offset((size.width - width) / 2, start), Size(width, cable + unit))
-    drawRoundRect(NxtColours.LABEL, block.topLeft, block.size, corner)
+    drawRect(NxtColours.PLUG_EDGE, Offset((size.width - width) / 2, start), Size(width, cable + unit))
+    drawRoundRect(NxtColours.PLUG_EDGE, block.topLeft, block.size, corner)
     val face = block.deflate(unit)
     drawRoundRect(colour, face.topLeft, face.size, corner)
     // The latch of the plug.

@@ -24,6 +24,7 @@ internal object NxtColours {
     val SPEAKING = Color(0xFFF07C1A)
     val RADIO = Color(0xFF2F7FE0)
     val PLUG = Color(0xFF2C3034)
+    val PLUG_EDGE = Color(0xFF565C62)
     val SENSOR_PLUG = Color(0xFFC3C8CB)
     val SOCKET = Color(0xFF8E9499)
     val ON_PLUG = Color(0xFFF7F7F5)

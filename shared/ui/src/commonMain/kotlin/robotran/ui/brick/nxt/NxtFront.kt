@@ -17,6 +17,7 @@ import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
+import robotran.brick.state.RunState
 import robotran.nxt.state.NxtState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
@@ -66,7 +67,7 @@ internal fun NxtFront(
             }, { onRelease(button) }, Modifier.at(place, unit))
         }
         state.sensorPorts.forEachIndexed { port, sensor ->
-            SensorPlug(sensor, robot.partOn(sensor.port), state.poweredOn, unit, {
+            SensorPlug(sensor, robot.partOn(sensor.port), state.poweredOn, state.run is RunState.Running, unit, {
                 onTouch(port, it)
             }, Modifier.at(NxtPlan.SENSORS[port], unit))
         }

@@ -50,7 +50,8 @@ import robotran.world.RobotPart
  * A sensor port with what is plugged in and its value. It is lit while it is powered or its touch sensor is pressed.
  *
  * @param plugged the part on the port; null if it is empty.
- * @param isOn whether the brick is switched on and measures.
+ * @param isOn whether the brick is switched on.
+ * @param isRead whether a program runs that may read the sensor.
  * @param onTouch called when the user presses or releases a touch sensor for fingers; never called for other sensors.
  */
 @Composable
@@ -58,13 +59,14 @@ internal fun SensorPlug(
     state: SensorPortState,
     plugged: RobotPart?,
     isOn: Boolean,
+    isRead: Boolean,
     unit: Dp,
     onTouch: (Boolean) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val isForFingers = plugged is FingerTouchPart
     val isPressed = plugged?.kind == SensorKind.TOUCH && state.isPressed
-    val showsValue = isOn && (plugged != null || state.type != SensorType.NO_SENSOR)
+    val showsValue = isOn && ((isRead && plugged != null) || state.type != SensorType.NO_SENSOR)
     val lit = isOn && (isPressed || state.isActive)
     Plug(
         if (lit) NxtColours.READ else NxtColours.SENSOR_PLUG,

@@ -7,6 +7,10 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
@@ -29,6 +33,12 @@ internal fun NxtStrip(
     modifier: Modifier,
     isLow: Boolean,
 ) {
+    var rows by remember { mutableStateOf(rowsToShow(state)) }
+    var before by remember { mutableStateOf(state.display) }
+    if (before != state.display) {
+        rows = rowsAfter(rows, before.lines, state)
+        before = state.display
+    }
     Row(
         modifier
             .background(NxtColours.FACE, Shapes.LARGE)
@@ -43,7 +53,7 @@ internal fun NxtStrip(
             (if (isLow) Modifier.size(118.dp, 48.dp) else Modifier.size(178.dp, 58.dp))
                 .background(NxtColours.FRAME, Shapes.SMALL)
                 .padding(1.dp),
-            rowsToShow(state),
+            rows,
         )
         NxtButtonView(
             BrickButton.ENTER,
@@ -56,20 +66,30 @@ internal fun NxtStrip(
     }
 }
 
-/** The rows around the marked entry of a menu; otherwise those with the last ones of what is shown. */
+/** The rows around the marked entry of a menu, or what is shown from its first row on. */
 internal fun rowsToShow(state: NxtState): IntRange {
     val lines = state.display.lines
-    val first = lines.indexOfFirst { it.isNotBlank() }.coerceAtLeast(0)
-    val last = lines.indexOfLast { it.isNotBlank() }.coerceAtLeast(0)
     val marked = state.menu?.takeIf { it.selected >= 0 }?.let { menu ->
         lines.indexOfFirst { it.trim() == menu.entries[menu.selected].take(DisplaySize.COLUMNS).trim() }
     }
-    val top = when {
-        marked != null && marked >= 0 -> marked - STRIP_ROWS / 2
-        last - first < STRIP_ROWS -> first
-        else -> last - STRIP_ROWS + 1
-    }
-    return top.coerceIn(0, DisplaySize.ROWS - STRIP_ROWS).let { it..<it + STRIP_ROWS }
+    val first = lines.indexOfFirst { it.isNotBlank() }.coerceAtLeast(0)
+    return rowsFrom(if (marked != null && marked >= 0) marked - STRIP_ROWS / 2 else first)
 }
+
+/** The rows to show after [rows], when the display changes from [before]: what is new is among them. */
+internal fun rowsAfter(rows: IntRange, before: List<String>, state: NxtState): IntRange {
+    if (state.menu != null) return rowsToShow(state)
+    val lines = state.display.lines
+    val changed = lines.indices.filter { lines[it] != before.getOrNull(it) && lines[it].isNotBlank() }
+    return when {
+        changed.isEmpty() -> if (lines.slice(rows).all { it.isBlank() }) rowsToShow(state) else rows
+        changed.all { it in rows } -> rows
+        changed.last() - changed.first() < STRIP_ROWS -> rowsFrom(changed.first())
+        else -> rowsFrom(changed.last() - STRIP_ROWS + 1)
+    }
+}
+
+private fun rowsFrom(top: Int): IntRange =
+    top.coerceIn(0, DisplaySize.ROWS - STRIP_ROWS).let { it..<it + STRIP_ROWS }
 
 private const val STRIP_ROWS = 4

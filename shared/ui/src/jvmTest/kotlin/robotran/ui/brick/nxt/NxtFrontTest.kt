@@ -142,9 +142,16 @@ class NxtFrontTest {
     }
 
     @Test
-    fun `the strip shows the marked entry of the menu, or the last rows`() {
+    fun `the strip shows the marked entry of the menu, or what is shown, or what has changed last`() {
         assertEquals(true, rowsToShow(NxtScenes.menu).contains(NxtScenes.menu.display.lines.indexOfFirst { "Run" in it }))
-        assertEquals(4..7, rowsToShow(NxtScenes.running))
+        assertEquals(0..3, rowsToShow(NxtScenes.running))
         assertEquals(3..6, rowsToShow(NxtScenes.loud))
+        val lines = NxtScenes.running.display.lines
+        fun after(vararg changed: Int) =
+            rowsAfter(0..3, lines.mapIndexed { row, line -> if (row in changed) "?" else line }, NxtScenes.running)
+        assertEquals(0..3, after(2, 3))
+        assertEquals(2..5, after(2, 5))
+        assertEquals(4..7, after(0, 2, 7))
+        assertEquals(0..3, after(6))
     }
 }
