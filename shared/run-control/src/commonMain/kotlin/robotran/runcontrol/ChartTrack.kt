@@ -45,8 +45,15 @@ enum class ChartLane(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
 
     companion object {
         /** The lanes of a robot with a [kind] of brick: sensors, then motors, then their counters. */
-        fun of(kind: BrickKind): List<ChartLane> =
-            entries.filter { kind in it.kinds }.sortedBy { if (it.isDegrees) 2 else if (it.isMotor) 1 else 0 }
+        fun of(kind: BrickKind): List<ChartLane> = entries.filter { kind in it.kinds }.sortedBy {
+            if (it.isDegrees) {
+                2
+            } else if (it.isMotor) {
+                1
+            } else {
+                0
+            }
+        }
     }
 }
 

@@ -40,7 +40,9 @@ internal class BrickOnRobot(
 
     /** Its front edge, and where the eyes are aside of the middle: farther where a sensor is between them. */
     private val front = seat.middle.x + seat.halfAlong
-    private val hasSensorInFront = robot.parts.any { it is SensorPart && it.height >= SensorSeats.HIGH && isInFront(it) }
+    private val hasSensorInFront = robot.parts.any {
+        it is SensorPart && it.height >= SensorSeats.HIGH && isInFront(it)
+    }
     val eyes = EyeBodies(
         palette.brick(build.colour),
         palette.brickEdge(build.colour),

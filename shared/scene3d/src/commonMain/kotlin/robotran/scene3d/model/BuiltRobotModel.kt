@@ -106,6 +106,7 @@ internal class BuiltRobotModel(
         val room = (bumper.at.x * x + bumper.at.y * y - edge).coerceAtLeast(THINNEST)
         val depth = minOf(BAR_DEPTH, room)
         val moved = minOf(way, room - depth)
+
         fun corner(outwards: Double, leftwards: Double) = Point(
             bumper.at.x + (outwards - moved) * x - leftwards * y,
             bumper.at.y + (outwards - moved) * y + leftwards * x,

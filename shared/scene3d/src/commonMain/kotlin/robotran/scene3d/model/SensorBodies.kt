@@ -36,7 +36,10 @@ internal class SensorBodies(
                 edge != FRONT -> emptyList()
 
                 kind == SensorKind.ULTRASONIC -> listOf(-half / 2, half / 2).flatMap { y ->
-                    listOf(eye(y, base, half * EYE_PART, palette.chassis), eye(y, base, half * LENS_PART, palette.orange))
+                    listOf(
+                        eye(y, base, half * EYE_PART, palette.chassis),
+                        eye(y, base, half * LENS_PART, palette.orange),
+                    )
                 }
 
                 else -> listOf(eye(0.0, base, half * MICROPHONE_PART, palette.chassis))

@@ -34,7 +34,15 @@ internal class SensorSeats(
     private val round: Round,
 ) {
     private val bodies = SensorBodies(robot.brick, palette, round)
-    private val box = Box(hull.corners.minOf { it.x }, hull.corners.minOf { it.y }, hull.corners.maxOf { it.x }, hull.corners.maxOf { it.y })
+    private val box =
+        Box(
+            hull.corners.minOf {
+                it.x
+            },
+            hull.corners.minOf { it.y },
+            hull.corners.maxOf { it.x },
+            hull.corners.maxOf { it.y },
+        )
 
     val all: List<SeatedSensor> = robot.things.filterIsInstance<SensorPart>().mapNotNull { part ->
         when {
@@ -67,7 +75,11 @@ internal class SensorSeats(
         val covered = Box.around(ConvexPolygon.rectangle(back, -half, 0.0, half).placed(place))
         if (covered.isApartFrom(brick)) {
             if (!covered.isIn(hull)) return null
-            return SeatedSensor(SensorLevel.ON_CHASSIS, bodies.high(part.sensor, back, half, RobotPlan3D.CHASSIS_TOP), place)
+            return SeatedSensor(
+                SensorLevel.ON_CHASSIS,
+                bodies.high(part.sensor, back, half, RobotPlan3D.CHASSIS_TOP),
+                place,
+            )
         }
         if (direction % QUARTER_TURN != 0.0) return null
         // Moved in the direction in which it looks and cut at its sides until it is on the brick.
@@ -118,14 +130,15 @@ internal class Box(val left: Double, val bottom: Double, val right: Double, val 
         return Box(left - way * x, bottom - way * y, right - way * x, top - way * y)
     }
 
-    fun isIn(polygon: ConvexPolygon): Boolean = listOf(left to bottom, right to bottom, right to top, left to top).all { (x, y) ->
-        (0 until polygon.size).all { corner ->
-            val next = (corner + 1) % polygon.size
-            val alongX = polygon.x(next) - polygon.x(corner)
-            val alongY = polygon.y(next) - polygon.y(corner)
-            alongX * (y - polygon.y(corner)) - alongY * (x - polygon.x(corner)) >= 0
+    fun isIn(polygon: ConvexPolygon): Boolean =
+        listOf(left to bottom, right to bottom, right to top, left to top).all { (x, y) ->
+            (0 until polygon.size).all { corner ->
+                val next = (corner + 1) % polygon.size
+                val alongX = polygon.x(next) - polygon.x(corner)
+                val alongY = polygon.y(next) - polygon.y(corner)
+                alongX * (y - polygon.y(corner)) - alongY * (x - polygon.x(corner)) >= 0
+            }
         }
-    }
 
     companion object {
         private const val HALF = 0.5

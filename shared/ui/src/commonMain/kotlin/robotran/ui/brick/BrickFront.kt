@@ -35,10 +35,13 @@ internal fun BrickFront(
     onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
     when (state.kind) {
-        BrickKind.RCX ->
+        BrickKind.RCX -> {
             RcxFront(state as RcxState, down, onPress, onRelease, modifier, robot.pluggedSensors, onTouch)
+        }
 
-        BrickKind.NXT -> NxtFront(state as NxtState, down, onPress, onRelease, modifier, robot, onTouch)
+        BrickKind.NXT -> {
+            NxtFront(state as NxtState, down, onPress, onRelease, modifier, robot, onTouch)
+        }
     }
 }
 

@@ -36,12 +36,11 @@ import robotran.ui.theme.TextSizes
 
 /** A message that the display cannot show, and the button that helps; null if there is none. */
 @Composable
-internal fun brickHintWords(state: BrickState): String? =
-    state.explanation ?: when {
-        state.poweredOn -> null
-        state.kind == BrickKind.NXT -> stringResource(Res.string.nxt_off)
-        else -> stringResource(Res.string.brick_off)
-    }
+internal fun brickHintWords(state: BrickState): String? = state.explanation ?: when {
+    state.poweredOn -> null
+    state.kind == BrickKind.NXT -> stringResource(Res.string.nxt_off)
+    else -> stringResource(Res.string.brick_off)
+}
 
 /**
  * Shows [brickHintWords] and the calls of an exception, with [action] and a close button if [onClose] is set; empty

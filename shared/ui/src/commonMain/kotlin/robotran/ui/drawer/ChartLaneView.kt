@@ -131,7 +131,6 @@ private fun DrawScope.drawLane(
     now: Long,
     colours: RobotranColours,
 ) {
-
     fun y(value: Int) = size.height - PAD.toPx() -
         (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))

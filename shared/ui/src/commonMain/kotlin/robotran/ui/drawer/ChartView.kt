@@ -89,7 +89,10 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         }
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
             for (line in shown) {
-                Lane(laneName(line.lane), line, state.brick.kind, window, touched ?: state.time, state.time) { touched = it }
+                Lane(laneName(line.lane), line, state.brick.kind, window, touched ?: state.time, state.time) {
+                    touched =
+                        it
+                }
             }
             Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
                 for (time in listOf(window.from, touched, window.until)) {

@@ -20,8 +20,18 @@ internal val LocalBrickKind = compositionLocalOf { BrickKind.RCX }
 internal val DrawerTab.word: StringResource
     @Composable get() = when (this) {
         DrawerTab.VARIABLES -> Res.string.run_tab_variables
-        DrawerTab.LOG -> if (LocalBrickKind.current == BrickKind.RCX) Res.string.run_tab_log else Res.string.run_tab_calls
+
+        DrawerTab.LOG -> if (LocalBrickKind.current ==
+            BrickKind.RCX
+        ) {
+            Res.string.run_tab_log
+        } else {
+            Res.string.run_tab_calls
+        }
+
         DrawerTab.CHART -> Res.string.run_tab_chart
+
         DrawerTab.GOALS -> Res.string.run_tab_goals
+
         DrawerTab.WHY -> Res.string.run_tab_why
     }

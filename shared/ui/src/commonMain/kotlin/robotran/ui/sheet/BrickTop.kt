@@ -48,7 +48,11 @@ internal class BrickTop(val kind: BrickKind, private val middle: Offset, private
 
         fun of(robot: RobotDescription): BrickTop {
             val seat = robot.brickSeat
-            return BrickTop(robot.brick, seat.middle.toPlan(), (ACROSS - seat.upperEnd + WHOLE_TURN) / ACROSS % QUARTERS)
+            return BrickTop(
+                robot.brick,
+                seat.middle.toPlan(),
+                (ACROSS - seat.upperEnd + WHOLE_TURN) / ACROSS % QUARTERS,
+            )
         }
 
         private const val ACROSS = 90

@@ -63,7 +63,7 @@ internal fun readings(world: World, state: SessionState): List<SensorReading> = 
 private fun placeOf(part: RobotPart, robot: RobotState, box: Bounds): Point = when (part) {
     is BumperPart -> {
         val side = sign(part.at.y)
-        if (side == 0.0) robot.at(part, BUMPER_AWAY, 0.0) else robot.at(part, 1.5, side * BUMPER_ASIDE)
+        robot.at(part, BUMPER_AWAY, if (side == 0.0) part.width / 2 - 1 else side * BUMPER_ASIDE)
     }
 
     is RotationPart -> {
@@ -118,7 +118,7 @@ private val READING_SIZE = TextSizes.SMALL
 private const val AWAY = 4.0
 private const val FAR_AWAY = 9.0
 private const val BEHIND = 3.5
-private const val BUMPER_AWAY = 4.0
+private const val BUMPER_AWAY = 1.5
 private const val BUMPER_ASIDE = 5.0
 
 /** Sensors are nearer to each other than their plates may be. */

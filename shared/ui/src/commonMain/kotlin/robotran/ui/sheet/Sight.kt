@@ -48,22 +48,24 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
     val robot = snapshot.robot
     val eye = robot.ahead(part.at.x, part.at.y)
     return when (part.sensor) {
-        SensorKind.LIGHT, SensorKind.COLOUR -> when (val facing = part.facing) {
-            Facing.Down -> {
-                Sight.Spot(eye)
-            }
-
-            is Facing.Ahead -> {
-                Sight.Cone(eye, robot.pose.heading + facing.direction, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
-            }
-
-            // A penbot's looks ahead between its bumpers.
-            Facing.Free -> {
-                if (place.lightFacing == LightFacing.FORWARD) {
-                    val front = robot.ahead(place.description.box.right, part.at.y)
-                    Sight.Cone(front, robot.pose.heading, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
-                } else {
+        SensorKind.LIGHT, SensorKind.COLOUR -> {
+            when (val facing = part.facing) {
+                Facing.Down -> {
                     Sight.Spot(eye)
+                }
+
+                is Facing.Ahead -> {
+                    Sight.Cone(eye, robot.pose.heading + facing.direction, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
+                }
+
+                // A penbot's looks ahead between its bumpers.
+                Facing.Free -> {
+                    if (place.lightFacing == LightFacing.FORWARD) {
+                        val front = robot.ahead(place.description.box.right, part.at.y)
+                        Sight.Cone(front, robot.pose.heading, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
+                    } else {
+                        Sight.Spot(eye)
+                    }
                 }
             }
         }

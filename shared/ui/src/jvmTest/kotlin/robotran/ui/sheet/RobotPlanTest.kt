@@ -70,7 +70,12 @@ class RobotPlanTest {
         val brick = resting.robots.first().brick.let { brick -> brick.withRun(motors.map { it.mode }, brick.run) }
         val state = resting.copy(robots = listOf(resting.robots.first().copy(brick = brick)) + resting.robots.drop(1))
         assertEquals(Offset(1f, 0f), penbotFace(state, 0, drive = drive).gaze)
-        assertEquals(Offset(-1f, 0f), penbotFace(state, 0, drive = drive.copy(reversed = true)).gaze.let { Offset(it.x, abs(it.y)) })
+        assertEquals(
+            Offset(-1f, 0f),
+            penbotFace(state, 0, drive = drive.copy(reversed = true)).gaze.let {
+                Offset(it.x, abs(it.y))
+            },
+        )
         assertEquals(Offset(0.5f, -0.5f), penbotFace(state, 0).gaze)
     }
 

@@ -12,6 +12,7 @@ import robotran.ui.pictures.labelsWith
 import robotran.ui.pictures.pictureFonts
 import robotran.ui.sheet3d.renderSpace
 import robotran.ui.theme.RobotranColours
+import robotran.workshop.state.SheetLayer
 import robotran.world.BumperPart
 import robotran.world.Paper
 import robotran.world.ReadyRobots
@@ -22,7 +23,6 @@ import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
-import robotran.workshop.state.SheetLayer
 import kotlin.test.Test
 
 /** Compares pictures of all kinds of robots on the sheet with reviewed ones. */
@@ -88,8 +88,11 @@ class RobotsPictureTest {
         }
     }
 
-    private fun picture(colours: SheetColours, shown: Set<SheetLayer>): Image =
-        image(renderOn(world, WIDTH, density = 1f) { drawSheet(it, state, colours, labelsWith(checkNotNull(pictureFonts())), shown) })
+    private fun picture(colours: SheetColours, shown: Set<SheetLayer>): Image = image(
+        renderOn(world, WIDTH, density = 1f) {
+            drawSheet(it, state, colours, labelsWith(checkNotNull(pictureFonts())), shown)
+        },
+    )
 
     private fun image(bitmap: ImageBitmap): Image = Image.makeFromBitmap(bitmap.asSkiaBitmap())
 

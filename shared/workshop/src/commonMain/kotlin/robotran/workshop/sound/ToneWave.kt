@@ -84,7 +84,8 @@ class ToneWave {
             } else {
                 maxOf(volume, loudness - RAMP_STEP)
             }
-            buffer[place] = if (loudness == 0.0) 0 else (wave(phase, step, isSoft) * loudness * AMPLITUDE).toInt().toShort()
+            buffer[place] =
+                if (loudness == 0.0) 0 else (wave(phase, step, isSoft) * loudness * AMPLITUDE).toInt().toShort()
             phase += step
             if (phase >= 1.0) phase -= 1.0
         }
@@ -113,8 +114,13 @@ class ToneWave {
         private const val HIGHEST_SQUARE_STEP = 1.0 / 6
         private const val FUNDAMENTAL_OF_SQUARE = 4 / PI
 
-        private fun wave(phase: Double, step: Double, isSoft: Boolean): Double =
-            if (isSoft || step >= HIGHEST_SQUARE_STEP) FUNDAMENTAL_OF_SQUARE * sin(2 * PI * phase) else square(phase, step)
+        private fun wave(phase: Double, step: Double, isSoft: Boolean): Double = if (isSoft ||
+            step >= HIGHEST_SQUARE_STEP
+        ) {
+            FUNDAMENTAL_OF_SQUARE * sin(2 * PI * phase)
+        } else {
+            square(phase, step)
+        }
 
         /** High for half a period and low for the other. The edges are rounded (polyBLEP) to prevent aliasing. */
         private fun square(phase: Double, step: Double): Double =

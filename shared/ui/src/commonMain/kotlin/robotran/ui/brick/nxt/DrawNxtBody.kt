@@ -38,7 +38,11 @@ internal fun DrawScope.drawNxtBody(isSounding: Boolean, isSending: Boolean) {
         block(NxtPlan.FRAME, NxtColours.FRAME, FRAME_CORNER)
         for (slot in NxtPlan.SPEAKER) block(slot, if (isSounding) NxtColours.SPEAKING else NxtColours.SPEAKER, 2f)
         if (isSounding) drawSoundWaves()
-        drawCircle(if (isSending) NxtColours.RADIO else NxtColours.FACE_EDGE, NxtPlan.RADIO_LAMP_RADIUS, NxtPlan.RADIO_LAMP)
+        drawCircle(
+            if (isSending) NxtColours.RADIO else NxtColours.FACE_EDGE,
+            NxtPlan.RADIO_LAMP_RADIUS,
+            NxtPlan.RADIO_LAMP,
+        )
     }
 }
 

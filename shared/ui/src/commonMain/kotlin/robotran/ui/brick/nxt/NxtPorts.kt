@@ -132,13 +132,7 @@ private fun Modifier.touchable(isForFingers: Boolean, onTouch: (Boolean) -> Unit
  * @param isPlugged whether the robot has a motor there.
  */
 @Composable
-internal fun MotorPlug(
-    motor: MotorState,
-    degrees: Int,
-    isPlugged: Boolean,
-    unit: Dp,
-    modifier: Modifier = Modifier,
-) {
+internal fun MotorPlug(motor: MotorState, degrees: Int, isPlugged: Boolean, unit: Dp, modifier: Modifier = Modifier) {
     val name = motor.port.name
     val description = when (motor.mode) {
         MotorMode.FORWARD -> stringResource(Res.string.nxt_motor_forward, name, motor.power, degrees)
@@ -178,13 +172,11 @@ private fun DrawScope.arrow(mode: MotorMode) = Path().apply {
     close()
 }
 
-private fun Modifier.described(
-    description: String,
-    more: SemanticsPropertyReceiver.() -> Unit,
-): Modifier = clearAndSetSemantics {
-    contentDescription = description
-    more()
-}
+private fun Modifier.described(description: String, more: SemanticsPropertyReceiver.() -> Unit): Modifier =
+    clearAndSetSemantics {
+        contentDescription = description
+        more()
+    }
 
 @Composable
 private fun Plug(

@@ -89,7 +89,6 @@ internal fun rowsAfter(rows: IntRange, before: List<String>, state: NxtState): I
     }
 }
 
-private fun rowsFrom(top: Int): IntRange =
-    top.coerceIn(0, DisplaySize.ROWS - STRIP_ROWS).let { it..<it + STRIP_ROWS }
+private fun rowsFrom(top: Int): IntRange = top.coerceIn(0, DisplaySize.ROWS - STRIP_ROWS).let { it..<it + STRIP_ROWS }
 
 private const val STRIP_ROWS = 4

@@ -67,8 +67,7 @@ class NxtFrontTest {
     }
 
     @Test
-    fun `its plan fits where that of an RCX does`() =
-        assertEquals(BRICK_ASPECT, NxtPlan.WIDTH / NxtPlan.HEIGHT)
+    fun `its plan fits where that of an RCX does`() = assertEquals(BRICK_ASPECT, NxtPlan.WIDTH / NxtPlan.HEIGHT)
 
     @Test
     fun `no two things on the front lie over each other`() {
@@ -143,10 +142,18 @@ class NxtFrontTest {
 
     @Test
     fun `the strip shows the marked entry of the menu, or what is shown, or what has changed last`() {
-        assertEquals(true, rowsToShow(NxtScenes.menu).contains(NxtScenes.menu.display.lines.indexOfFirst { "Run" in it }))
+        assertEquals(
+            true,
+            rowsToShow(NxtScenes.menu).contains(
+                NxtScenes.menu.display.lines.indexOfFirst {
+                    "Run" in it
+                },
+            ),
+        )
         assertEquals(0..3, rowsToShow(NxtScenes.running))
         assertEquals(3..6, rowsToShow(NxtScenes.loud))
         val lines = NxtScenes.running.display.lines
+
         fun after(vararg changed: Int) =
             rowsAfter(0..3, lines.mapIndexed { row, line -> if (row in changed) "?" else line }, NxtScenes.running)
         assertEquals(0..3, after(2, 3))

@@ -76,6 +76,7 @@ internal object NxtScenes {
         val workshop = runBlocking { openWorkshop() }
         for (form in WindowForm.entries) workshop.handle(SettingsEvent.BrickSizeChosen(form, isWhole))
         val state = workshop.state.also { workshop.close() }
+
         fun SessionState.with() = copy(robots = listOf(robots.first().copy(brick = brick)) + robots.drop(1))
         val first = state.world.robots.first().copy(description = robot)
         val run = state.run.copy(
