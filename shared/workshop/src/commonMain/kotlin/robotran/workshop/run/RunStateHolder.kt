@@ -297,13 +297,14 @@ class RunStateHolder(
 
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
-        if (button == button.kind.startButton && state.brick.run !is RunState.Running && state.changed) {
+        val isStart = button == state.brick.kind.startButton
+        if (isStart && state.brick.run !is RunState.Running && state.changed) {
             val slot = run.slotOnBrick
             pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
             if (!programs.canStart(slot)) return
             startNewRun(slot)
         }
-        if (button == button.kind.startButton) {
+        if (isStart) {
             state = state.copy(untouched = false)
             tries.goOn()
         }
