@@ -6,6 +6,7 @@ plugins {
 texts {
     constant("commonTest", "robotran.nxt.nxtScripts", "shared/nxt/src/commonTest/resources/scripts", "**/*.txt")
     constant("commonTest", "robotran.nxt.displayGoldens", "shared/nxt/src/commonTest/resources/displays", "*.txt")
+    constant("commonTest", "robotran.nxt.documents", "docs", "nxt.md")
 }
 
 kotlin {
@@ -15,7 +16,7 @@ kotlin {
             api(project(":shared:language"))
         }
         commonTest {
-            kotlin.srcDir("src/fakeNxt/kotlin")
+            kotlin.srcDir("src/fakeNxtTest/kotlin")
         }
     }
 }

@@ -27,12 +27,12 @@ import robotran.nxt.state.LinkView
 import robotran.nxt.state.NxtState
 
 /**
- * A virtual NXT with the firmware and menu of leJOS NXJ. It starts switched on, in its menu, with Run Default marked, so
- * that [BrickButton.ENTER] starts the first program. Time passes only in [tick].
+ * A virtual NXT with the firmware and menu of leJOS NXJ. It starts switched on, in its menu, with Run Default marked,
+ * so that [BrickButton.ENTER] starts the first program. Time passes only in [tick].
  *
  * While a program runs, ENTER and ESCAPE pressed together end it. When a program ends, the brick lets its motors roll,
- * ends the sound and takes the power from the sensors. An exception that nobody catches is shown until ESCAPE is pressed.
- * Without a key for two minutes, the brick switches itself off; ENTER switches it on.
+ * ends the sound and takes the power from the sensors. An exception that nobody catches is shown until ESCAPE is
+ * pressed. Without a key for two minutes, the brick switches itself off; ENTER switches it on.
  *
  * @param programs the files of the menu, at most [BrickProgram.MAX_PROGRAMS]; may be empty. null is a slot without a
  * runnable program, and so is a program for another kind of brick.
@@ -122,7 +122,9 @@ class NxtBrick(
         if (program is NxtProgram) shell.runNow(program)
     }
 
-    /** Sets how far the hub of [port] has turned since the beginning of time. The counter follows every 2 milliseconds. */
+    /**
+     * Sets how far the hub of [port] has turned since the beginning of time. The counter follows every 2 milliseconds.
+     */
     fun setHubDegrees(port: MotorPort, degrees: Int) = hardware.motors.setHubDegrees(port.ordinal, degrees)
 
     /**

@@ -1,8 +1,8 @@
 package robotran.nxt.display
 
 /**
- * The bytes of a picture, wherever they are. Rows of eight dots follow one another: dot x, y is bit y % 8 of the byte at
- * y / 8 * width + x. A set bit is a black dot.
+ * The bytes of a picture, wherever they are. Rows of eight dots follow one another: dot x, y is bit y % 8 of the byte
+ * at y / 8 * width + x. A set bit is a black dot.
  */
 interface DisplayMemory {
     /** The byte at [index], 0..255. */

@@ -18,7 +18,9 @@ private fun characterOf(bytes: ByteArray, left: Int): Char {
     return CHARACTERS[dots] ?: UNKNOWN
 }
 
-/** By the dots of a glyph, its columns from left to right. Of two characters that look the same, the blank or letter. */
+/**
+ * By the dots of a glyph, its columns from left to right. Of two characters that look the same, the blank or letter.
+ */
 private val CHARACTERS: Map<Long, Char> by lazy {
     buildMap {
         for (code in Font5x7.PRINTABLE) {

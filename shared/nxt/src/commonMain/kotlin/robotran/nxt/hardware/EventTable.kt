@@ -1,8 +1,8 @@
 package robotran.nxt.hardware
 
 /**
- * The events that a program waits for, at most [CAPACITY]. A machine registers them, polls once a millisecond, and wakes
- * the threads of those that have happened.
+ * The events that a program waits for, at most [CAPACITY]. A machine registers them, polls once a millisecond, and
+ * wakes the threads of those that have happened.
  */
 class EventTable {
     private val events = arrayOfNulls<Event>(CAPACITY)

@@ -16,6 +16,9 @@ interface I2cDevice {
 
     /** Lets a millisecond pass. */
     fun tick() = Unit
+
+    /** The port has taken its power away. */
+    fun switchOff() = Unit
 }
 
 /** The status of a sensor port's I2C bus, as leJOS NXJ's `I2CPort` has it. */

@@ -5,8 +5,8 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
 
 /**
- * The three output ports and their counters. Commands and counts cross over to the processor of the ports and back every
- * 2 milliseconds, in [exchange].
+ * The three output ports and their counters. Commands and counts cross over to the processor of the ports and back
+ * every 2 milliseconds, in [exchange].
  */
 internal class MotorPorts {
     private val commanded = Array(PORTS) { MotorState(MotorPort.entries[it], MotorMode.FLOAT, power = 0) }
@@ -17,9 +17,6 @@ internal class MotorPorts {
     /** The commands that the motors follow, A to C. The list and its elements stay the same until one changes. */
     var states: List<MotorState> = commanded.toList()
         private set
-
-    /** What the program has told the motors to do, A to C. */
-    val commands: List<MotorState> get() = commanded.toList()
 
     /** What a program has told [port], 0..2, to do. */
     fun commanded(port: Int): MotorState = commanded[port]

@@ -52,6 +52,7 @@ internal class SensorPort(private val number: Int, clock: Clock) {
         setPower(SensorPower.NONE)
         pins.fill(false)
         i2c.disable()
+        i2c.device?.switchOff()
     }
 
     /** Sets what the analog pin measures from now on; clamped to 0..1023. */

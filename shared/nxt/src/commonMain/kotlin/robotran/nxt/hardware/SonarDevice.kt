@@ -11,8 +11,8 @@ fun interface Echoes {
 }
 
 /**
- * The ultrasonic sensor of the NXT: it pings once, or again and again, and keeps what it has heard in whole centimetres.
- * 255 is nothing.
+ * The ultrasonic sensor of the NXT: it pings once, or again and again, and keeps what it has heard in whole
+ * centimetres. 255 is nothing.
  */
 class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDevice {
     override val address: Int get() = ADDRESS
@@ -53,6 +53,8 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
         if (now >= nextPing) ping(now)
     }
 
+    override fun switchOff() = begin(MODE_RESET)
+
     private fun ping(now: Long) {
         pingedAt = now
         val all = echoes.of(pings++).take(ECHOES).map { inCentimetres(it) }.filter { it < NOTHING }
@@ -83,11 +85,22 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
     /** A text has its own register, so the ones within a text mean something else. */
     private fun bytesFrom(register: Int): List<Int> = when (register) {
         VERSION -> text("V1.0")
+
         VENDOR -> text("LEGO")
+
         PRODUCT -> text("Sonar")
+
         in FACTORY..FACTORY + FACTORY_DATA.lastIndex -> FACTORY_DATA.drop(register - FACTORY)
+
         UNITS -> text("10E-2m")
-        in INTERVAL..LAST -> (listOf(interval, mode) + distances.toList() + calibration.toList()).drop(register - INTERVAL)
+
+        in INTERVAL..LAST -> (
+            listOf(
+                interval,
+                mode,
+            ) + distances.toList() + calibration.toList()
+        ).drop(register - INTERVAL)
+
         else -> emptyList()
     }
 

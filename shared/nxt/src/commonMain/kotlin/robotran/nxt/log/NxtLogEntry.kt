@@ -19,8 +19,8 @@ enum class CallOrigin {
 }
 
 /**
- * A call in the log of an NXT. Its [text] is as `1204 controlMotorById 0 75 1 ; motor A forward 75 ; Square.java:7`; the
- * location of calls that no line of the program makes is `library` or `firmware`.
+ * A call in the log of an NXT. Its [text] is as `1204 controlMotorById 0 75 1 ; motor A forward 75 ; Square.java:7`;
+ * the location of calls that no line of the program makes is `library` or `firmware`.
  *
  * @property result what the call returned.
  */

@@ -14,70 +14,139 @@ import robotran.nxt.regulator.MotorRegulator
 internal fun NxtMessages.describe(call: NxtCall, result: Int): String {
     val n = call.numbers
     return when (call.native) {
-        NxtNative.CONTROL_MOTOR -> describeMotor(motorPort(n), n[1], isBraking = n[2] != 0)
+        NxtNative.CONTROL_MOTOR -> {
+            describeMotor(motorPort(n), n[1], isBraking = n[2] != 0)
+        }
 
-        NxtNative.RESET_TACHO_COUNT -> resetTachoCount(motorPort(n))
+        NxtNative.RESET_TACHO_COUNT -> {
+            resetTachoCount(motorPort(n))
+        }
 
-        NxtNative.REGULATE -> describeMove(motorPort(n), call.speed, limit = n[3], isHeld = n[4] != 0)
+        NxtNative.REGULATE -> {
+            describeMove(motorPort(n), call.speed, limit = n[3], isHeld = n[4] != 0)
+        }
 
-        NxtNative.REGULATOR_SPEED -> motorSpeed(motorPort(n), sizeOf(call.speed))
+        NxtNative.REGULATOR_SPEED -> {
+            motorSpeed(motorPort(n), sizeOf(call.speed))
+        }
 
-        NxtNative.REGULATOR_ACCELERATION -> motorAcceleration(motorPort(n), n[1])
+        NxtNative.REGULATOR_ACCELERATION -> {
+            motorAcceleration(motorPort(n), n[1])
+        }
 
-        NxtNative.REGULATOR_ROLL -> rollMotor(motorPort(n))
+        NxtNative.REGULATOR_ROLL -> {
+            rollMotor(motorPort(n))
+        }
 
-        NxtNative.REGULATOR_SUSPEND -> regulateNoMore(motorPort(n))
+        NxtNative.REGULATOR_SUSPEND -> {
+            regulateNoMore(motorPort(n))
+        }
 
-        NxtNative.REGULATOR_STALL -> stallThreshold(motorPort(n), n[1], n[2])
+        NxtNative.REGULATOR_STALL -> {
+            stallThreshold(motorPort(n), n[1], n[2])
+        }
 
-        NxtNative.SET_POWER_TYPE -> sensorPower(n[0] + 1, n[1])
+        NxtNative.SET_POWER_TYPE -> {
+            sensorPower(n[0] + 1, n[1])
+        }
 
-        NxtNative.SET_SENSOR_PIN_MODE -> pinMode(n[0] + 1, n[1], n[2])
+        NxtNative.SET_SENSOR_PIN_MODE -> {
+            pinMode(n[0] + 1, n[1], n[2])
+        }
 
-        NxtNative.SET_SENSOR_PIN -> pin(n[0] + 1, n[1], isHigh = n[2] != 0)
+        NxtNative.SET_SENSOR_PIN -> {
+            pin(n[0] + 1, n[1], isHigh = n[2] != 0)
+        }
 
-        NxtNative.SET_TYPE -> sensorType(n[0] + 1, n[1])
+        NxtNative.SET_TYPE -> {
+            sensorType(n[0] + 1, n[1])
+        }
 
-        NxtNative.I2C_ENABLE -> i2cReady(n[0] + 1)
+        NxtNative.I2C_ENABLE -> {
+            i2cReady(n[0] + 1)
+        }
 
-        NxtNative.I2C_DISABLE -> i2cOff(n[0] + 1)
+        NxtNative.I2C_DISABLE -> {
+            i2cOff(n[0] + 1)
+        }
 
-        NxtNative.I2C_START ->
+        NxtNative.I2C_START -> {
             if (result < 0) i2cRefused(n[0] + 1, result) else i2cMessage(n[0] + 1, call.bytes?.size ?: 0, n[2])
+        }
 
-        NxtNative.DRAW_STRING -> describeText(call.text.orEmpty(), n[0], n[1], isInverted = n[2] != 0)
+        NxtNative.DRAW_STRING -> {
+            describeText(call.text.orEmpty(), n[0], n[1], isInverted = n[2] != 0)
+        }
 
-        NxtNative.DRAW_INT -> describeText(Drawing.intText(n[0], n[1]), n[2], n[3], isInverted = false)
+        NxtNative.DRAW_INT -> {
+            describeText(Drawing.intText(n[0], n[1]), n[2], n[3], isInverted = false)
+        }
 
-        NxtNative.CLEAR -> clearDisplay()
+        NxtNative.CLEAR -> {
+            clearDisplay()
+        }
 
-        NxtNative.BIT_BLT -> drawPicture(width = n[6], height = n[7], x = n[4], y = n[5])
+        NxtNative.BIT_BLT -> {
+            drawPicture(width = n[6], height = n[7], x = n[4], y = n[5])
+        }
 
-        NxtNative.ASYNC_REFRESH -> refreshDisplay()
+        NxtNative.ASYNC_REFRESH -> {
+            refreshDisplay()
+        }
 
-        NxtNative.SET_AUTO_REFRESH_PERIOD -> refreshEvery(n[0])
+        NxtNative.SET_AUTO_REFRESH_PERIOD -> {
+            refreshEvery(n[0])
+        }
 
-        NxtNative.SET_CONTRAST -> contrast(n[0])
+        NxtNative.SET_CONTRAST -> {
+            contrast(n[0])
+        }
 
-        NxtNative.PLAY_FREQ -> tone(n[0], n[1], n[2])
+        NxtNative.PLAY_FREQ -> {
+            tone(n[0], n[1], n[2])
+        }
 
-        NxtNative.PLAY_QUEUED_SAMPLE -> samples(result, n[0])
+        NxtNative.PLAY_QUEUED_SAMPLE -> {
+            samples(result, n[0])
+        }
 
-        NxtNative.SHUT_DOWN -> shutDown()
+        NxtNative.SHUT_DOWN -> {
+            shutDown()
+        }
 
-        NxtNative.OPEN -> if (result < 0) noRobot(quoted(call.text.orEmpty())) else connectTo(quoted(call.text.orEmpty()))
+        NxtNative.OPEN -> {
+            if (result <
+                0
+            ) {
+                noRobot(quoted(call.text.orEmpty()))
+            } else {
+                connectTo(quoted(call.text.orEmpty()))
+            }
+        }
 
-        NxtNative.LISTEN -> awaitConnection()
+        NxtNative.LISTEN -> {
+            awaitConnection()
+        }
 
-        NxtNative.WRITE -> if (result < 0) notSent(n[0]) else sent(result, n[0])
+        NxtNative.WRITE -> {
+            if (result < 0) notSent(n[0]) else sent(result, n[0])
+        }
 
-        NxtNative.CLOSE -> closeLink(n[0])
+        NxtNative.CLOSE -> {
+            closeLink(n[0])
+        }
 
-        NxtNative.EXIT -> exit()
+        NxtNative.EXIT -> {
+            exit()
+        }
 
-        NxtNative.EXCEPTION -> exception(n[0])
+        NxtNative.EXCEPTION -> {
+            exception(n[0])
+        }
 
-        NxtNative.CONSOLE_LINE -> console(quoted(call.text.orEmpty()))
+        NxtNative.CONSOLE_LINE -> {
+            console(quoted(call.text.orEmpty()))
+        }
     }
 }
 
@@ -104,7 +173,7 @@ private fun NxtMessages.describeMove(port: MotorPort, speed: Float, limit: Int, 
 }
 
 private fun NxtMessages.describeText(text: String, column: Int, row: Int, isInverted: Boolean): String {
-    val boxes = text.toList().distinct().filter { it != '\n' && !Font5x7.has(it) }
+    val boxes = text.toList().distinct().filter { it != '\n' && !Font5x7.has(it) }.map { it.toString() }
     return drawText(quoted(text.replace("\n", "\\n")), column, row, isInverted, boxes)
 }
 

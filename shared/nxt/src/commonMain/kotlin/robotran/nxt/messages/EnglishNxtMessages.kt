@@ -27,12 +27,17 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
     override fun wrongArguments() = "nothing happens, there is no such port or value"
 
     override fun motor(port: MotorPort, mode: MotorMode, power: Int, brakesInPauses: Boolean) = when (mode) {
-        MotorMode.FORWARD, MotorMode.BACKWARD ->
+        MotorMode.FORWARD, MotorMode.BACKWARD -> {
             "motor ${port.name} ${mode.name.lowercase()} $power" + if (brakesInPauses) "" else ", rolling in the pauses"
+        }
 
-        MotorMode.BRAKE -> "motor ${port.name} brakes"
+        MotorMode.BRAKE -> {
+            "motor ${port.name} brakes"
+        }
 
-        MotorMode.FLOAT -> "motor ${port.name} rolls"
+        MotorMode.FLOAT -> {
+            "motor ${port.name} rolls"
+        }
     }
 
     override fun resetTachoCount(port: MotorPort) = "motor ${port.name} counts from 0"
@@ -100,11 +105,11 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
         else -> "it is not ready"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
         append("draw $text at column $column, row $row")
         if (isInverted) append(", white on black")
         if (boxes.isNotEmpty()) {
-            append(", with boxes, for the display has no ${listed(boxes.map(Char::toString), "or")}")
+            append(", with boxes, for the display has no ${listed(boxes, "or")}")
         }
     }
 

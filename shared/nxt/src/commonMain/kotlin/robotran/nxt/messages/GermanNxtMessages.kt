@@ -37,9 +37,13 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
             "Motor ${port.name} $way $power" + if (brakesInPauses) "" else ", rollt in den Pausen"
         }
 
-        MotorMode.BRAKE -> "Motor ${port.name} bremst"
+        MotorMode.BRAKE -> {
+            "Motor ${port.name} bremst"
+        }
 
-        MotorMode.FLOAT -> "Motor ${port.name} rollt aus"
+        MotorMode.FLOAT -> {
+            "Motor ${port.name} rollt aus"
+        }
     }
 
     override fun resetTachoCount(port: MotorPort) = "Motor ${port.name} zählt ab 0"
@@ -107,11 +111,11 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
         else -> "er ist nicht bereit"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
         append("$text zeichnen in Spalte $column, Zeile $row")
         if (isInverted) append(", weiß auf schwarz")
         if (boxes.isNotEmpty()) {
-            append(", mit Kästchen, denn die Anzeige hat kein ${listed(boxes.map(Char::toString), "und kein")}")
+            append(", mit Kästchen, denn die Anzeige hat kein ${listed(boxes, "und kein")}")
         }
     }
 

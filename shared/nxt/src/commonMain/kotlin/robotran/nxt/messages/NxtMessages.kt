@@ -78,7 +78,7 @@ interface NxtMessages : PlaceMessages {
      * @param text quoted.
      * @param boxes characters that the display does not have, each once.
      */
-    fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>): String
+    fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>): String
 
     fun clearDisplay(): String
 

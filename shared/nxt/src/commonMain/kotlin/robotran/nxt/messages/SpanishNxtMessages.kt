@@ -25,9 +25,9 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
     private fun placed(failure: ProgramFailure) = listOfNotNull(failure.place(this), failure.message).joinToString(": ")
 
     override fun motorsRollAtEnd() =
-        "El programa ha llegado a su final, así que el ladrillo ha apagado los motores, como hace uno de verdad. " +
-            "Para que el robot siga andando, el programa también tiene que seguir: con una espera o con un bucle que " +
-            "no termina nunca."
+        "El programa ha llegado a su final, así que el ladrillo ha apagado los motores, como hace uno de " +
+            "verdad. Para que el robot siga andando, el programa también tiene que seguir: con una espera o con un " +
+            "bucle que no termina nunca."
 
     override fun wrongArguments() = "no pasa nada, no existe ese puerto o ese valor"
 
@@ -37,9 +37,13 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
             "motor ${port.name} $way $power" + if (brakesInPauses) "" else ", suelto en las pausas"
         }
 
-        MotorMode.BRAKE -> "motor ${port.name} frena"
+        MotorMode.BRAKE -> {
+            "motor ${port.name} frena"
+        }
 
-        MotorMode.FLOAT -> "motor ${port.name} suelto"
+        MotorMode.FLOAT -> {
+            "motor ${port.name} suelto"
+        }
     }
 
     override fun resetTachoCount(port: MotorPort) = "el motor ${port.name} cuenta desde 0"
@@ -54,8 +58,7 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
     override fun stopMotor(port: MotorPort, isHeld: Boolean) =
         "el motor ${port.name} se detiene" + if (isHeld) " y queda sujeto" else " y después queda suelto"
 
-    override fun motorSpeed(port: MotorPort, speed: String) =
-        "el motor ${port.name} sigue a $speed grados por segundo"
+    override fun motorSpeed(port: MotorPort, speed: String) = "el motor ${port.name} sigue a $speed grados por segundo"
 
     override fun motorAcceleration(port: MotorPort, acceleration: Int) =
         "el motor ${port.name} acelera $acceleration grados por segundo en cada segundo"
@@ -110,11 +113,11 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
         else -> "no está preparado"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<Char>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
         append("dibujar $text en la columna $column, fila $row")
         if (isInverted) append(", en blanco sobre negro")
         if (boxes.isNotEmpty()) {
-            append(", con cuadros, porque la pantalla no tiene ${listed(boxes.map(Char::toString), "ni")}")
+            append(", con cuadros, porque la pantalla no tiene ${listed(boxes, "ni")}")
         }
     }
 

@@ -17,26 +17,41 @@ internal class CallPerformer(private val hardware: NxtHardware) {
             NxtNative.CONTROL_MOTOR, NxtNative.RESET_TACHO_COUNT, NxtNative.REGULATE, NxtNative.REGULATOR_SPEED,
             NxtNative.REGULATOR_ACCELERATION, NxtNative.REGULATOR_ROLL, NxtNative.REGULATOR_SUSPEND,
             NxtNative.REGULATOR_STALL,
-            -> if (call.numbers[0] in 0..<MotorPorts.PORTS) performOnMotor(call, call.numbers[0]) else null
+            -> {
+                if (call.numbers[0] in 0..<MotorPorts.PORTS) performOnMotor(call, call.numbers[0]) else null
+            }
 
             NxtNative.SET_POWER_TYPE, NxtNative.SET_SENSOR_PIN_MODE, NxtNative.SET_SENSOR_PIN, NxtNative.SET_TYPE,
             NxtNative.I2C_ENABLE, NxtNative.I2C_DISABLE, NxtNative.I2C_START,
-            -> hardware.sensors.getOrNull(call.numbers[0])?.let { performOnSensor(call, it) }
+            -> {
+                hardware.sensors.getOrNull(call.numbers[0])?.let { performOnSensor(call, it) }
+            }
 
             NxtNative.DRAW_STRING, NxtNative.DRAW_INT, NxtNative.CLEAR, NxtNative.BIT_BLT, NxtNative.ASYNC_REFRESH,
             NxtNative.SET_AUTO_REFRESH_PERIOD, NxtNative.SET_CONTRAST,
-            -> performOnDisplay(call)
+            -> {
+                performOnDisplay(call)
+            }
 
-            NxtNative.PLAY_FREQ -> done { hardware.speaker.play(call.numbers[0], call.numbers[1], call.numbers[2]) }
+            NxtNative.PLAY_FREQ -> {
+                done { hardware.speaker.play(call.numbers[0], call.numbers[1], call.numbers[2]) }
+            }
 
-            NxtNative.PLAY_QUEUED_SAMPLE ->
+            NxtNative.PLAY_QUEUED_SAMPLE -> {
                 call.bytes?.let { hardware.speaker.playSamples(it, call.numbers[0], call.numbers[1]) }
+            }
 
-            NxtNative.SHUT_DOWN -> done { hardware.isToShutDown = true }
+            NxtNative.SHUT_DOWN -> {
+                done { hardware.isToShutDown = true }
+            }
 
-            NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE -> performOnRadio(call)
+            NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE -> {
+                performOnRadio(call)
+            }
 
-            NxtNative.EXIT, NxtNative.EXCEPTION, NxtNative.CONSOLE_LINE -> 0
+            NxtNative.EXIT, NxtNative.EXCEPTION, NxtNative.CONSOLE_LINE -> {
+                0
+            }
         }
     }
 
@@ -70,23 +85,37 @@ internal class CallPerformer(private val hardware: NxtHardware) {
     private fun performOnSensor(call: NxtCall, port: SensorPort): Int? {
         val n = call.numbers
         return when (call.native) {
-            NxtNative.SET_POWER_TYPE ->
+            NxtNative.SET_POWER_TYPE -> {
                 if (n[1] in SensorPower.NONE..SensorPower.NINE_VOLTS) done { port.setPower(n[1]) } else null
+            }
 
-            NxtNative.SET_SENSOR_PIN_MODE -> if (n[1] in 0..<SensorPort.PINS) 0 else null
+            NxtNative.SET_SENSOR_PIN_MODE -> {
+                if (n[1] in 0..<SensorPort.PINS) 0 else null
+            }
 
-            NxtNative.SET_SENSOR_PIN ->
+            NxtNative.SET_SENSOR_PIN -> {
                 if (n[1] in 0..<SensorPort.PINS) done { port.setPin(n[1], high = n[2] != 0) } else null
+            }
 
-            NxtNative.SET_TYPE -> if (SensorType.isKnown(n[1])) done { port.setType(n[1]) } else null
+            NxtNative.SET_TYPE -> {
+                if (SensorType.isKnown(n[1])) done { port.setType(n[1]) } else null
+            }
 
-            NxtNative.I2C_ENABLE -> done { port.i2c.enable(n[1]) }
+            NxtNative.I2C_ENABLE -> {
+                done { port.i2c.enable(n[1]) }
+            }
 
-            NxtNative.I2C_DISABLE -> done { port.i2c.disable() }
+            NxtNative.I2C_DISABLE -> {
+                done { port.i2c.disable() }
+            }
 
-            NxtNative.I2C_START -> port.i2c.start(n[1], call.bytes ?: NO_BYTES, readLength = n[2])
+            NxtNative.I2C_START -> {
+                port.i2c.start(n[1], call.bytes ?: NO_BYTES, readLength = n[2])
+            }
 
-            else -> null
+            else -> {
+                null
+            }
         }
     }
 

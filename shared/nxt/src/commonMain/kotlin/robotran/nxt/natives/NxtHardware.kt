@@ -34,7 +34,8 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
     val radio = network.join(name, clock)
     val log = CallLog()
     val expectations = NxtExpectations()
-    val regulators = List(MotorPorts.PORTS) { MotorRegulator(LoggedMotor(it)) }
+    private val loggedMotors = List(MotorPorts.PORTS) { LoggedMotor(it) }
+    val regulators = loggedMotors.map { MotorRegulator(it) }
 
     /** Whether a program has switched the brick off; the shell does it. */
     var isToShutDown = false
@@ -49,8 +50,11 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
     fun tick() {
         milliseconds++
         if (milliseconds % MotorPorts.EXCHANGE_MILLISECONDS == 0L) motors.exchange()
-        if (milliseconds % SensorPort.SAMPLE_MILLISECONDS == 0L) for (port in sensors) port.sample()
-        for (port in sensors) port.i2c.tick()
+        val isSample = milliseconds % SensorPort.SAMPLE_MILLISECONDS == 0L
+        for (port in sensors.indices) {
+            if (isSample) sensors[port].sample()
+            sensors[port].i2c.tick()
+        }
         if (milliseconds % Buttons.LOOK_MILLISECONDS == 0L) buttons.look()
         speaker.tick()
         display.tick()
@@ -78,10 +82,18 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
         return call().also { regulatorsAreHeard = true }
     }
 
+    /** Whether a motor is driven: by its regulator's move, or without regulation. */
+    val isDriving: Boolean
+        get() = regulators.indices.any { port ->
+            val mode = motors.commanded(port).mode
+            if (regulators[port].isActive) regulators[port].isMoving else mode in DRIVING
+        }
+
     /** Makes everything but the display as a program finds it when it starts; motors roll. */
     fun reset(tellMotor: (port: Int) -> Unit) {
         for (port in 0..<MotorPorts.PORTS) {
             regulators[port].reset()
+            loggedMotors[port].forget()
             if (motors.commanded(port).mode != MotorMode.FLOAT) tellMotor(port)
             motors.control(port, 0, brakes = false)
             motors.resetTachoCount(port)
@@ -94,13 +106,7 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
         owedSteps = 0
     }
 
-    fun record(
-        call: NxtCall,
-        result: Int?,
-        origin: CallOrigin,
-        sourceLine: Int = 0,
-        sourceFile: String? = null,
-    ) {
+    fun record(call: NxtCall, result: Int?, origin: CallOrigin, sourceLine: Int = 0, sourceFile: String? = null) {
         val outcome = if (result == null) CallOutcome.WRONG_ARGUMENTS else CallOutcome.DONE
         log.add(NxtLogEntry(milliseconds, call, result ?: 0, outcome, origin, sourceLine, sourceFile, messages))
     }
@@ -120,6 +126,11 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
             if (regulatorsAreHeard) record(NxtCall.controlMotor(port, power, brakes), 0, CallOrigin.LIBRARY)
         }
 
+        /** Tells the next command in any case. */
+        fun forget() {
+            told = null
+        }
+
         private fun isNews(now: MotorState): Boolean {
             val last = told ?: return true
             val change = now.power - last.power
@@ -130,6 +141,8 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
     private companion object {
         /** 340 byte codes, of which a step is ten: what leJOS NXJ needs for one motor every four milliseconds. */
         const val REGULATOR_STEPS = 34
+
+        val DRIVING = setOf(MotorMode.FORWARD, MotorMode.BACKWARD)
 
         /** A change of a regulator's power that the log tells. */
         const val NEWS = 10

@@ -40,7 +40,19 @@ internal class VirtualNxt(private val hardware: NxtHardware) : Nxt {
             part.height,
             part.operation,
         )
-        hardware.record(call, 0, if (sourceLine == 0) CallOrigin.LIBRARY else CallOrigin.PROGRAM, sourceLine, sourceFile)
+        hardware.record(
+            call,
+            0,
+            if (sourceLine ==
+                0
+            ) {
+                CallOrigin.LIBRARY
+            } else {
+                CallOrigin.PROGRAM
+            },
+            sourceLine,
+            sourceFile,
+        )
     }
 
     override fun tachoCount(motor: Int): Int = hardware.motors.tachoCount(motor)

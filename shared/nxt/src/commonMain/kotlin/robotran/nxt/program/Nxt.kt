@@ -70,14 +70,14 @@ interface Nxt {
     fun link(number: Int): BluetoothLink?
 
     /**
-     * What the glass shows after each refresh, [robotran.nxt.display.DisplaySize.BYTES]. A run may put in its own, which
-     * should be clear; when the program ends, the brick takes its own again.
+     * What the glass shows after each refresh, [robotran.nxt.display.DisplaySize.BYTES]. A run may put in its own,
+     * which should be clear; when the program ends, the brick takes its own again.
      */
     var displayMemory: DisplayMemory
 
     /**
-     * Called when ENTER and ESCAPE are pressed together, for a run that can end in order. The second time, and always if
-     * there is none, the program is cut off. A run sets it when it starts.
+     * Called when ENTER and ESCAPE are pressed together, for a run that can end in order. The second time, and always
+     * if there is none, the program is cut off. A run sets it when it starts.
      */
     var onStopRequest: (() -> Unit)?
 }

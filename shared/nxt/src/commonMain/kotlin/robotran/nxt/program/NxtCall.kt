@@ -18,7 +18,9 @@ class NxtCall(
     /** The speed, in degrees a second, of a call that has one. */
     val speed: Float get() = Float.fromBits(numbers[native.speed])
 
-    /** The arguments as the log shows them: the text, the numbers, and few bytes in hexadecimal or how many they are. */
+    /**
+     * The arguments as the log shows them: the text, the numbers, and few bytes in hexadecimal or how many they are.
+     */
     val arguments: String
         get() = buildList {
             if (text != null) add(quoted(text.replace("\n", "\\n")))

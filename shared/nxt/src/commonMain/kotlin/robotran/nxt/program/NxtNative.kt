@@ -19,7 +19,9 @@ enum class NxtNative(
     val parameters: Int,
     val speed: Int = -1,
 ) {
-    /** Port 0..2; power -100..100, clamped; whether to brake in the pauses of the pulses and with power 0, else roll. */
+    /**
+     * Port 0..2; power -100..100, clamped; whether to brake in the pauses of the pulses and with power 0, else roll.
+     */
     CONTROL_MOTOR(1, "controlMotorById", CallGroup.MOTORS, parameters = 3),
 
     /** Port. */

@@ -115,10 +115,10 @@ internal class MotorPlan {
     }
 
     private fun isThere(way: Float, step: Float): Boolean =
-        isBraking && velocity == 0f || if (way < 0) step <= way else step >= way
+        (isBraking && velocity == 0f) || (if (way < 0) step <= way else step >= way)
 
     private fun isAhead(limit: Int): Boolean =
-        limit == MotorRegulator.FORWARD || limit != MotorRegulator.BACKWARD && wayTo(limit) >= 0
+        limit == MotorRegulator.FORWARD || (limit != MotorRegulator.BACKWARD && wayTo(limit) >= 0)
 
     private fun wayTo(limit: Int): Float = limit - degrees - fraction
 

@@ -1,8 +1,8 @@
 package robotran.nxt.regulator
 
 /**
- * Brings one motor where it should be, whatever the load is. The brick calls [tick] every [PERIOD]. A program acts on it
- * through calls of the brick, so that they appear in the log, and reads it here.
+ * Brings one motor where it should be, whatever the load is. The brick calls [tick] every [PERIOD]. A program acts on
+ * it through calls of the brick, so that they appear in the log, and reads it here.
  */
 class MotorRegulator(private val motor: RegulatedMotor) {
     private val plan = MotorPlan()
@@ -42,8 +42,8 @@ class MotorRegulator(private val motor: RegulatedMotor) {
     val limit: Int get() = if (hasNext) nextLimit else plan.limit
 
     /**
-     * Begins a move, or stops if [speed] is 0 and there is no limit. A motor that is under way to the other side, or too
-     * fast for the limit, stops first.
+     * Begins a move, or stops if [speed] is 0 and there is no limit. A motor that is under way to the other side, or
+     * too fast for the limit, stops first.
      *
      * @param speed degrees a second; a minus does not matter.
      * @param acceleration degrees a second squared.

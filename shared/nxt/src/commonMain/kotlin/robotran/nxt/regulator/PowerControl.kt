@@ -1,8 +1,8 @@
 package robotran.nxt.regulator
 
 /**
- * The power that brings a motor where it should be, from the error, its sum and its change: the law and figures of leJOS
- * NXJ's firmware, in 32-bit numbers.
+ * The power that brings a motor where it should be, from the error, its sum and its change: the law and figures of
+ * leJOS NXJ's firmware, in 32-bit numbers.
  */
 internal class PowerControl {
     private var fastError = 0f

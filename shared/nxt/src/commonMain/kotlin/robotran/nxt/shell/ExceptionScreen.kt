@@ -8,8 +8,8 @@ import robotran.nxt.display.Drawing
 import robotran.nxt.state.ExceptionView
 
 /**
- * What leJOS NXJ shows of an exception that nobody catches: numbers of its class, and of each method with the place in its
- * code. A failure without a stack, of a language without numbers, shows its line. LEFT and RIGHT move the text.
+ * What leJOS NXJ shows of an exception that nobody catches: numbers of its class, and of each method with the place in
+ * its code. A failure without a stack, of a language without numbers, shows its line. LEFT and RIGHT move the text.
  */
 internal class ExceptionScreen(private val failure: ProgramFailure) {
     private val rows = rowsOf(failure)

@@ -28,7 +28,7 @@ internal class NxtMenu(
     private val speaker: NxtSpeaker,
     private val millivolts: () -> Int,
 ) {
-    private val pages = ArrayDeque(listOf(MenuPage(name, ::mainEntries)))
+    private val pages: ArrayDeque<MenuPage> = ArrayDeque(listOf(MenuPage(name, ::mainEntries)))
 
     private val page: MenuPage get() = pages.last()
 
@@ -36,7 +36,13 @@ internal class NxtMenu(
     val view: MenuView
         get() {
             val entries = page.entries()
-            return MenuView(page.title, entries.map { it.text }, if (entries.any { it.action != null }) page.selected else -1)
+            return MenuView(
+                page.title,
+                entries.map {
+                    it.text
+                },
+                if (entries.any { it.action != null }) page.selected else -1,
+            )
         }
 
     /** Goes back to the first page, with its first entry marked. */
@@ -61,11 +67,11 @@ internal class NxtMenu(
     fun draw(memory: DisplayMemory) {
         val shown = view
         val width = DisplaySize.COLUMNS - VOLTS_WIDTH
-        Drawing.drawString(memory, shown.title.take(width).padEnd(width) + volts(), 0, 0, inverted = true)
+        Drawing.drawString(memory, " ${shown.title}".take(width).padEnd(width) + volts(), 0, 0, inverted = true)
         val rows = DisplaySize.ROWS - FIRST_ROW
         val first = maxOf(0, minOf(shown.selected - rows + 1, shown.entries.size - rows))
         shown.entries.drop(first).take(rows).forEachIndexed { row, entry ->
-            val text = entry.take(DisplaySize.COLUMNS).padEnd(DisplaySize.COLUMNS)
+            val text = " $entry".take(DisplaySize.COLUMNS).padEnd(DisplaySize.COLUMNS)
             Drawing.drawString(memory, text, 0, FIRST_ROW + row, inverted = first + row == shown.selected)
         }
     }
@@ -75,9 +81,9 @@ internal class NxtMenu(
         return "${tenths / 10}.${tenths % 10}".padStart(VOLTS_WIDTH)
     }
 
-    private fun mainEntries() = listOf(
+    private fun mainEntries(): List<MenuEntry> = listOf(
         MenuEntry("Run Default") {
-            if (programs.getOrNull(settings.defaultSlot) == null) MenuAction.None else MenuAction.Start(settings.defaultSlot)
+            settings.defaultSlot.let { if (canRun(it)) MenuAction.Start(it) else MenuAction.None }
         },
         opening("Files", ::fileEntries),
         opening("Bluetooth") { listOf(MenuEntry("Name: $name"), MenuEntry("Visible: on")) },
@@ -86,13 +92,15 @@ internal class NxtMenu(
         opening("Version") { listOf(MenuEntry("Firmware 0.9.1"), MenuEntry("Menu 0.9.1")) },
     )
 
+    private fun canRun(slot: Int): Boolean = programs.getOrNull(slot) != null
+
     private fun fileEntries(): List<MenuEntry> {
         val files = programs.withIndex().filter { it.value != null }
         if (files.isEmpty()) return listOf(MenuEntry("(no files)"))
         return files.map { (slot, name) -> opening(name.orEmpty()) { programEntries(slot) } }
     }
 
-    private fun programEntries(slot: Int) = listOf(
+    private fun programEntries(slot: Int): List<MenuEntry> = listOf(
         MenuEntry("Execute program") { MenuAction.Start(slot) },
         setting("Set as Default") {
             settings.defaultSlot = slot
@@ -100,26 +108,27 @@ internal class NxtMenu(
         },
     )
 
-    private fun soundEntries() = listOf(
+    private fun soundEntries(): List<MenuEntry> = listOf(
         setting("Volume: ${speaker.setting}") { speaker.setting = (speaker.setting + 1) % LEVELS },
         setting("Key click: ${settings.keyClick}") { settings.keyClick = (settings.keyClick + 1) % LEVELS },
     )
 
-    private fun systemEntries() = listOf(
+    private fun systemEntries(): List<MenuEntry> = listOf(
         setting("Sleep: ${if (settings.sleepMinutes == 0) "never" else "${settings.sleepMinutes} min"}") {
-            settings.sleepMinutes = SLEEP_MINUTES[(SLEEP_MINUTES.indexOf(settings.sleepMinutes) + 1) % SLEEP_MINUTES.size]
+            settings.sleepMinutes =
+                SLEEP_MINUTES[(SLEEP_MINUTES.indexOf(settings.sleepMinutes) + 1) % SLEEP_MINUTES.size]
         },
         setting("Auto Run: ${if (settings.autoRun) "on" else "off"}") { settings.autoRun = !settings.autoRun },
         MenuEntry("Free RAM: 48 KB"),
         MenuEntry("Battery:${volts()} V"),
     )
 
-    private fun opening(title: String, entries: () -> List<MenuEntry>) = MenuEntry(title) {
+    private fun opening(title: String, entries: () -> List<MenuEntry>): MenuEntry = MenuEntry(title) {
         pages += MenuPage(title, entries)
         MenuAction.None
     }
 
-    private fun setting(text: String, change: () -> Unit) = MenuEntry(text) {
+    private fun setting(text: String, change: () -> Unit): MenuEntry = MenuEntry(text) {
         change()
         MenuAction.None
     }

@@ -8,6 +8,7 @@ import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
+import robotran.nxt.display.DisplayMemory
 import robotran.nxt.display.Drawing
 import robotran.nxt.hardware.MotorPorts
 import robotran.nxt.log.CallOrigin
@@ -42,6 +43,7 @@ internal class NxtShell(
     private var waitUntil = 0L
     private var pausedSteps = 0
     private var stopWasRequested = false
+    private var memoryOfRun: DisplayMemory? = null
     private var previousWarnings: List<RuntimeWarning> = emptyList()
     private var splashUntil = 0L
     private var sleepTime = 0L
@@ -80,15 +82,27 @@ internal class NxtShell(
     fun pressed(button: BrickButton) {
         when {
             !poweredOn -> if (button == BrickButton.ENTER) powerUp()
+
             splashUntil > 0 -> return
+
             exceptionScreen != null -> pressedOnException(button)
-            run != null -> if (STOP_BUTTONS.all { it in hardware.buttons.pressed }) requestStop()
+
+            run != null -> if (button in STOP_BUTTONS &&
+                hardware.buttons.pressed.containsAll(STOP_BUTTONS)
+            ) {
+                requestStop()
+            }
+
             else -> pressedInMenu(button)
         }
     }
 
     fun stopProgram() {
-        if (run != null) endProgram(stopped = true) else if (exceptionScreen != null) leaveException()
+        if (run != null) {
+            endProgram(stopped = true)
+        } else if (exceptionScreen != null) {
+            leaveException()
+        }
     }
 
     fun runNow(program: NxtProgram) {
@@ -166,7 +180,7 @@ internal class NxtShell(
 
     private fun endProgram(stopped: Boolean) {
         leaveRun()
-        ending.ended(stopped, hardware.motors.commands)
+        ending.ended(stopped, hardware.isDriving)
         resetHardware()
         showMenu()
     }
@@ -182,6 +196,7 @@ internal class NxtShell(
     private fun showThreadFailure(failure: ProgramFailure) {
         ending.threadFailed(failure)
         for (port in 0..<MotorPorts.PORTS) hardware.regulators[port].suspend()
+        memoryOfRun = hardware.display.memory
         show(failure)
     }
 
@@ -199,6 +214,7 @@ internal class NxtShell(
         ending.leaveFailure()
         if (run == null) return showMenu()
         hardware.display.clearForProgram()
+        memoryOfRun?.let { hardware.display.memory = it }
         requestStop()
     }
 

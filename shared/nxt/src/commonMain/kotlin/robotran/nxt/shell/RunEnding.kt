@@ -1,7 +1,5 @@
 package robotran.nxt.shell
 
-import robotran.brick.controls.MotorMode
-import robotran.brick.controls.MotorState
 import robotran.brick.program.ProgramFailure
 import robotran.brick.state.RunState
 import robotran.nxt.messages.NxtMessages
@@ -41,11 +39,11 @@ internal class RunEnding(private val messages: NxtMessages) {
         motorsRoll = false
     }
 
-    /** @param motors what they did until the end. */
-    fun ended(stopped: Boolean, motors: List<MotorState>) {
+    /** @param wasDriving whether a motor was driven until the end. */
+    fun ended(stopped: Boolean, wasDriving: Boolean) {
         state = RunState.Ended(stopped)
         shownFailure = null
-        motorsRoll = !stopped && motors.any { it.mode == MotorMode.FORWARD || it.mode == MotorMode.BACKWARD }
+        motorsRoll = wasDriving && !stopped
     }
 
     fun failed(failure: ProgramFailure) {

@@ -5,6 +5,7 @@ import robotran.json.messages.JsonMessages
 import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
+import robotran.nxt.messages.NxtMessages
 import robotran.programs.messages.ProgramMessages
 import robotran.rcxrom.messages.BrickMessages
 import robotran.robolang.messages.RobolangMessages
@@ -106,6 +107,7 @@ class MessageTablesTest {
         val tables: Map<Class<*>, (Language) -> Any> = mapOf(
             RobolangMessages::class.java to RobolangMessages::of,
             BrickMessages::class.java to BrickMessages::of,
+            NxtMessages::class.java to NxtMessages::of,
             JavaMessages::class.java to JavaMessages::of,
             TinyVmMessages::class.java to TinyVmMessages::of,
             ImageMessages::class.java to ImageMessages::of,
