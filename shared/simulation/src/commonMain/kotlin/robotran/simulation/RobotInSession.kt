@@ -62,7 +62,9 @@ internal class RobotInSession(
 
     /** The causes of its deviation so far. */
     fun deviationCauses(): List<DeviationCause> {
-        val hasLightSensor = world.robots[number].description.parts.any { it.port != null && it.kind == SensorKind.LIGHT }
+        val hasLightSensor = world.robots[number].description.parts.any {
+            it.port != null && it.kind == SensorKind.LIGHT
+        }
         val realism = if (hasLightSensor) world.realism else 0.0
         val bias = if (hasLightSensor) ports.lightBias else 0.0
         return Explanation(

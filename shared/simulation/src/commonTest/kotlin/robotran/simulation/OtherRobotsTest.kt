@@ -21,6 +21,7 @@ import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.RotationPart
 import robotran.world.SensorPart
+import robotran.world.Wall
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
@@ -47,7 +48,9 @@ class OtherRobotsTest {
         val figures = RobotFigures.of(world.robots.first().description)
         val calibration = Calibration(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
         val ready = compileRobolang("test", program, calibration) as RobolangResult.Ready
-        return Session(world, listOf(RobotLoad(listOf(ready.program))), loadPhysicsEngine()).apply { runUnattended(30_000) }
+        return Session(world, listOf(RobotLoad(listOf(ready.program))), loadPhysicsEngine()).apply {
+            runUnattended(30_000)
+        }
     }
 
     private val racer = penbot.copy(
@@ -72,6 +75,24 @@ class OtherRobotsTest {
     fun `a robot stops at a wall with its own outline`() = runTest {
         val pose = run("forward 150", plain.with(racer)).state.robot.pose
         assertEquals(plain.paper.width - 12.0, pose.x, 0.2)
+    }
+
+    @Test
+    fun `the fastest robot does not get through a thin wall`() = runTest {
+        val fast = penbot.copy(drive = penbot.drive.copy(wheelDiameter = 5.0, gear = 1.5), parts = emptyList())
+        assertEquals(59.0, RobotFigures.of(fast).topSpeed, 1.0)
+        val wall = Wall(Point(90.0, 0.0), Point(90.0, 80.0), thickness = 0.5)
+        val world = plain.copy(walls = plain.walls + wall).withStart(Pose(20.0, 40.0, 0.0)).with(fast)
+        val program = ScriptedProgram {
+            motors(ScriptedProgram.FORWARD, 7)
+            pause(5_000)
+        }
+        val session = startRun(program, world)
+        repeat(4_000) {
+            session.advance(1)
+            val front = session.state.robot.pose.x + 8.0
+            assertTrue(front < 89.75 + 0.2, "the front is at $front after ${session.state.milliseconds} ms")
+        }
     }
 
     @Test

@@ -30,7 +30,8 @@ class PenbotAsDataTest {
         val calibration = Calibration(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
         val ready = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), calibration))
         val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
-        val session = Session(world, listOf(RobotLoad(listOf(ready.program), lightFacing = facing)), loadPhysicsEngine())
+        val session =
+            Session(world, listOf(RobotLoad(listOf(ready.program), lightFacing = facing)), loadPhysicsEngine())
         session.runUnattended(60_000)
         session.close()
         return session.traceHash

@@ -50,7 +50,11 @@ class RobotProperties :
         "a random robot is refused, or drives for a minute without leaving its pen" {
             val physics = loadPhysicsEngine()
             var driven = 0
-            checkAll(120, arbitraryRobots(BrickKind.RCX), Arb.double(-180.0, 180.0), Arb.int(0..3)) { robot, heading, noise ->
+            checkAll(120, arbitraryRobots(BrickKind.RCX), Arb.double(-180.0, 180.0), Arb.int(0..3)) {
+                robot,
+                heading,
+                noise,
+                ->
                 if (robotErrors(robot).isNotEmpty()) return@checkAll
                 driven++
                 val world = World(

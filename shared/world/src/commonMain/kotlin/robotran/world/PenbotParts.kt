@@ -42,14 +42,20 @@ private fun sensorOf(part: RobotPart): PortSensor? = when (part) {
         if (isLeft) PortSensor.LEFT_BUMPER else PortSensor.RIGHT_BUMPER
     }
 
-    is FingerTouchPart -> PortSensor.TOUCH
+    is FingerTouchPart -> {
+        PortSensor.TOUCH
+    }
 
-    is RotationPart -> if (part.wheel == BumperSide.LEFT) PortSensor.LEFT_ROTATION else PortSensor.RIGHT_ROTATION
+    is RotationPart -> {
+        if (part.wheel == BumperSide.LEFT) PortSensor.LEFT_ROTATION else PortSensor.RIGHT_ROTATION
+    }
 
-    is SensorPart -> when (part.sensor) {
-        SensorKind.LIGHT -> PortSensor.LIGHT
-        SensorKind.TEMPERATURE -> PortSensor.TEMPERATURE
-        else -> null
+    is SensorPart -> {
+        when (part.sensor) {
+            SensorKind.LIGHT -> PortSensor.LIGHT
+            SensorKind.TEMPERATURE -> PortSensor.TEMPERATURE
+            else -> null
+        }
     }
 }
 

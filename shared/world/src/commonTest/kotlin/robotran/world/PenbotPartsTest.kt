@@ -48,7 +48,9 @@ class PenbotPartsTest {
         val plugged = robot.withPlugged(listOf(emptyList(), listOf(PortSensor.LIGHT), listOf(PortSensor.LEFT_BUMPER)))
         assertEquals(drive, plugged.drive)
         assertEquals(listOf(wide.copy(port = 3), light), plugged.parts)
-        val warm = robot.withPlugged(listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.TEMPERATURE), emptyList()))
+        val warm = robot.withPlugged(
+            listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.TEMPERATURE), emptyList()),
+        )
         assertEquals(listOf(SensorKind.TOUCH, SensorKind.TEMPERATURE), warm.parts.map { it.kind })
     }
 }

@@ -4,8 +4,7 @@ internal object EnglishJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Line $line: ${path.ifEmpty { "the file" }} $reason."
 
-    override fun at(line: Int, path: String, sentence: String) =
-        "Line $line: ${path.ifEmpty { "the file" }}: $sentence"
+    override fun at(line: Int, path: String, sentence: String) = "Line $line: ${path.ifEmpty { "the file" }}: $sentence"
 
     override fun fileTooLong(limit: Int) = "The file is too long: more than $limit characters."
 

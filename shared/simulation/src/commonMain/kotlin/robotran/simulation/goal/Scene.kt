@@ -59,8 +59,7 @@ internal class Scene(
     fun footprint(actor: Actor): Outline? = pose(actor)?.let { places.footprint(actor, it) }
 
     /** The point with which a robot follows a line; null if the robot is nowhere. */
-    fun lightSensor(actor: Actor.OfRobots): Point? =
-        pose(actor)?.let { places.lineSensor(actor, it) }
+    fun lightSensor(actor: Actor.OfRobots): Point? = pose(actor)?.let { places.lineSensor(actor, it) }
 
     /** How far the middle or, if [whole], any part of [actor] is outside [region]; null if it is nowhere. */
     fun distance(actor: Actor, region: Outline, whole: Boolean): Overhang? =

@@ -30,11 +30,13 @@ internal class RcxPorts(
     streams: NoiseStreams,
     private val realism: Double,
 ) : BrickPorts {
-    private val lightEyes: Map<RobotPart, LightEye> =
-        robot.things.filterIsInstance<SensorPart>().filter { it.sensor == SensorKind.LIGHT }.mapIndexed { number, part ->
-            val name = if (number == 0) "light sensor" else "light sensor ${number + 1}"
-            part.on(null) to LightEye(lightOf(part), streams, name, realism)
-        }.toMap()
+    private val lightParts = robot.things.filterIsInstance<SensorPart>().filter { it.sensor == SensorKind.LIGHT }
+
+    /** Of each light sensor, by the part without its port. */
+    private val lightEyes: Map<RobotPart, LightEye> = lightParts.indices.associate { number ->
+        val name = if (number == 0) "light sensor" else "light sensor ${number + 1}"
+        lightParts[number].on(null) to LightEye(lightOf(lightParts[number]), streams, name, realism)
+    }
     private val temperatureNoise = streams.named("temperature sensor: noise")
 
     /** What measures on each port. */
@@ -43,8 +45,7 @@ internal class RcxPorts(
     }
 
     override val lightBias =
-        robot.parts.firstOrNull { it.port != null && it.on(null) in lightEyes }?.let { lightEyes.getValue(it.on(null)).bias }
-            ?: 0.0
+        robot.parts.filter { it.port != null }.firstNotNullOfOrNull { lightEyes[it.on(null)] }?.bias ?: 0.0
 
     /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)
@@ -81,23 +82,29 @@ internal class RcxPorts(
 
     /** null for what an RCX cannot read. */
     private fun sensorOf(part: RobotPart, port: Int): RawSensor? = when (part) {
-        is BumperPart -> machine.bumper(part).let { bumper -> RawSensor { TouchSensor.raw(bumper.isClosed) } }
+        is BumperPart -> {
+            machine.bumper(part).let { bumper -> RawSensor { TouchSensor.raw(bumper.isClosed) } }
+        }
 
-        is FingerTouchPart -> RawSensor { TouchSensor.raw(pressed[port]) }
+        is FingerTouchPart -> {
+            RawSensor { TouchSensor.raw(pressed[port]) }
+        }
 
         is RotationPart -> {
             val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
             RawSensor { rotation(wheel, port) }
         }
 
-        is SensorPart -> when (part.sensor) {
-            SensorKind.LIGHT -> lightEyes.getValue(part.on(null)).let { eye ->
-                RawSensor { rounded(eye.raw(brick.sensorIsActive(port))) }
+        is SensorPart -> {
+            when (part.sensor) {
+                SensorKind.LIGHT -> lightEyes.getValue(part.on(null)).let { eye ->
+                    RawSensor { rounded(eye.raw(brick.sensorIsActive(port))) }
+                }
+
+                SensorKind.TEMPERATURE -> RawSensor { temperature(thermometer.celsius()) }
+
+                else -> null
             }
-
-            SensorKind.TEMPERATURE -> RawSensor { temperature(thermometer.celsius()) }
-
-            else -> null
         }
     }
 

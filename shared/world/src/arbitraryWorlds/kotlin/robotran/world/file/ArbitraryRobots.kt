@@ -30,7 +30,13 @@ internal fun arbitraryRobots(brick: BrickKind? = null): Arb<RobotDescription> =
 private class ArbitraryRobot(private val random: Random, private val wanted: BrickKind?) {
     fun robot(): RobotDescription {
         val brick = wanted ?: BrickKind.entries.random(random)
-        val base = if (random.nextBoolean()) ReadyRobots.all.values.filter { it.brick == brick }.random(random) else null
+        val base = if (random.nextBoolean()) {
+            ReadyRobots.all.values.filter {
+                it.brick == brick
+            }.random(random)
+        } else {
+            null
+        }
         val like = base ?: ReadyRobots.defaultOf(brick)
         val front = number(3.0, 15.0)
         val motors = MotorPort.entries.shuffled(random)
@@ -52,8 +58,17 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         val half = number(2.0, 9.0)
         val outline = when (random.nextInt(4)) {
             0 -> listOf(Point(back, -half), Point(front, -half / 2), Point(front, half / 2), Point(back, half))
-            1 -> listOf(Point(back, -half), Point(front, -half), Point(front / 2, 0.0), Point(front, half), Point(back, half))
+
+            1 -> listOf(
+                Point(back, -half),
+                Point(front, -half),
+                Point(front / 2, 0.0),
+                Point(front, half),
+                Point(back, half),
+            )
+
             2 -> List(random.nextInt(3, 13)) { Point(number(back, front), number(-half, half)) }
+
             else -> listOf(Point(back, -half), Point(front, -half), Point(front, half), Point(back, half))
         }
         val massAt = Point(if (random.nextInt(6) == 0) -1.0 else number(0.0, 2.0), 0.0)
@@ -71,12 +86,30 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         tyreFriction = number(0.1, 2.0),
     )
 
-    private fun casters(front: Double) =
-        List(if (random.nextInt(6) == 0) 0 else random.nextInt(1, 4)) { Point(front - number(0.0, 2.0), number(-4.0, 4.0)) }
+    private fun casters(front: Double) = List(
+        if (random.nextInt(6) ==
+            0
+        ) {
+            0
+        } else {
+            random.nextInt(1, 4)
+        },
+    ) { Point(front - number(0.0, 2.0), number(-4.0, 4.0)) }
 
     private fun parts(brick: BrickKind, front: Double): List<RobotPart> {
         val ports = (1..brick.inputPorts).shuffled(random)
-        return List(random.nextInt(brick.inputPorts + 1)) { part(if (random.nextInt(5) == 0) null else ports[it], front) }
+        return List(random.nextInt(brick.inputPorts + 1)) {
+            part(
+                if (random.nextInt(5) ==
+                    0
+                ) {
+                    null
+                } else {
+                    ports[it]
+                },
+                front,
+            )
+        }
     }
 
     private fun part(port: Int?, front: Double): RobotPart = when (random.nextInt(6)) {

@@ -42,7 +42,8 @@ internal fun readDescription(place: JsonCursor): RobotDescription {
             place.optional("brickAt")?.let(::readPoint) ?: like.brickAt.at,
             place.optional("brickTurned")?.flag() ?: like.brickAt.turned,
         ),
-        parts = place.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
+        parts =
+            place.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
         base = base?.base,
         unknown = unknownOf(place),
     )
@@ -84,8 +85,7 @@ private fun readDiameter(place: JsonCursor): Double {
     return roundToThousandths(diameter)
 }
 
-private fun readPen(place: JsonCursor): PenMount? =
-    if (place.isNull) null else PenMount(place.choice(MOTORS))
+private fun readPen(place: JsonCursor): PenMount? = if (place.isNull) null else PenMount(place.choice(MOTORS))
 
 private fun readPart(place: JsonCursor): RobotPart {
     val kind = place.member("kind").choice(PART_KINDS)

@@ -1,6 +1,5 @@
 package robotran.world.geometry
 
-
 /** Whether two non-adjacent edges of the polygon cross or touch, or adjacent ones fold back onto each other. */
 fun edgesCross(corners: List<Point>): Boolean {
     val count = corners.size

@@ -42,12 +42,11 @@ internal object EnglishRobotMessages : RobotMessages {
 
     override fun tooFast() = "With this gear the robot is faster than 60 cm a second."
 
-    override fun tipsOver(backwards: Boolean) =
-        if (backwards) {
-            "The robot tips over: its mass lies behind the wheels, and no caster holds it there."
-        } else {
-            "The robot tips over: its mass lies in front of the wheels, and no caster holds it there."
-        }
+    override fun tipsOver(backwards: Boolean) = if (backwards) {
+        "The robot tips over: its mass lies behind the wheels, and no caster holds it there."
+    } else {
+        "The robot tips over: its mass lies in front of the wheels, and no caster holds it there."
+    }
 
     override fun casterOnAxle() = "A caster must be at least 1 cm in front of the axle or behind it."
 

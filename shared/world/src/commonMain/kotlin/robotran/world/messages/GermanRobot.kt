@@ -45,12 +45,11 @@ internal object GermanRobotMessages : RobotMessages {
 
     override fun tooFast() = "Mit diesem Getriebe ist der Roboter schneller als 60 cm in der Sekunde."
 
-    override fun tipsOver(backwards: Boolean) =
-        if (backwards) {
-            "Der Roboter kippt um: Sein Gewicht liegt hinter den Rädern, und dort stützt ihn keine Rolle."
-        } else {
-            "Der Roboter kippt um: Sein Gewicht liegt vor den Rädern, und dort stützt ihn keine Rolle."
-        }
+    override fun tipsOver(backwards: Boolean) = if (backwards) {
+        "Der Roboter kippt um: Sein Gewicht liegt hinter den Rädern, und dort stützt ihn keine Rolle."
+    } else {
+        "Der Roboter kippt um: Sein Gewicht liegt vor den Rädern, und dort stützt ihn keine Rolle."
+    }
 
     override fun casterOnAxle() = "Eine Rolle muss mindestens 1 cm vor oder hinter der Achse sein."
 

@@ -44,20 +44,21 @@ internal object SpanishRobotMessages : RobotMessages {
 
     override fun tooFast() = "Con estos engranajes el robot va a más de 60 cm por segundo."
 
-    override fun tipsOver(backwards: Boolean) =
-        if (backwards) {
-            "El robot se cae: su peso está detrás de las ruedas y allí no lo sujeta ninguna rueda loca."
-        } else {
-            "El robot se cae: su peso está delante de las ruedas y allí no lo sujeta ninguna rueda loca."
-        }
+    override fun tipsOver(backwards: Boolean) = if (backwards) {
+        "El robot se cae: su peso está detrás de las ruedas y allí no lo sujeta ninguna rueda loca."
+    } else {
+        "El robot se cae: su peso está delante de las ruedas y allí no lo sujeta ninguna rueda loca."
+    }
 
     override fun casterOnAxle() = "Una rueda loca tiene que estar al menos 1 cm delante o detrás del eje."
 
     override fun outlineCrosses() = "El contorno se cruza o se toca a sí mismo."
 
-    override fun outlineTooSmall() = "El contorno es demasiado pequeño: tiene que medir al menos 4 cm de largo y de ancho."
+    override fun outlineTooSmall() =
+        "El contorno es demasiado pequeño: tiene que medir al menos 4 cm de largo y de ancho."
 
-    override fun outlineTooLarge() = "El contorno es demasiado grande: puede medir como mucho 60 cm de largo y de ancho."
+    override fun outlineTooLarge() =
+        "El contorno es demasiado grande: puede medir como mucho 60 cm de largo y de ancho."
 
     override fun tooManyCorners() = "El contorno tiene demasiadas esquinas para tantos parachoques."
 

@@ -28,18 +28,23 @@ internal fun partErrors(robot: RobotDescription): List<RobotError> {
     val chassis = Outline.Angular(robot.chassisCorners)
     return robot.parts.flatMapIndexed { number, part ->
         when (part) {
-            is BumperPart -> listOfNotNull(
-                RobotError.BumperInside(number).takeIf { chassis.contains(part.at.x, part.at.y) },
-                farAway(robot, chassis, number, part, part.at),
-            )
+            is BumperPart -> {
+                listOfNotNull(
+                    RobotError.BumperInside(number).takeIf { chassis.contains(part.at.x, part.at.y) },
+                    farAway(robot, chassis, number, part, part.at),
+                )
+            }
 
-            is SensorPart ->
+            is SensorPart -> {
                 heightErrors(number, part) + turretErrors(robot, number, part) + listOfNotNull(
                     farAway(robot, chassis, number, part, part.at),
                     RobotError.LooksIntoRobot(number, part.kind).takeIf { looksInto(robot, chassis, part) },
                 )
+            }
 
-            else -> emptyList()
+            else -> {
+                emptyList()
+            }
         }
     }
 }
@@ -72,13 +77,7 @@ private fun turretErrors(robot: RobotDescription, number: Int, part: SensorPart)
     )
 }
 
-private fun farAway(
-    robot: RobotDescription,
-    chassis: Outline,
-    number: Int,
-    part: RobotPart,
-    at: Point,
-): RobotError? {
+private fun farAway(robot: RobotDescription, chassis: Outline, number: Int, part: RobotPart, at: Point): RobotError? {
     if (chassis.contains(at.x, at.y)) return null
     val box = robot.copy(parts = emptyList()).box
     val away = length(at.x - at.x.coerceIn(box.left, box.right), at.y - at.y.coerceIn(box.bottom, box.top))

@@ -24,13 +24,29 @@ fun RobotDescription.partFor(kind: SensorKind, port: Int): RobotPart {
     val front = roundToThousandths(chassis.outline.maxOf { it.x })
     val height = roundToThousandths(chassis.height)
     return when (kind) {
-        SensorKind.TOUCH -> bumperFor(port, front)
-        SensorKind.ROTATION -> RotationPart(port, sideOf(port) ?: BumperSide.LEFT)
-        SensorKind.LIGHT -> SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Free)
-        SensorKind.COLOUR -> SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Down)
-        SensorKind.ULTRASONIC -> SensorPart(port, kind, Point(front, 0.0), AHEAD_HEIGHT, Facing.Ahead(0.0))
-        SensorKind.TEMPERATURE, SensorKind.SOUND, SensorKind.COMPASS, SensorKind.GYRO ->
+        SensorKind.TOUCH -> {
+            bumperFor(port, front)
+        }
+
+        SensorKind.ROTATION -> {
+            RotationPart(port, sideOf(port) ?: BumperSide.LEFT)
+        }
+
+        SensorKind.LIGHT -> {
+            SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Free)
+        }
+
+        SensorKind.COLOUR -> {
+            SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Down)
+        }
+
+        SensorKind.ULTRASONIC -> {
+            SensorPart(port, kind, Point(front, 0.0), AHEAD_HEIGHT, Facing.Ahead(0.0))
+        }
+
+        SensorKind.TEMPERATURE, SensorKind.SOUND, SensorKind.COMPASS, SensorKind.GYRO -> {
             SensorPart(port, kind, Point(0.0, 0.0), height, Facing.Ahead(0.0))
+        }
     }
 }
 
@@ -58,20 +74,29 @@ fun RobotDescription.withSensor(kind: SensorKind, port: Int): RobotDescription {
 
 /** Empty for what no penbot has. */
 private fun penbotSensors(kind: SensorKind, port: Int): List<PortSensor> = when (kind) {
-    SensorKind.TOUCH -> when (port) {
-        1 -> listOf(PortSensor.LEFT_BUMPER)
-        BrickKind.RCX.inputPorts -> listOf(PortSensor.RIGHT_BUMPER)
-        else -> listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER)
+    SensorKind.TOUCH -> {
+        when (port) {
+            1 -> listOf(PortSensor.LEFT_BUMPER)
+            BrickKind.RCX.inputPorts -> listOf(PortSensor.RIGHT_BUMPER)
+            else -> listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER)
+        }
     }
 
-    SensorKind.TEMPERATURE -> listOf(PortSensor.TEMPERATURE)
+    SensorKind.TEMPERATURE -> {
+        listOf(PortSensor.TEMPERATURE)
+    }
 
-    SensorKind.LIGHT -> listOf(PortSensor.LIGHT)
+    SensorKind.LIGHT -> {
+        listOf(PortSensor.LIGHT)
+    }
 
-    SensorKind.ROTATION ->
+    SensorKind.ROTATION -> {
         listOf(if (port == BrickKind.RCX.inputPorts) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
+    }
 
-    SensorKind.ULTRASONIC, SensorKind.SOUND, SensorKind.COLOUR, SensorKind.COMPASS, SensorKind.GYRO -> emptyList()
+    SensorKind.ULTRASONIC, SensorKind.SOUND, SensorKind.COLOUR, SensorKind.COMPASS, SensorKind.GYRO -> {
+        emptyList()
+    }
 }
 
 /** null for a port between. */

@@ -161,11 +161,13 @@ class RobotFileTest {
     @Test
     fun `unknown fields are kept`() {
         val text = FULL_ROBOT.replace("\"brickTurned\"", "\"wings\": { \"span\": 3 }, \"brickTurned\"")
-            .replace("\"diameter\"", "\"spokes\": 6, \"diameter\"").replace("\"kind\": \"touch\"", "\"kind\": \"touch\", \"red\": true")
+            .replace("\"diameter\"", "\"spokes\": 6, \"diameter\"")
+            .replace("\"kind\": \"touch\"", "\"kind\": \"touch\", \"red\": true")
         val robot = loadedRobot(text)
         val written = writeRobot(robot)
         assertEquals(robot, loadedRobot(written))
-        for (kept in listOf("\"wings\": { \"span\": 3 }", "\"spokes\": 6", "\"red\": true")) assertTrue(kept in written, written)
+        val kept = listOf("\"wings\": { \"span\": 3 }", "\"spokes\": 6", "\"red\": true")
+        for (field in kept) assertTrue(field in written, written)
     }
 
     @Test
@@ -173,18 +175,21 @@ class RobotFileTest {
         fun world(robot: String) = """{"format": "robotran-world", "version": 2, "title": "W",
             "paper": {"width": 100, "height": 80}, "robots": [{ "start": {"x": 50, "y": 40, "heading": 0}$robot }]}"""
 
-        fun robotOf(robot: String) = loaded(world(robot)).also { assertEquals(it, loaded(writeWorld(it))) }.robots.single().description
+        fun robotOf(robot: String) = loaded(world(robot)).also {
+            assertEquals(it, loaded(writeWorld(it)))
+        }.robots.single().description
         assertEquals(ReadyRobots.SUMO, robotOf(", \"robot\": \"sumo\""))
         assertEquals(ReadyRobots.RCX_PENBOT, robotOf(", \"robot\": \"rcx-penbot\""))
         assertEquals("Big", robotOf(", \"robot\": { \"title\": \"Big\", \"like\": \"sumo\", \"mass\": 2 }").title)
         assertTrue("\"robot\": \"sumo\"" in writeWorld(loaded(world(", \"robot\": \"sumo\""))))
         assertTrue("robot\":" !in writeWorld(loaded(world(", \"robot\": \"rcx-penbot\""))).replace("\"robots\"", ""))
         assertEquals(
-            "Line 2: robots[0].ports: A robot has either \"robot\" or \"ports\": what is plugged into a robot is in its own " +
-                "parts.",
+            "Line 2: robots[0].ports: A robot has either \"robot\" or \"ports\": what is plugged into a robot is in its " +
+                "own parts.",
             refusal(world(", \"robot\": \"sumo\", \"ports\": {}")).message,
         )
-        val wide = refusal(world(", \"robot\": { \"title\": \"W\", \"outline\": [[-5, -9], [8, -9], [8, 9]], \"mass\": 7 }"))
+        val wide =
+            refusal(world(", \"robot\": { \"title\": \"W\", \"outline\": [[-5, -9], [8, -9], [8, 9]], \"mass\": 7 }"))
         assertEquals("robots[0].robot.mass", wide.path)
     }
 
@@ -194,7 +199,8 @@ class RobotFileTest {
             "paper": {"width": 100, "height": 80}, "walls": [{ "from": [62, 0], "to": [62, 80], "thickness": 1 }],
             "robots": [{ "start": {"x": 50, "y": 40, "heading": 0}$robot }]}"""
         assertNotNull(loaded(world("")))
-        val long = ", \"robot\": { \"title\": \"Long\", \"outline\": [[-5, -4], [13, -4], [13, 4], [-5, 4]], \"parts\": [] }"
+        val outline = "\"outline\": [[-5, -4], [13, -4], [13, 4], [-5, 4]]"
+        val long = ", \"robot\": { \"title\": \"Long\", $outline, \"parts\": [] }"
         assertEquals("Line 3: robots[0].start puts the robot into walls[0].", refusal(world(long)).message)
     }
 }

@@ -113,7 +113,14 @@ class RobotErrorsTest {
         assertEquals(RobotError.CasterOnAxle, error(rcx.copy(casters = listOf(Point(0.9, 0.0)))))
         assertEquals(RobotError.MassOutside, error(rcx.chassis { copy(massAt = Point(9.0, 0.0)) }))
         assertEquals(RobotError.MassBesideMiddle, error(rcx.chassis { copy(massAt = Point(1.0, 0.5)) }))
-        assertEquals(emptyList(), robotErrors(rcx.copy(casters = emptyList()).chassis { copy(massAt = Point(0.0, 0.0)) }))
+        assertEquals(
+            emptyList(),
+            robotErrors(
+                rcx.copy(casters = emptyList()).chassis {
+                    copy(massAt = Point(0.0, 0.0))
+                },
+            ),
+        )
     }
 
     @Test
@@ -185,6 +192,15 @@ class RobotErrorsTest {
             told(rcx.with(BumperPart(1, Point(9.0, 0.0), 4.0, direction = 400.0))),
         )
         assertEquals(RobotPiece.PART, error(rcx.with(BumperPart(1, Point(9.0, 0.0), 40.0))).piece)
-        assertEquals("The number of parts must be from 0 to 12.", told(rcx.copy(parts = List(13) { FingerTouchPart(null) })))
+        assertEquals(
+            "The number of parts must be from 0 to 12.",
+            told(
+                rcx.copy(
+                    parts = List(13) {
+                        FingerTouchPart(null)
+                    },
+                ),
+            ),
+        )
     }
 }

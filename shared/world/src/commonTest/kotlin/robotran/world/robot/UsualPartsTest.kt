@@ -13,13 +13,17 @@ class UsualPartsTest {
     @Test
     fun `a penbot gets its own sensors`() {
         val bare = ReadyRobots.penbotWith(List(3) { emptyList() })
+
         fun on(port: Int, kind: SensorKind) = bare.withSensor(kind, port).pluggedSensors[port - 1]
         assertEquals(listOf(PortSensor.LEFT_BUMPER), on(1, SensorKind.TOUCH))
         assertEquals(listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER), on(2, SensorKind.TOUCH))
         assertEquals(listOf(PortSensor.RIGHT_BUMPER), on(3, SensorKind.TOUCH))
         assertEquals(listOf(PortSensor.RIGHT_ROTATION), on(3, SensorKind.ROTATION))
-        assertEquals(ReadyRobots.RCX_PENBOT, listOf(1 to SensorKind.TOUCH, 2 to SensorKind.LIGHT, 3 to SensorKind.TOUCH)
-            .fold(bare) { robot, (port, kind) -> robot.withSensor(kind, port) })
+        assertEquals(
+            ReadyRobots.RCX_PENBOT,
+            listOf(1 to SensorKind.TOUCH, 2 to SensorKind.LIGHT, 3 to SensorKind.TOUCH)
+                .fold(bare) { robot, (port, kind) -> robot.withSensor(kind, port) },
+        )
     }
 
     @Test

@@ -62,7 +62,9 @@ class RobotFileProperties :
         }
 
         "a robot file with any of its values replaced gives a result" {
-            val values = Regex("-?[0-9.]+|\"[^\"]*\"(?!:)|true|false|null").findAll(FULL_ROBOT).map { it.range }.toList()
+            val values = Regex("-?[0-9.]+|\"[^\"]*\"(?!:)|true|false|null").findAll(FULL_ROBOT).map {
+                it.range
+            }.toList()
             val others = Arb.choice(
                 Arb.double().map { it.toString() },
                 Arb.element("null", "[]", "{}", "true", "\"\"", "1e308", "-1e-400", "NaN", "[[[", "\"A\"", "\"down\""),

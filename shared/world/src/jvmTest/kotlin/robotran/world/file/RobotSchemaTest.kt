@@ -64,10 +64,15 @@ class RobotSchemaTest {
 
     @Test
     fun `a robot in a world follows the same rules as one in a file`() {
-        val world = Json.parseToJsonElement(schemaTexts.getValue("world.schema.json")).jsonObject.getValue("\$defs").jsonObject
+        val world = Json.parseToJsonElement(
+            schemaTexts.getValue("world.schema.json"),
+        ).jsonObject.getValue("\$defs").jsonObject
         val robot = definition.jsonObject
         for ((name, rule) in robot.getValue("\$defs").jsonObject) assertEquals(rule, world[name], name)
         val properties = robot.getValue("properties").jsonObject - "format" - "version"
-        assertEquals(properties, world.getValue("robotDescription").jsonObject.getValue("properties").jsonObject.toMap())
+        assertEquals(
+            properties,
+            world.getValue("robotDescription").jsonObject.getValue("properties").jsonObject.toMap(),
+        )
     }
 }
