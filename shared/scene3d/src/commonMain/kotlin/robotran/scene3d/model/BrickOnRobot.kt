@@ -131,8 +131,8 @@ internal class BrickOnRobot(
 }
 
 /**
- * An NXT around the origin, its upper end at larger y: a light face with its display, buttons and ports in a frame of the
- * robot's colour.
+ * An NXT around the origin, its upper end at larger y: a light face with its display, buttons and ports in a frame of
+ * the robot's colour.
  */
 internal fun nxtBody(
     build: RobotPlacement,

@@ -12,8 +12,8 @@ import robotran.world.robot.bumpers
 import kotlin.math.abs
 
 /**
- * Any robot as columns that stand side by side: the wheels, the chassis with all that is on it and below it, and what is
- * outside of it, bumpers and sensors. The chassis is the hull of its outline, between the tyres.
+ * Any robot as columns that stand side by side: the wheels, the chassis with all that is on it and below it, and what
+ * is outside of it, bumpers and sensors. The chassis is the hull of its outline, between the tyres.
  */
 internal class BuiltRobotModel(
     override val number: Int,

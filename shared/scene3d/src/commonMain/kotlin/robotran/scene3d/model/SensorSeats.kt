@@ -20,8 +20,8 @@ internal enum class SensorLevel { BELOW_CHASSIS, ON_CHASSIS, ON_BRICK, OUTSIDE }
 internal class SeatedSensor(val level: SensorLevel, val body: Body, val place: Placement)
 
 /**
- * Finds a place for each sensor where it overlaps with nothing: below the chassis, on it, on the brick or outside. That is
- * at most some millimetres from where it is. A sensor without such a place is not shown.
+ * Finds a place for each sensor where it overlaps with nothing: below the chassis, on it, on the brick or outside. That
+ * is at most some millimetres from where it is. A sensor without such a place is not shown.
  *
  * @param hull of the chassis.
  * @param brick what the brick covers.

@@ -26,6 +26,7 @@ import robotran.world.World
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import robotran.world.robot.box
+import robotran.world.robot.bumpers
 import kotlin.math.cos
 import kotlin.math.sign
 import kotlin.math.sin
@@ -47,7 +48,7 @@ internal fun readings(world: World, state: SessionState): List<SensorReading> = 
         val box = robot.box
         for (input in now.brick.inputs) {
             val part = robot.parts.firstOrNull { it.port == input.port } ?: continue
-            val isPressed = part is BumperPart && now.robot.isPressed(part, robot)
+            val isPressed = part is BumperPart && now.robot.isPressed(part, robot.bumpers.indexOf(part.on(null)))
             add(
                 SensorReading(
                     "${input.port}: ${input.value}",

@@ -13,8 +13,8 @@ import robotran.simulation.state.RobotState
 import robotran.world.RobotPlacement
 
 /**
- * The robot from above, true to scale: a brick in the colour of [build] on a black chassis, two wheels, bumpers, sensors,
- * the pen between the wheels, two eyes with the look of [face], and optionally a lamp on top.
+ * The robot from above, true to scale: a brick in the colour of [build] on a black chassis, two wheels, bumpers,
+ * sensors, the pen between the wheels, two eyes with the look of [face], and optionally a lamp on top.
  *
  * @param plan of the robot of [build].
  */

@@ -9,7 +9,6 @@ import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
 import robotran.world.BumperPart
 import robotran.world.Paper
-import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.robot.bumpers
@@ -32,7 +31,7 @@ internal fun DrawScope.drawSights(world: World, state: SessionState, transform: 
                 is Sight.Cone -> drawCone(sight, sightCorners(sight, number, world, state), transform)
             }
         }
-        for (contact in contacts(snapshot.robot, place.description.bumpers, place.description)) {
+        for (contact in contacts(snapshot.robot, place.description.bumpers)) {
             val width = max(transform.toPixels(CONTACT_WIDTH), 1.5f)
             val (from, to) = contact
             drawLine(SheetColours.TOUCH, transform.toPixels(from), transform.toPixels(to), width, StrokeCap.Round)
@@ -78,16 +77,13 @@ private fun cornersOf(paper: Paper): List<Point> =
     listOf(0.0 to 0.0, paper.width to 0.0, paper.width to paper.height, 0.0 to paper.height)
         .map { (x, y) -> Point(x, y) }
 
-/** Three short lines at each pressed bumper. */
-internal fun contacts(
-    robot: RobotState,
-    bumpers: List<BumperPart>,
-    description: RobotDescription,
-): List<Pair<Point, Point>> = bumpers.filter { robot.isPressed(it, description) }.flatMap { bumper ->
-    listOf(-1.0, 0.0, 1.0).map { spread ->
-        robot.at(bumper, 0.6, spread * 1.6) to robot.at(bumper, 2.4, spread * 2.8)
+/** Three short lines at each pressed one of the [bumpers]. */
+internal fun contacts(robot: RobotState, bumpers: List<BumperPart>): List<Pair<Point, Point>> =
+    bumpers.filterIndexed { index, bumper -> robot.isPressed(bumper, index) }.flatMap { bumper ->
+        listOf(-1.0, 0.0, 1.0).map { spread ->
+            robot.at(bumper, 0.6, spread * 1.6) to robot.at(bumper, 2.4, spread * 2.8)
+        }
     }
-}
 
 /** The point at these distances in front of the middle of a bumper's outer edge, and to its left. */
 internal fun RobotState.at(bumper: BumperPart, outwards: Double, leftwards: Double): Point {

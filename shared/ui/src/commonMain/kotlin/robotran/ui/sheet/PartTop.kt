@@ -10,7 +10,6 @@ import robotran.world.BumperSide
 import robotran.world.Facing
 import robotran.world.RobotDescription
 import robotran.world.SensorPart
-import robotran.world.robot.bumpers
 import robotran.world.robot.things
 import kotlin.math.PI
 import kotlin.math.cos
@@ -84,14 +83,11 @@ internal fun sensorTops(robot: RobotDescription): List<SensorTop> = robot.things
     .sortedBy { it.height }
     .map { SensorTop(it, robot.brick) }
 
-/** Whether [bumper], one of the robot's, is pressed. */
-internal fun RobotState.isPressed(bumper: BumperPart, robot: RobotDescription): Boolean {
-    val isSidePressed = when (bumper.side) {
-        BumperSide.LEFT -> leftBumperPressed
-        BumperSide.RIGHT -> rightBumperPressed
-        null -> false
-    }
-    return isSidePressed || robot.bumpers.indexOf(bumper.on(null)) in pressed
+/** Whether [bumper] is pressed, the robot's with this [index] among its bumpers. */
+internal fun RobotState.isPressed(bumper: BumperPart, index: Int): Boolean = index in pressed || when (bumper.side) {
+    BumperSide.LEFT -> leftBumperPressed
+    BumperSide.RIGHT -> rightBumperPressed
+    null -> false
 }
 
 private fun turned(place: Offset, degrees: Float): Offset {

@@ -13,8 +13,8 @@ import robotran.world.robot.bumpers
 import kotlin.math.max
 
 /**
- * The parts of a robot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to its
- * right.
+ * The parts of a robot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to
+ * its right.
  */
 internal class RobotPlan(val robot: RobotDescription) {
     /** The corners of the chassis, and the box around it. */

@@ -23,7 +23,7 @@ internal interface RobotBrush {
 
 /** All of a robot but its wheels, eyes, pen and lamp. */
 internal fun RobotBrush.drawBody(plan: RobotPlan, build: RobotPlacement, robot: RobotState) {
-    for (bumper in plan.bumpers) drawBumper(bumper, robot.isPressed(bumper.part, plan.robot))
+    plan.bumpers.forEachIndexed { index, bumper -> drawBumper(bumper, robot.isPressed(bumper.part, index)) }
     plate(plan.axle, RobotColours.TREAD, 0.2f)
     if (plan.isBox) {
         plate(plan.chassisBox, RobotColours.CHASSIS, 1f, RobotColours.CHASSIS_EDGE)

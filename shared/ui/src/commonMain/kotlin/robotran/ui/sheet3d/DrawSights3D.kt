@@ -34,7 +34,7 @@ internal fun DrawScope.drawSights3D(world: World, state: SessionState, projectio
             drawPath(path, SheetColours.SIGHT.copy(alpha = 0.7f), style = Stroke(1.5.dp.toPx()))
             if (sight is Sight.Cone) drawEcho3D(sight, projection)
         }
-        for ((from, to) in contacts(snapshot.robot, place.description.bumpers, place.description)) {
+        for ((from, to) in contacts(snapshot.robot, place.description.bumpers)) {
             val start = pixel(from, projection) ?: continue
             val end = pixel(to, projection) ?: continue
             drawLine(SheetColours.TOUCH, start, end, 3.dp.toPx(), StrokeCap.Round)

@@ -13,7 +13,8 @@ import androidx.compose.ui.graphics.drawscope.clipPath
 import androidx.compose.ui.graphics.drawscope.withTransform
 
 /**
- * The grey case: beams with holes at the sides, the light face with the frame of the display, the loudspeaker and a lamp.
+ * The grey case: beams with holes at the sides, the light face with the frame of the display, the loudspeaker and a
+ * lamp.
  *
  * @param isSending whether it sends by radio.
  */

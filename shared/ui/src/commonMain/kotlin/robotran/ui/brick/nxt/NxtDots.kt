@@ -37,8 +37,8 @@ internal fun dotsOf(display: NxtDisplay): ImageBitmap {
 }
 
 /**
- * The glass with [count] rows of dots of [dots] from the row [first] on, in the middle of the draw area. A dot has a whole
- * number of pixels, so that all dots look alike, unless that left much of the area empty.
+ * The glass with [count] rows of dots of [dots] from the row [first] on, in the middle of the draw area. A dot has a
+ * whole number of pixels, so that all dots look alike, unless that left much of the area empty.
  *
  * @param contrast from 0, no dots, to 1.
  * @param margin around the dots at most, in pixels.

@@ -3,19 +3,15 @@ package robotran.ui.brick.nxt
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.SemanticsPropertyReceiver
@@ -23,7 +19,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -126,8 +121,8 @@ private fun Modifier.touchable(isForFingers: Boolean, onTouch: (Boolean) -> Unit
     if (isForFingers) focusRing(12.dp).holdable({ onTouch(true) }, { onTouch(false) }) else this
 
 /**
- * A motor port with the degrees of its counter. It is lit while its motor is driven, with an arrow for the direction and
- * the power.
+ * A motor port with the degrees of its counter. It is lit while its motor is driven, with an arrow for the direction
+ * and the power.
  *
  * @param isPlugged whether the robot has a motor there.
  */
@@ -177,45 +172,6 @@ private fun Modifier.described(description: String, more: SemanticsPropertyRecei
         contentDescription = description
         more()
     }
-
-@Composable
-private fun Plug(
-    colour: Color,
-    isAbove: Boolean,
-    isPlugged: Boolean,
-    unit: Dp,
-    modifier: Modifier,
-    content: @Composable () -> Unit,
-) {
-    Box(
-        modifier.drawBehind { drawPlug(colour, isAbove, isPlugged, unit.toPx()) },
-        contentAlignment = Alignment.Center,
-    ) {
-        val cable = unit * NxtPlan.CABLE_LENGTH
-        Column(
-            Modifier.padding(top = if (isAbove) cable else 0.dp, bottom = if (isAbove) 0.dp else cable),
-            horizontalAlignment = Alignment.CenterHorizontally,
-        ) { content() }
-    }
-}
-
-@Composable
-private fun PlugLabel(text: String, colour: Color, unit: Dp, units: Float) {
-    Text(
-        text,
-        color = colour,
-        fontSize = with(LocalDensity.current) { (unit * units).toSp() },
-        lineHeight = with(LocalDensity.current) { (unit * (units + LEADING)).toSp() },
-        fontWeight = FontWeight.Bold,
-        maxLines = 1,
-        softWrap = false,
-    )
-}
-
-/** Font sizes in units of the [NxtPlan]. */
-private const val PORT_SIZE = 16f
-private const val VALUE_SIZE = 14.5f
-private const val LEADING = 2f
 
 /** What an ultrasonic sensor says if it hears nothing. */
 private const val NOTHING_HEARD = 255
