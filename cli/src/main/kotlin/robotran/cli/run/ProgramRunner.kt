@@ -18,6 +18,7 @@ import robotran.cli.input.loadWorld
 import robotran.cli.input.projectOf
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
+import robotran.cli.input.withBuilds
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
@@ -38,6 +39,7 @@ import robotran.world.file.BuiltInWorlds
  * @property programs the program files of the first robot, or one project. If [world] is set, only the programs of the
  * project's first robot count, see [readSubmission].
  * @property robots programs for other robots.
+ * @property builds how robots are built, instead of what the world says.
  * @property java the options for Java programs.
  * @property world the file of the world, or a project or link that contains it; null for the project's world or the
  * empty sheet.
@@ -47,6 +49,7 @@ import robotran.world.file.BuiltInWorlds
 internal class RunRequest(
     val programs: List<String>,
     val robots: List<RobotFile>,
+    val builds: List<RobotFile>,
     val java: JavaSettings,
     val world: String?,
     val changes: WorldChanges,
@@ -66,8 +69,9 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             loadWorld(request.world, console)
         }
         if (own == null || place == null) return ExitCode.BAD_INPUT
-        val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
-        return run(request.changes.of(place.world), loads, request, outputs)
+        val world = withBuilds(place.world, request.builds, console) ?: return ExitCode.BAD_INPUT
+        val loads = readLoads(place.copy(world = world), own, request) ?: return ExitCode.BAD_INPUT
+        return run(request.changes.of(world), loads, request, outputs)
     }
 
     /**
@@ -79,7 +83,9 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             console.complain(console.messages.projectHasItsOwn())
             return ExitCode.BAD_INPUT
         }
-        val project = projectOf(name, console) ?: return ExitCode.BAD_INPUT
+        val given = projectOf(name, console) ?: return ExitCode.BAD_INPUT
+        val world = withBuilds(given.world, request.builds, console) ?: return ExitCode.BAD_INPUT
+        val project = given.copy(world = world)
         val default = JavaSettings()
         val java =
             JavaSettings(

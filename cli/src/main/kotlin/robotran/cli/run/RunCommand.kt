@@ -19,6 +19,7 @@ import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
 import robotran.cli.console.speaking
 import robotran.cli.input.WorldChanges
+import robotran.cli.input.readRobotBuild
 import robotran.cli.input.readSeed
 import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
@@ -41,6 +42,15 @@ internal class RunCommand(private val process: Console, private val desktop: Des
         metavar = "FILE",
         help = "the world to run in (.world.json, or a project or link with it); a plain sheet if not given",
     )
+    private val builds by option(
+        "--robot-file",
+        metavar = "[NAME=]FILE",
+        help =
+            "builds a robot of the world, the first one without NAME, as this file says (.robot.json); may be given " +
+                "several times",
+    )
+        .convert { text -> readRobotBuild(text) ?: fail("$text is not a file, as in Racer.robot.json") }
+        .multiple()
     private val seed by option(
         "--seed",
         metavar = "N",
@@ -104,6 +114,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
         val request = RunRequest(
             programs,
             options.robots,
+            builds,
             options.java,
             world,
             WorldChanges(seed, options.realism),

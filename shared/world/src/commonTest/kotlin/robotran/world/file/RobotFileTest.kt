@@ -184,8 +184,8 @@ class RobotFileTest {
         assertTrue("\"robot\": \"sumo\"" in writeWorld(loaded(world(", \"robot\": \"sumo\""))))
         assertTrue("robot\":" !in writeWorld(loaded(world(", \"robot\": \"rcx-penbot\""))).replace("\"robots\"", ""))
         assertEquals(
-            "Line 2: robots[0].ports: A robot has either \"robot\" or \"ports\": what is plugged into a robot is in its " +
-                "own parts.",
+            "Line 2: robots[0].ports: A robot has either \"robot\" or \"ports\": what is plugged into a robot is in " +
+                "its own parts.",
             refusal(world(", \"robot\": \"sumo\", \"ports\": {}")).message,
         )
         val wide =
