@@ -6,6 +6,7 @@ import androidx.compose.ui.graphics.Color
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotState
+import robotran.ui.theme.RobotranColours
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 
@@ -119,6 +120,6 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, brick: BrickKind) {
 /** The places ahead of its middle and the colours of the lamps of a colour sensor. */
 private val COLOUR_PARTS = listOf(
     -0.5f to RobotColours.PEN_TIP_DOWN,
-    0f to Color(0xFF2E9E4F),
+    0f to RobotranColours.RUN_GREEN,
     0.5f to RobotColours.LIGHT_SENSOR,
 )

@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import org.jetbrains.compose.resources.StringResource
 import robotran.brick.sensors.SensorKind
+import robotran.nxt.hardware.ColourKind
 import robotran.ui.resources.Res
 import robotran.ui.resources.light_sensor
 import robotran.ui.resources.nxt_bumper
@@ -136,7 +137,7 @@ private val RAYS = listOf(
 
 /** The red, green and blue of a colour sensor that sees nothing yet. */
 private val PARTS = listOf(
-    Offset(8f, 5f) to Color(0xFFE0564A),
-    Offset(5.3f, 9.8f) to Color(0xFF58B56B),
-    Offset(10.7f, 9.8f) to Color(0xFF5C93E6),
+    Offset(8f, 5f) to NxtColours.of(ColourKind.RED),
+    Offset(5.3f, 9.8f) to NxtColours.of(ColourKind.GREEN),
+    Offset(10.7f, 9.8f) to NxtColours.of(ColourKind.BLUE),
 )

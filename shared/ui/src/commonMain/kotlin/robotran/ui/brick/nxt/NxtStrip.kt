@@ -52,7 +52,7 @@ internal fun NxtStrip(
             2.dp,
             (if (isLow) Modifier.size(118.dp, 48.dp) else Modifier.size(178.dp, 58.dp))
                 .background(NxtColours.FRAME, Shapes.SMALL)
-                .padding(1.dp),
+                .padding(if (isLow) 1.dp else 4.dp),
             rows,
         )
         NxtButtonView(
