@@ -1,6 +1,7 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -49,17 +50,27 @@ class ExampleTest {
         }
     }
 
+    @Test
+    fun `every example in Java for an NXT runs to its end on the plain sheet`() = runTest {
+        val examples = examples(ProgramLanguage.JAVA, BrickKind.NXT)
+        assertTrue(examples.size > 20, "${examples.size} examples")
+        for (help in examples) {
+            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty(), BrickKind.NXT))
+            runs(help.word, ProgramSource.Java(file.name, listOf(file)), BrickKind.NXT)
+        }
+    }
+
     private fun isForNxt(help: WordHelp): Boolean = "brick nxt" in help.example.orEmpty()
 
-    private fun examples(code: ProgramLanguage): List<WordHelp> = WordHelp.words(code).mapNotNull {
-        WordHelp.of(Language.ENGLISH, code, it)
-    }.filter { it.example != null }.distinctBy { it.example }
+    private fun examples(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<WordHelp> =
+        WordHelp.words(code, brick).mapNotNull { WordHelp.of(Language.ENGLISH, code, it, brick) }
+            .filter { it.example != null }.distinctBy { it.example }
 
-    private suspend fun runs(word: String, source: ProgramSource) {
-        val result = reader.read(source)
+    private suspend fun runs(word: String, source: ProgramSource, brick: BrickKind = BrickKind.RCX) {
+        val result = (if (brick == BrickKind.NXT) nxtReader else reader).read(source)
         val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
         assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, word)
-        val session = Session(BuiltInWorlds.plain, listOf(ready.program), loadPhysicsEngine())
+        val session = Session(BuiltInWorlds.plainFor(brick), listOf(ready.program), loadPhysicsEngine())
         session.pressRun()
         session.advance(LONG_ENOUGH)
         assertEquals(RunState.Ended(stopped = false), session.state.brick.run, "$word does not end")

@@ -2,7 +2,7 @@ package robotran.textediting
 
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.api.LejosApi
+import robotran.textediting.api.BrickApi
 import robotran.textediting.complete.CompletionList
 import robotran.textediting.complete.WordHelp
 import robotran.textediting.complete.completed
@@ -171,11 +171,11 @@ class CompletionTest {
     @Test
     fun `every class of the brick says something about itself and its members`() {
         for (name in listOf("Motor", "Sensor", "Button", "Sound", "LCD", "TextLCD", "Thread", "Math")) {
-            val type = assertNotNull(LejosApi.classOf(name), name)
+            val type = assertNotNull(BrickApi.of(BrickKind.RCX).classOf(name), name)
             assertTrue(type.help.isNotEmpty(), name)
             assertTrue(type.members.isNotEmpty(), name)
             assertEquals(emptyList(), type.members.filter { it.help.isEmpty() }, name)
         }
-        for (name in LejosApi.classNames) assertNotNull(LejosApi.classOf(name), name)
+        for (name in BrickApi.of(BrickKind.RCX).classNames) assertNotNull(BrickApi.of(BrickKind.RCX).classOf(name), name)
     }
 }
