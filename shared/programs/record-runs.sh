@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Records the runs of all Java examples again, in src/commonTest/resources/runs, for the tests of all targets.
+# Records the runs of all Java examples again, in src/commonTest/resources/runs and nxj-runs, for the tests of all targets.
 set -euo pipefail
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 root=$here/../..
@@ -16,3 +16,10 @@ find "$fresh" -name '*.rom-log.txt' -size "+${longest_log}c" -delete
 mkdir -p "$recorded"
 rm -f "$recorded"/*
 cp "$fresh"/* "$recorded"
+
+recorded=$here/src/commonTest/resources/nxj-runs
+mkdir -p "$recorded"
+rm -f "$recorded"/*
+for example in "$root"/examples/nxj/*.java; do
+  "$root/robotran" run "$example" --report "$recorded/$(basename "$example" .java).report.json"
+done

@@ -10,6 +10,7 @@ plugins {
 texts {
     constant("commonMain", "robotran.workshop.examples.exampleTexts", "examples", "*.robo")
     constant("commonMain", "robotran.workshop.examples.lejosExampleTexts", "examples/lejos", "*.java")
+    constant("commonMain", "robotran.workshop.examples.nxjExampleTexts", "examples/nxj", "*.java")
 }
 
 kotlin {
@@ -30,6 +31,7 @@ kotlin {
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
             api(libs.compose.runtime)
+            implementation(project(":shared:nxj-library"))
             implementation(libs.coroutines.core)
         }
         jvmMain.dependencies {

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.Assignment
@@ -65,6 +66,7 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.worldedit.WorldEditStateHolder
+import robotran.world.RobotPlacement
 import robotran.world.World
 
 /**
@@ -145,7 +147,10 @@ class Workshop(
             run = run.state,
             sheet = sheet.state,
             worldEdit = worldEdit.state,
-            document = document.state.copy(hasGoals = run.state.world.goals.isNotEmpty()),
+            document = document.state.copy(
+                hasGoals = run.state.world.goals.isNotEmpty(),
+                canSend = programs.state.brick == BrickKind.RCX,
+            ),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
@@ -169,6 +174,7 @@ class Workshop(
         inputs = emptyList(),
     )
     override val shownProgram: PupilProgram get() = programs.state.program
+    override val shownRobot: RobotPlacement get() = programs.state.robot
 
     /** The recorded inputs of the current session. */
     val inputs: List<RecordedInput> get() = run.inputs
@@ -430,7 +436,9 @@ class Workshop(
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
-        val changesWorld = event == WorldEditEvent.EditorOpened || event is WorldEditEvent.SensorsPluggedIn
+        val changesWorld = event == WorldEditEvent.EditorOpened ||
+            event is WorldEditEvent.SensorsPluggedIn ||
+            event is WorldEditEvent.PenbotChosen
         if (changesWorld && assignment.state?.isWorldLocked == true) return show(Notice.WorldOfAssignment)
         // Help would cover the palette.
         if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {

@@ -1,50 +1,29 @@
 package robotran.robolang.translate
 
-/** The files that bring a translation for an NXT onto a real one with the tools of leJOS NXJ 0.9. */
-internal class NxtKit(private val className: String, private val sourceName: String) {
-    fun files(): List<KitFile> = listOf(
-        KitFile("$className/README.txt", readme()),
+/**
+ * The files that bring a program for an NXT onto a real one with the tools of leJOS NXJ 0.9.
+ *
+ * @property mainClass the class with `main`, with its package.
+ * @property sources the names of its Java files.
+ * @property sourceName the Robolang file that it was translated from; null if it was written in Java.
+ */
+internal class NxtKit(
+    private val mainClass: String,
+    private val sources: List<String>,
+    private val sourceName: String?,
+) {
+    private val className = mainClass.substringAfterLast('.')
+
+    /** Into the folders of their packages, if any. */
+    private val options = if ('.' in mainClass) "-encoding UTF-8 -d ." else "-encoding UTF-8"
+
+    private val written = sources.joinToString(" ")
+
+    fun files(): List<KitFile> = NxtKitTexts(className, sourceName).readmes() + listOf(
         KitFile("$className/build.xml", antFile()),
         KitFile("$className/upload.sh", shellScript(), isExecutable = true),
         KitFile("$className/upload.bat", batchFile().replace("\n", "\r\n")),
     )
-
-    private fun readme(): String =
-        """
-        $className FOR A REAL ROBOT
-
-        $className.java is your Robolang program $sourceName in Java. It runs on a LEGO Mindstorms NXT
-        with leJOS NXJ 0.9. Plug in what it uses: left wheel on motor A, right wheel on C, pen on B. The
-        lines at the top of $className.java say on which port each sensor is.
-
-        ONCE
-        1. Install a JDK that leJOS NXJ can use, 6 to 8, and leJOS NXJ 0.9.
-        2. Set NXJ_HOME to the folder of leJOS NXJ.
-        3. Put the firmware of leJOS NXJ on the brick: nxjflash
-
-        EACH TIME
-        Connect the robot by USB, switch it on, and type one of these in this folder:
-            ./upload.sh         (Linux, macOS)
-            upload.bat          (Windows)
-            ant                 (with Ant, on any of them)
-        The program starts at once. The brick keeps it: choose it under Files to start it again. Press
-        ENTER and ESCAPE together to stop a program that does not end.
-
-        MAKE IT DRIVE AS FAR AS IT SHOULD
-        Two figures at the top of $className.java say how your robot is built. They are there if the
-        program drives or turns.
-
-        WHEEL_DIAMETER
-        1. Run a program with the two lines  pen down  and  forward 100
-        2. Measure the line in centimetres.
-        3. New figure = old figure x what you measured / 100.
-           Example: 5.6 and a line of 98 cm make 5.6 x 98 / 100 = 5.49
-
-        TRACK_WIDTH
-        1. Run a program with the line  turn left 3600  and count how far it turns: ten times round?
-        2. New figure = old figure x 3600 / degrees turned.
-           Example: 11.4 and 3500 degrees make 11.4 x 3600 / 3500 = 11.73
-        """.trimIndent() + "\n"
 
     private fun antFile(): String =
         """
@@ -69,8 +48,8 @@ internal class NxtKit(private val className: String, private val sourceName: Str
             </macrodef>
 
             <target name="link" description="compiles and links the program">
-                <nxj tool="nxjc" line="-encoding UTF-8 $className.java"/>
-                <nxj tool="nxjlink" line="-o $className.nxj $className"/>
+                <nxj tool="nxjc" line="$options $written"/>
+                <nxj tool="nxjlink" line="-o $className.nxj $mainClass"/>
             </target>
 
             <target name="upload" depends="link" description="sends it to the brick and starts it">
@@ -90,10 +69,13 @@ internal class NxtKit(private val className: String, private val sourceName: Str
             echo "leJOS NXJ is not there: set NXJ_HOME to its folder. README.txt says more." >&2
             exit 1
         fi
-        nxjc -encoding UTF-8 $className.java
-        nxjlink -o $className.nxj $className
-        nxjupload -r $className.nxj
+        nxjc $options ${sources.joinToString(" ", transform = ::word)}
+        nxjlink -o ${word("$className.nxj")} ${word(mainClass)}
+        nxjupload -r ${word("$className.nxj")}
         """.trimIndent() + "\n"
+
+    /** Quoted for a shell: names of nested classes contain a dollar sign. */
+    private fun word(name: String) = if ('$' in name) "'$name'" else name
 
     private fun batchFile(): String =
         """
@@ -105,8 +87,8 @@ internal class NxtKit(private val className: String, private val sourceName: Str
             echo leJOS NXJ is not there: set NXJ_HOME to its folder. README.txt says more.
             exit /b 1
         )
-        call nxjc -encoding UTF-8 $className.java || exit /b 1
-        call nxjlink -o $className.nxj $className || exit /b 1
+        call nxjc $options $written || exit /b 1
+        call nxjlink -o $className.nxj $mainClass || exit /b 1
         call nxjupload -r $className.nxj
         """.trimIndent() + "\n"
 }

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -14,7 +15,7 @@ class NxtKitTest {
 
     @Test
     fun `the kit for an NXT has the program and what its own tools need`() {
-        val names = listOf("MySquare.java", "my square.robo", "README.txt", "build.xml", "upload.sh", "upload.bat")
+        val names = listOf("MySquare.java", "my square.robo") + README + SCRIPTS
         assertEquals(names.map { "MySquare/$it" }, files.map { it.path })
         assertContains(text("MySquare.java"), "import lejos.nxt.*;")
         assertEquals(source, text("my square.robo"))
@@ -39,5 +40,23 @@ class NxtKitTest {
             assertContains(text("README.txt"), figure)
             assertContains(text("MySquare.java"), "static final float $figure = ")
         }
+    }
+
+    @Test
+    fun `the kit of a Java program compiles all of its files`() {
+        val sources = listOf(KitFile("Walk.java", "package robots;"), KitFile("Helper.java", "package robots;"))
+        val files = javaKitFiles("robots/Walk", sources, BrickKind.NXT)
+        assertEquals((listOf("Walk.java", "Helper.java") + README + SCRIPTS).map { "Walk/$it" }, files.map { it.path })
+        for (name in SCRIPTS) {
+            val script = files.single { it.path == "Walk/$name" }.text
+            assertContains(script, "-d . Walk.java Helper.java")
+            assertContains(script, "-o Walk.nxj robots.Walk")
+        }
+        for (name in README) assertContains(files.single { it.path == "Walk/$name" }.text, "Walk.java")
+    }
+
+    private companion object {
+        val README = listOf("README.txt", "LIESMICH.txt", "LEEME.txt")
+        val SCRIPTS = listOf("build.xml", "upload.sh", "upload.bat")
     }
 }

@@ -116,8 +116,10 @@ internal fun BlocksPane(
     val allowed = LocalAllowedBlocks.current
     val introduced = remember(tutorialStep, allowed) { allowed ?: tutorialStep?.let { blocksIntroducedBy(it) } }
     val isFixed = allowed != null
-    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed) {
-        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, { help.value(it) }) { event.value(it) }
+    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick) {
+        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick, { help.value(it) }) {
+            event.value(it)
+        }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val hasFocus = remember { mutableStateOf(false) }

@@ -3,7 +3,13 @@ package robotran.ui.worldedit
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.ui.resources.Res
+import robotran.ui.resources.robot_both_sides
+import robotran.ui.resources.robot_line_follower
+import robotran.ui.resources.robot_nxt_penbot
+import robotran.ui.resources.robot_rcx_penbot
+import robotran.ui.resources.robot_sumo
 import robotran.ui.resources.worldedit_beacon
 import robotran.ui.resources.worldedit_colour
 import robotran.ui.resources.worldedit_facing
@@ -17,6 +23,7 @@ import robotran.ui.resources.worldedit_port
 import robotran.ui.resources.worldedit_port_second
 import robotran.ui.resources.worldedit_ports
 import robotran.ui.resources.worldedit_program
+import robotran.ui.resources.worldedit_robot_kind
 import robotran.ui.resources.worldedit_sensor_left_bumper
 import robotran.ui.resources.worldedit_sensor_left_rotation
 import robotran.ui.resources.worldedit_sensor_light
@@ -28,7 +35,9 @@ import robotran.ui.settings.SwitchRow
 import robotran.ui.sheet.RobotColours
 import robotran.world.LightFacing
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
 import robotran.worldediting.EditError
@@ -47,15 +56,12 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         atOnce(robot.copy(colour = it))
     }
     FormFields(making, thing, piece)
-    val facings = listOf(
-        null to stringResource(Res.string.worldedit_facing_free),
-        LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
-        LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
-    )
-    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
-        atOnce(robot.copy(lightFacing = it))
+    val kinds = ReadyRobots.all.map { (name, ready) -> ready to stringResource(robotWord(name)) }
+    ChipRow(stringResource(Res.string.worldedit_robot_kind), kinds, readyOf(robot.description), "robot-kind") { ready ->
+        // Its ports are kept if the pupil touches what it already is.
+        if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready))
     }
-    PortFields(robot) { atOnce(robot.withPorts(it)) }
+    if (robot.description.brick == BrickKind.RCX) RcxFields(robot, atOnce)
     NumberRow(
         stringResource(Res.string.worldedit_beacon),
         robot.beacon,
@@ -67,6 +73,31 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         slider = 0f..5f,
     )
     ProgramFields(making, thing, robot)
+}
+
+/** The direction of light sensors, and what is on the ports. */
+@Composable
+private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
+    val facings = listOf(
+        null to stringResource(Res.string.worldedit_facing_free),
+        LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
+        LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
+    )
+    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
+        atOnce(robot.copy(lightFacing = it))
+    }
+    PortFields(robot) { atOnce(robot.withPorts(it)) }
+}
+
+/** The ready robot that [description] was made from; null for one of its own. */
+private fun readyOf(description: RobotDescription): RobotDescription? = ReadyRobots.all[description.base]
+
+private fun robotWord(name: String): StringResource = when (name) {
+    "rcx-penbot" -> Res.string.robot_rcx_penbot
+    "nxt-penbot" -> Res.string.robot_nxt_penbot
+    "line-follower" -> Res.string.robot_line_follower
+    "sumo" -> Res.string.robot_sumo
+    else -> Res.string.robot_both_sides
 }
 
 /** Two sensors can share a port. */

@@ -9,6 +9,7 @@ import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
@@ -26,6 +27,7 @@ import robotran.ui.resources.documents_menu_run
 import robotran.ui.resources.documents_menu_view
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
+import robotran.ui.resources.documents_new_nxt
 import robotran.ui.resources.documents_new_window
 import robotran.ui.resources.documents_open
 import robotran.ui.resources.documents_open_link
@@ -75,6 +77,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
@@ -98,7 +101,7 @@ fun FrameWindowScope.WorkshopMenuBar(
         }
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) {
-                FileItems(state.document.hasGoals, onEvent, openAnother, close)
+                FileItems(state.document, onEvent, openAnother, close)
             }
             Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
             Menu(stringResource(Res.string.documents_menu_run)) {
@@ -142,12 +145,13 @@ fun windowTitle(workshop: Workshop?): String {
 
 @Composable
 private fun MenuScope.FileItems(
-    hasGoals: Boolean,
+    document: DocumentState,
     onEvent: (WorkshopEvent) -> Unit,
     openAnother: () -> Unit,
     close: () -> Unit,
 ) {
     Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
+    Choice(Res.string.documents_new_nxt) { onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
@@ -162,12 +166,12 @@ private fun MenuScope.FileItems(
     Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
     Choice(Res.string.make_title) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
-    Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
+    Choice(Res.string.send_robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
     Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
-    Choice(Res.string.hand_ins_menu, enabled = hasGoals) { onEvent(HandInsEvent.Requested) }
+    Choice(Res.string.hand_ins_menu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }

@@ -11,8 +11,8 @@ import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.projects.LinkCreation
-import robotran.projects.PENBOT_TARGET
 import robotran.projects.linkOf
+import robotran.projects.target
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.translate.KitFile
@@ -99,7 +99,7 @@ internal class DocumentExports(
         val program = current.shownProgram
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
-        when (val result = compileRobolang(program.name, text, PENBOT_TARGET)) {
+        when (val result = compileRobolang(program.name, text, current.shownRobot.description.target)) {
             is RobolangResult.HasErrors -> {
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
@@ -112,7 +112,7 @@ internal class DocumentExports(
 
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
-        val reader = ProgramCompiler(PENBOT_TARGET, language = preferences.language)
+        val reader = ProgramCompiler(current.shownRobot.description.target, language = preferences.language)
         if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
         when (val result = withContext(platform.background) { reader.compileNow(source) }) {
             is ProgramResult.HasErrors -> {
@@ -127,6 +127,7 @@ internal class DocumentExports(
                         program.files.map {
                             KitFile(it.name, it.text)
                         },
+                        current.shownRobot.description.brick,
                     ),
                 )
             }

@@ -5,6 +5,7 @@ import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
+import robotran.brick.kind.BrickKind
 import robotran.documents.AutosaveThrottle
 import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
@@ -77,7 +78,8 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewRequested -> launch { replacement.replace { begin() } }
+            DocumentEvent.NewRequested -> launch { replacement.replace { begin(BrickKind.RCX) } }
+            is DocumentEvent.NewWithBrick -> launch { replacement.replace { begin(event.brick) } }
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
@@ -242,7 +244,7 @@ class DocumentStateHolder(
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
             if (taken == null) {
-                begin()
+                begin(BrickKind.RCX)
             } else {
                 editor.openProject(taken.first.project)
                 autosaver.resume(taken.first, taken.second)
@@ -286,9 +288,9 @@ class DocumentStateHolder(
     private suspend fun savedProject(id: String): Project? =
         (autosaver.repository.read(id) as? SavedProjectResult.Found)?.work?.project
 
-    private suspend fun begin() {
+    private suspend fun begin(brick: BrickKind) {
         val name = autosaver.uniqueName()
-        editor.openProject(Project(BuiltInWorlds.plain))
+        editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
         autosaver.startNew(name)
         // This project is for free experiments.
         navigator.hideTask()

@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.brick.kind.BrickKind
 import robotran.simulation.state.MissingSensors
 import robotran.worldediting.Edit
 
@@ -27,6 +28,11 @@ sealed interface WorldEditEvent : WorkshopEvent {
      * @property missing the sensors that the run of the robot's program has missed.
      */
     data class SensorsPluggedIn(val robot: String, val missing: MissingSensors) : WorldEditEvent
+
+    /**
+     * Makes the robot [robot] the penbot with a [brick], as one change, and starts a new run unless the editor is open.
+     */
+    data class PenbotChosen(val robot: String, val brick: BrickKind) : WorldEditEvent
 
     /** Takes the sensors of the last [SensorsPluggedIn] out again and keeps all later changes. */
     data object PlugUndone : WorldEditEvent

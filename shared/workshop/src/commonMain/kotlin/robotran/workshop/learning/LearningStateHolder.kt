@@ -102,10 +102,10 @@ class LearningStateHolder(
             LearningEvent.WorldProgramRequested -> state.worldTask?.let(worldTask::putProgram)
             is LearningEvent.WorldHintRequested -> changeWorldTask { worldTask.nextHint(it, event.shown) }
             is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
-            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
+            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name, event.brick)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
-            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
-            is LearningEvent.WordsRequested -> showHelp(HelpState(event.language))
+            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word, state.help.brick))
+            is LearningEvent.WordsRequested -> showHelp(help.on(event.language, null))
             LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
         }
         refresh()
@@ -231,7 +231,7 @@ class LearningStateHolder(
             showTutorial()
         } else {
             if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) {
-                state = state.copy(help = HelpState(help.shownCode))
+                state = state.copy(help = help.on(help.shownCode, null))
             }
             state = state.copy(page = page, query = "")
         }

@@ -49,7 +49,10 @@ internal class ProgramEditing(
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
             is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
             is ProgramEvent.ProgramAdded -> add(robot, opened(event.program.withPlainLineEnds()))
-            is ProgramEvent.NewProgramRequested -> add(robot, opened(newProgram(event.language, robot.list.programs)))
+            is ProgramEvent.NewProgramRequested -> add(
+                robot,
+                opened(newProgram(event.language, robot.list.programs, robot.brick)),
+            )
             ProgramEvent.ClassAdded -> addClass(robot)
             is ProgramEvent.FileRenamed -> rename(robot, event)
             is ProgramEvent.FileClosed -> closeFile(robot, event.index)
@@ -168,7 +171,7 @@ internal class ProgramEditing(
     private fun addClass(robot: RobotPrograms) {
         val entry = robot.entry
         if (entry.program.language != ProgramLanguage.JAVA) return
-        val file = newClass(entry.program)
+        val file = newClass(entry.program, robot.brick)
         val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex

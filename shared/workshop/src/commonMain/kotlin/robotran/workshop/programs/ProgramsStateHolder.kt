@@ -3,12 +3,14 @@ package robotran.workshop.programs
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
+import robotran.programs.brickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -253,6 +255,8 @@ class ProgramsStateHolder(
     }
 
     private suspend fun compileChanged(): CompilerLoading {
+        // Completion and help know the classes of leJOS NXJ from then on. Without them they offer less.
+        if (robots.any { it.brick == BrickKind.NXT }) nxjSources()
         for (robot in robots) {
             val loading = robot.list.compilePending()
             if (loading is CompilerLoading.Failed) return loading
@@ -293,6 +297,12 @@ class ProgramsStateHolder(
         navigator.show(Pane.PROGRAM)
     }
 
+    /** The brick that the shown program of [robot] is for, if its compiler has refused it for that. */
+    private fun otherBrickOf(robot: RobotPrograms): BrickKind? {
+        if (robot.entry.diagnostics.isEmpty()) return null
+        return brickOf(robot.entry.program.source())?.takeIf { it != robot.brick }
+    }
+
     private fun refresh() {
         shown.readBlocks(preferences.language)
         state = stateNow()
@@ -325,6 +335,7 @@ class ProgramsStateHolder(
             translation = if (translationShown) entry.translation else null,
             isTranslated = entry.isTranslated,
             searchRequested = searchRequested,
+            otherBrick = otherBrickOf(robot),
         )
     }
 }

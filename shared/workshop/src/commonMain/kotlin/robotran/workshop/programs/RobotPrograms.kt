@@ -1,5 +1,6 @@
 package robotran.workshop.programs
 
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -45,6 +46,8 @@ internal class RobotPrograms(
 
     /** Whether the message about the last removed file is shown. */
     var closedMessageShown = false
+
+    val brick: BrickKind get() = placement.description.brick
 
     val entry: ProgramBuffer get() = list.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]

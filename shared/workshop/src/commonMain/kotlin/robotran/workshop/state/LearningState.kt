@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.Hint
@@ -90,10 +91,12 @@ data class TutorialState(
  * @property code the programming language of the words.
  * @property word the requested word; null for the list of all words.
  * @property found the help on it; null if there is none.
+ * @property brick the brick that the words are for.
  */
 @Immutable
 data class HelpState(
     val code: ProgramLanguage = ProgramLanguage.ROBOLANG,
     val word: String? = null,
     val found: WordHelp? = null,
+    val brick: BrickKind = BrickKind.RCX,
 )

@@ -3,6 +3,7 @@ package robotran.workshop.worldedit
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.brick.kind.BrickKind
 import robotran.simulation.state.MissingSensors
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.service.CurrentProject
@@ -12,7 +13,11 @@ import robotran.workshop.service.RunControls
 import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
+import robotran.world.ReadyRobots
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
@@ -47,6 +52,7 @@ class WorldEditStateHolder(
             WorldEditEvent.TriedOut -> if (close()) runControls.run()
             WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
             is WorldEditEvent.SensorsPluggedIn -> plugIn(event.robot, event.missing)
+            is WorldEditEvent.PenbotChosen -> usePenbot(event.robot, event.brick)
             WorldEditEvent.PlugUndone -> undoPlug()
             WorldEditEvent.EditsDiscarded -> discard()
         }
@@ -62,6 +68,13 @@ class WorldEditStateHolder(
     private fun lastEditing(): WorldEditing {
         val world = current.project.world
         return latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
+    }
+
+    private fun usePenbot(robot: String, brick: BrickKind) {
+        val index = now.world.robots.indexOfFirst { it.name == robot }
+        if (index < 0) return
+        val changed = now.world.robots[index].copy(description = ReadyRobots.defaultOf(brick))
+        changeAtOnce(Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(changed)))
     }
 
     private fun plugIn(robot: String, missing: MissingSensors) {

@@ -7,6 +7,7 @@ import androidx.compose.ui.unit.sp
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.freeName
 import robotran.blockediting.messages.BlockMessages
+import robotran.brick.kind.BrickKind
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
@@ -20,6 +21,7 @@ import robotran.workshop.event.BlockEvent
  *
  * @property introduced the ids of the blocks that the palette has; null for all.
  * @property isIntroductionFixed whether the pupil cannot ask for all other blocks, because an assignment allows no others.
+ * @property brick the brick of the robot, which has its own blocks.
  * @property onHelp shows help on a word of Robolang.
  */
 @Immutable
@@ -30,6 +32,7 @@ internal data class BlockScope(
     val codeSize: Float,
     val introduced: Set<String>?,
     val isIntroductionFixed: Boolean = false,
+    val brick: BrickKind = BrickKind.RCX,
     val onHelp: (word: String) -> Unit = {},
     val onEvent: (BlockEvent) -> Unit,
 ) {

@@ -47,6 +47,7 @@ import robotran.blockediting.palette.PaletteHelp
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
 import robotran.blockediting.palette.valueForm
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.fieldColours
@@ -87,8 +88,8 @@ internal fun PaletteSheet(
     val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteTurned(next)) }
     var showsAll by remember { mutableStateOf(false) }
     val introduced = scope.introduced.takeIf { !showsAll }
-    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced) {
-        shownBlocks(scope.state, introduced)
+    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced, scope.brick) {
+        shownBlocks(scope.state, introduced, scope.brick)
     }
     val (values, lines) = shown.partition { it.isValue }
     val list = remember { FocusRequester() }
@@ -222,9 +223,9 @@ private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
 }
 
 /** The lines that can be added, and the values. */
-private fun shownBlocks(state: BlocksState, introduced: Set<String>?): List<PaletteBlock> {
+private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
     val own = ownBlocks(state.program, state.placeForNew)
-    val known = Palette.blocks.filter { introduced == null || it.id in introduced }
+    val known = Palette.blocksFor(brick).filter { introduced == null || it.id in introduced }
     val all = (known + own).filter { !it.isValue || it.valueForm !in UNOFFERED }
     val query = state.palette.query
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
