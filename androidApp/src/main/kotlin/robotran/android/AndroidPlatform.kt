@@ -4,6 +4,7 @@ import android.content.Context
 import android.content.res.Configuration
 import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
+import robotran.android.R
 import robotran.android.platform.AndroidFilePicker
 import robotran.android.platform.AndroidPhotos
 import robotran.android.platform.AndroidPosters
