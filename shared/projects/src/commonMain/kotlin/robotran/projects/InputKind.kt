@@ -1,5 +1,7 @@
 package robotran.projects
 
+import robotran.brick.kind.BrickKind
+
 /** The keywords for session inputs in a project file, and the fields of each kind in addition to its time. */
 internal object InputKind {
     const val PRESS = "press"
@@ -13,8 +15,8 @@ internal object InputKind {
     const val TEMPERATURE = "temperature"
     const val TOUCH = "touch"
 
-    /** Number of input ports of a brick. */
-    const val PORTS = 3
+    /** Number of input ports of the brick that has most. */
+    val PORTS = BrickKind.entries.maxOf { it.inputPorts }
 
     val COMMON = setOf("at", "kind")
 

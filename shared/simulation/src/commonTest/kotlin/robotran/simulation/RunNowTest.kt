@@ -133,7 +133,7 @@ class RunNowTest {
     @Test
     fun `it counts for no goal`() = runTest {
         val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(GoalCondition.InkLength(10.0, null))))
-        val session = Session(world, emptyList<RcxProgram>(), loadPhysicsEngine())
+        val session = Session(world, emptyList<BrickProgram>(), loadPhysicsEngine())
         val before = session.state.goals
         session.apply(SessionInput.RunNow(program("pen down\nforward 30\nturn left 90\nforward 30")))
         session.advance(20_000)
