@@ -43,6 +43,12 @@ texts {
         "shared/lejos-library/src/commonTest/resources/programs",
         "**/*.java",
     )
+    constant(
+        "jvmTest",
+        "robotran.programs.nxjPrograms",
+        "shared/nxj-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
 }
 
 kotlin {
@@ -54,9 +60,13 @@ kotlin {
             api(project(":shared:java-compiler"))
             api(project(":shared:lejos-linker"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:nxj-library"))
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))
+        }
+        jvmTest {
+            kotlin.srcDir("../tinyvm/src/nxjExpectations/kotlin")
         }
     }
 }

@@ -2,6 +2,7 @@ plugins {
     id("robotran.core")
     id("robotran.texts")
     id("robotran.brick-programs")
+    id("robotran.nxj-web")
 }
 
 texts {
@@ -36,6 +37,9 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
             api(project(":shared:nxt"))
+        }
+        commonTest {
+            kotlin.srcDir("src/nxjExpectations/kotlin")
         }
         commonTest.dependencies {
             implementation(project(":shared:lejos-library"))

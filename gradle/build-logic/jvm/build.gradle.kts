@@ -47,6 +47,10 @@ gradlePlugin {
             id = "robotran.ecj-web"
             implementationClass = "robotran.build.teavm.EcjWebPlugin"
         }
+        create("nxjWeb") {
+            id = "robotran.nxj-web"
+            implementationClass = "robotran.build.teavm.NxjWebPlugin"
+        }
         create("texts") {
             id = "robotran.texts"
             implementationClass = "robotran.build.texts.TextsPlugin"

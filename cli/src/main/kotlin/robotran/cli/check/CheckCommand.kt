@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
+import robotran.cli.console.brickOption
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
@@ -24,6 +25,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         help = "Robolang programs (.robo), the files of a Java program (.java), or compiled ones (.class, .jar)",
     )
         .multiple(required = true)
+    private val brick by brickOption()
     private val options by JavaOptions()
     private val spoken by LanguageOption()
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
@@ -34,7 +36,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
 
     override fun run() {
         val compiler = ProgramCompiler(PENBOT_TARGET, options.java, spoken.language)
-        val results = checkFiles(files, compiler, translating = options.version != null)
+        val results = checkFiles(files, compiler, brick, translating = options.version != null)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
     }

@@ -24,6 +24,7 @@ import robotran.cli.console.messages
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
+import robotran.cli.input.WorldChanges
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -40,7 +41,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
         val collected = runBlocking { collectHandIns(files.files, assignment, console.language) }
         val problems = files.problems.map { (name, reason) -> Submission.Unusable(name, name, reason) }
         val submissions = (collected.submissions + problems).sortedBy { it.name.lowercase() }
-        val plan = planOf(assignment, request)
+        val plan = planOf(assignment, place, request)
         val results = grade(assignment, plan, submissions, request)
         val pairs = compareSubmissions(submissions, assignment)
         val report = ClassReport(assignment, plan, results, pairs, notes = collected.notes)
@@ -85,10 +86,12 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
         return place.project.copy(robots = place.project.robots.filter { it.name !in names } + given)
     }
 
-    private fun planOf(assignment: Project, request: GradeRequest): GradingPlan {
+    private fun planOf(assignment: Project, place: LoadedWorld, request: GradeRequest): GradingPlan {
         val plan = GradingPlan.of(assignment, request.seeds)
-        val realism = request.options.realism ?: return plan
-        return plan.copy(worlds = plan.worlds.map { GradedWorld(it.name, it.world.copy(realism = realism)) })
+        val names = request.options.robotFiles.map { it.robot }
+        val built = place.world.robots.filter { it.name in names }.associate { it.name to it.description }
+        val changes = WorldChanges(realism = request.options.realism, built = built)
+        return plan.copy(worlds = plan.worlds.map { GradedWorld(it.name, changes.of(it.world)) })
     }
 
     private fun grade(

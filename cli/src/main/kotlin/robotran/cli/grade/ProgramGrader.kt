@@ -13,6 +13,7 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.loadWorld
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
+import robotran.cli.input.withDescribedRobots
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
@@ -24,9 +25,10 @@ import robotran.world.World
 /** Implements `robotran grade`: reads all files, runs all programs, writes the results. */
 internal class ProgramGrader(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: GradeRequest): ExitCode {
-        val place =
-            loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
-                ?: return ExitCode.BAD_INPUT
+        val read = loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
+        val built = read?.let { withDescribedRobots(it.world, request.options.robotFiles, console) }
+            ?: return ExitCode.BAD_INPUT
+        val place = read.copy(world = built)
         val world = place.world
         if (world.goals.isEmpty()) {
             console.complain(console.messages.noGoals(if (isLink(request.world)) world.title else request.world))

@@ -1,7 +1,6 @@
 package robotran.cli.run
 
 import robotran.brick.controls.BrickButton
-import robotran.brick.kind.BrickKind
 
 /**
  * A press of a brick button.
@@ -21,15 +20,15 @@ internal sealed interface ButtonPressResult {
 }
 
 /**
- * Parses `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`. [longest] is the max time in
- * seconds.
+ * Parses `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `escape@10+0.5`; any brick may have the button.
+ * [longest] is the max time in seconds.
  */
 internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     fun refuse(reason: String) = ButtonPressResult.Rejected("$reason, as in run@2.5 or run@2.5+1.")
     val (name, times) = text.split('@').takeIf { it.size == 2 } ?: return refuse("$text is not a button and a time")
-    val button = BUTTONS.find { buttonName(it) == name.lowercase() }
+    val button = BrickButton.entries.find { buttonName(it) == name.lowercase() }
         ?: return refuse(
-            "There is no button $name, only ${BUTTONS.joinToString {
+            "There is no button $name, only ${BrickButton.entries.joinToString {
                 buttonName(it)
             }}; write one with its time",
         )
@@ -56,8 +55,6 @@ internal fun conflictIn(presses: List<ButtonPress>, runMilliseconds: Int): Strin
 }
 
 private fun milliseconds(seconds: Double): Int = Math.round(seconds * 1000).toInt()
-
-private val BUTTONS = BrickButton.of(BrickKind.RCX)
 
 /** Roughly the length of a tap. */
 private const val DEFAULT_SECONDS = 0.1

@@ -79,7 +79,8 @@ internal class RunResults(
     }
 
     private fun romLogText(outputs: RunOutputs): String {
-        val entries = session.romLog.entries.filter(CallLogFilter(outputs.romLogGroups)::accepts)
+        val filter = outputs.romLogGroups?.let { CallLogFilter(it) } ?: CallLogFilter()
+        val entries = session.romLog.entries.filter(filter::accepts)
         return if (outputs.romLog.orEmpty().endsWith(
                 ".csv",
                 ignoreCase = true,

@@ -9,9 +9,11 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
+import robotran.cli.console.brickOption
 import robotran.cli.files.JAVA
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
@@ -22,6 +24,7 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
+import robotran.programs.brickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
@@ -45,10 +48,11 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     )
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 
+    private val brick by brickOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Writes programs as leJOS Java for a real robot."
+    override fun help(context: Context) = "Writes programs as Java for leJOS, or for an NXT with leJOS NXJ."
 
     override fun run() {
         val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
@@ -65,6 +69,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Read -> read.programs.single()
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
+        val kind = brick ?: brickOf(files.source) ?: BrickKind.RCX
+        if (kind != BrickKind.RCX) return refuse(sentences.noKit(kind.name))
         val reader = ProgramCompiler(PENBOT_TARGET, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {
@@ -85,9 +91,12 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
-    private fun translate(program: String): ExitCode = when (val file = readRobolangFile(program, spoken.language)) {
+    private fun translate(program: String): ExitCode = when (
+        val file = readRobolangFile(program, spoken.language, brick)
+    ) {
         is RobolangFile.Ready -> {
-            write(program, file)
+            val kind = file.program.kind
+            if (kit != null && kind != BrickKind.RCX) refuse(sentences.noKit(kind.name)) else write(program, file)
         }
 
         is RobolangFile.HasErrors -> {

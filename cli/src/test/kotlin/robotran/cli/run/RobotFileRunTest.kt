@@ -53,15 +53,6 @@ class RobotFileRunTest : CommandTest() {
                 "robots": [{"start": {"x": 25, "y": 25, "heading": 0}}], "walls": [{"from": [0, 0], "to": [50, 0], "thickness": 1}]}""",
             )
         }.toString()
-        assertContains(refused("--world", world, "--robot-file", huge), "puts the robot into walls[0]")
-    }
-
-    @Test
-    fun `an NXT cannot run yet`() {
-        val nxt = robot("nxt", """"brick": "nxt"""")
-        assertEquals(
-            "The robot yellow has an NXT, and Robotran cannot run an NXT yet: give it an RCX.",
-            refused("--robot-file", nxt),
-        )
+        assertContains(refused("--world", world, "--robot-file", huge), "has no room where it starts in this world.")
     }
 }

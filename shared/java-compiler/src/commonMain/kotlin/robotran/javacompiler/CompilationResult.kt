@@ -1,6 +1,7 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.ecj.BrickTarget
 
 /** The result of a compilation. */
 sealed interface CompilationResult {

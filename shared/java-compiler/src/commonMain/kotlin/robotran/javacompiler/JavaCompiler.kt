@@ -3,6 +3,7 @@ package robotran.javacompiler
 import robotran.javacompiler.diagnose.Diagnosis
 import robotran.javacompiler.diagnose.JavaSeverity
 import robotran.javacompiler.diagnose.MissingMembers
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.EnglishJavaMessages

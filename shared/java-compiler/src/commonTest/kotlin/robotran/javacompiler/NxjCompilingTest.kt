@@ -1,6 +1,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.nxjlibrary.NxjLibrary
 import robotran.nxjlibrary.NxjSources

@@ -1,6 +1,7 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.assertIs

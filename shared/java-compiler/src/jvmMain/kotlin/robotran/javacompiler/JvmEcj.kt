@@ -2,6 +2,7 @@ package robotran.javacompiler
 
 import robotran.ecj.EcjCompiler
 import robotran.ecj.Library
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem

@@ -3,6 +3,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.await
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem

@@ -17,7 +17,7 @@ public class FilterOutputStream extends OutputStream {
 
     /** Writes so many bytes of the array, from a place on. */
     public void write(byte[] bytes, int offset, int length) throws IOException {
-        out.write(bytes, offset, length);
+        for (int index = 0; index < length; index++) write(bytes[offset + index]);
     }
 
     /** Writes what was kept back. */

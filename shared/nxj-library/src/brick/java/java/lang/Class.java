@@ -1,7 +1,7 @@
 package java.lang;
 
 /**
- * A class as an object, such as {@code String.class}.
+ * A class as an object, such as String.class.
  *
  * <p>A brick knows no names of classes: as a text, a class is its number.
  */

@@ -53,8 +53,7 @@ public class UltrasonicSensor extends I2CSensor implements RangeFinder {
         if (mode == MODE_OFF) throw new IllegalStateException();
         if (mode == MODE_PING && nextData == 0) return distance;
         await(nextData);
-        if (read(REG_DISTANCE, one, 0, 1) < 0) return NOTHING;
-        distance = one[0] & 0xFF;
+        distance = read(REG_DISTANCE, one, 0, 1) < 0 ? NOTHING : one[0] & 0xFF;
         nextData = mode == MODE_PING ? 0 : System.currentTimeMillis() + CONTINUOUS_DELAY;
         return distance;
     }
@@ -133,7 +132,7 @@ public class UltrasonicSensor extends I2CSensor implements RangeFinder {
         await(nextCommand);
         int status = sendData(REG_MODE, one, 1);
         nextCommand = System.currentTimeMillis() + COMMAND_DELAY;
-        if (status < 0) return status;
+        // Also if no sensor answers: then there is nothing to measure, rather than a sensor that was switched off.
         this.mode = mode == MODE_RESET ? MODE_OFF : mode;
         nextData = System.currentTimeMillis() + (mode == MODE_PING ? PING_DELAY : CONTINUOUS_DELAY);
         return status;

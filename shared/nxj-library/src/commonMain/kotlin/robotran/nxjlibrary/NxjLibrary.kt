@@ -1,7 +1,5 @@
 package robotran.nxjlibrary
 
-import kotlin.concurrent.Volatile
-
 /**
  * The classes that a brick with leJOS NXJ has besides those of its program: `java.lang`, `java.util`, `java.io` and
  * `lejos`.
@@ -17,7 +15,6 @@ class NxjLibrary private constructor(val classFiles: Map<String, ByteArray>) {
     companion object {
         private const val CLASS = ".class"
 
-        @Volatile
         private var loaded: NxjLibrary? = null
 
         /**

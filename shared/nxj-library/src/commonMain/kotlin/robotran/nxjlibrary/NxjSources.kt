@@ -1,7 +1,5 @@
 package robotran.nxjlibrary
 
-import kotlin.concurrent.Volatile
-
 /** The Java of [NxjLibrary], whose comments are its help. */
 class NxjSources private constructor(private val sources: Map<String, ByteArray>) {
     /**
@@ -11,7 +9,6 @@ class NxjSources private constructor(private val sources: Map<String, ByteArray>
     fun source(name: String): String? = sources["${name.substringBefore('$')}.java"]?.decodeToString()
 
     companion object {
-        @Volatile
         private var loaded: NxjSources? = null
 
         /** Returns the sources, as [NxjLibrary.load] returns the library. */

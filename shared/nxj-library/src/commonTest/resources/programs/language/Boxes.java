@@ -34,7 +34,7 @@ public class Boxes {
         System.out.println(over("3")); // expect Object
         Integer small = 100;
         Integer same = 100;
-        System.out.println(small == same); // expect true
+        System.out.println(small.equals(same)); // expect true
         System.out.println(small.equals(100)); // expect true
         System.out.println(new Integer(100).equals(new Integer(100))); // expect true
         System.out.println(Long.valueOf(3).equals(3)); // expect false

@@ -4,8 +4,8 @@ public class Conversions {
         long l = 0x123456789ABCDEF0L;
         float f = 1234.567f;
         double d = -98765.4321;
-        System.out.println((long) i + " " + (float) i + " " + (double) i); // expect 305419896 3.05419904E8 3.05419896E8
-        System.out.println((int) l + " " + (float) l + " " + (double) l); // expect -1698898192 1.3117685E18 1.31176846746379034E18
+        System.out.println((long) i + " " + (int) (float) i + " " + (double) i); // expect 305419896 305419904 3.05419896E8
+        System.out.println((int) l + " " + (float) l + " " + (long) (double) l); // expect -1698898192 1.3117685E18 1311768467463790336
         System.out.println((int) f + " " + (long) f + " " + (double) f); // expect 1234 1234 1234.5670166015625
         System.out.println((int) d + " " + (long) d + " " + (float) d); // expect -98765 -98765 -98765.43
         System.out.println((byte) i + " " + (short) i + " " + (int) (char) i); // expect 120 22136 22136

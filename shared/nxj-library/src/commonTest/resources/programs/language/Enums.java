@@ -65,12 +65,6 @@ public class Enums {
         }
         System.out.println(Colour.made); // expect 2
         System.out.println(Colour.BLUE.next()); // expect RED
-        System.out.println(Colour.valueOf("GREEN").name()); // expect GREEN
-        try {
-            Colour.valueOf("PINK");
-        } catch (IllegalArgumentException wrong) {
-            System.out.println("no such colour"); // expect no such colour
-        }
         System.out.println(Side.LEFT == Side.values()[0]); // expect true
         System.out.println(Side.LEFT.compareTo(Side.RIGHT) < 0); // expect true
         System.out.println(Side.LEFT.equals(Side.RIGHT)); // expect false

@@ -23,7 +23,7 @@ public class TypeTests {
     }
 
     public static void main(String[] arguments) {
-        Object[] all = {new C(), new D(), "text", 3, 2.5, new int[0], new Object[0], new C[0], new D[1][1], null, new StringBuilder()};
+        Object[] all = {new C(), new D(), "text", 3, 2.5, new int[0], new Object[0], new C[0], new D[1][1], null, new char[0]};
         for (Object one : all) System.out.println(kinds(one)); // expect ABC--------
         // expect ABCDc------
         // expect ----c-----s
@@ -34,7 +34,7 @@ public class TypeTests {
         // expect -----[-ak--
         // expect -----[--k--
         // expect -----------
-        // expect ----c-----s
+        // expect --------k--
         Object list = new ArrayList<String>();
         System.out.println((list instanceof List) + " " + (list instanceof Collection) + " " + (list instanceof Iterable)); // expect true true true
         Object[] covariant = new D[2];

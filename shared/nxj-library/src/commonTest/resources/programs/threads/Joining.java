@@ -44,11 +44,6 @@ public class Joining {
             System.out.println("at once");
         }
         System.out.println(Thread.interrupted());
-        try {
-            slow.start(); // fails IllegalThreadStateException
-        } catch (IllegalStateException wrong) {
-            System.out.println("twice");
-        }
     }
 }
 

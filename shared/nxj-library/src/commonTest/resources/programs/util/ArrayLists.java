@@ -34,7 +34,7 @@ public class ArrayLists {
         mixed.add(null);
         System.out.println(mixed.size() + " " + mixed.indexOf(null) + " " + mixed.lastIndexOf(70)); // expect 15 14 10
         System.out.println(new ArrayList<String>(words).equals(words) + " " + words.hashCode()); // expect true 226131895
-        Integer[] array = numbers.toArray(new Integer[0]);
+        Integer[] array = numbers.toArray(new Integer[numbers.size()]);
         System.out.println(array.length + " " + array[0]); // expect 12 90
         try {
             for (String word : words) words.add(word);

@@ -32,10 +32,15 @@ internal class JavaHelp(private val source: String) {
     private val isEnum = TypeDeclaration.kind(type.modifiers) == TypeDeclaration.ENUM_DECL
     private val isInterface = TypeDeclaration.kind(type.modifiers) == TypeDeclaration.INTERFACE_DECL
     private val visibleMethods: List<AbstractMethodDeclaration> =
-        type.methods.orEmpty().filter { !it.isClinit && (isInterface || it.modifiers and VISIBLE != 0) }
+        type.methods.orEmpty().filter {
+            !it.isClinit && !it.isDefaultConstructor && (isInterface || it.modifiers and VISIBLE != 0)
+        }
     private val visibleFields = type.fields.orEmpty().filter { it.isField(isInterface) }
 
-    val isPublic: Boolean get() = type.modifiers and ClassFileConstants.AccPublic != 0
+    /** Whether programs use it; annotations tell about themselves. */
+    val isPublic: Boolean
+        get() = type.modifiers and ClassFileConstants.AccPublic != 0 &&
+            TypeDeclaration.kind(type.modifiers) != TypeDeclaration.ANNOTATION_TYPE_DECL
 
     /** The first sentence about the class; empty if it says nothing. */
     val ofClass: String get() = firstSentence(type.javadoc)

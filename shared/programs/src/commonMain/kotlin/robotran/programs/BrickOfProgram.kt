@@ -1,6 +1,7 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.brickOfRobolang
 import robotran.robolang.diagnostic.SourceRange
 
 /**
@@ -25,7 +26,7 @@ fun brickMentionIn(files: List<SourceFile>): BrickMention? {
 
 /** The kind of brick that this program is for; null if it does not tell. */
 fun brickOf(program: ProgramSource): BrickKind? = when (program) {
-    is ProgramSource.Robolang -> null
+    is ProgramSource.Robolang -> brickOfRobolang(program.text)
     is ProgramSource.Java -> brickOf(program.files)
     is ProgramSource.CompiledClasses -> brickOfClasses(program.classFiles.values)
 }

@@ -51,7 +51,7 @@ internal class ImageBuilder(
     }
 
     private fun compile(source: ProgramSource): CompiledSource = when (source) {
-        is ProgramSource.CompiledClasses -> CompiledSource.Compiled(linker.compiledOf(source))
+        is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
 
         is ProgramSource.Java -> checkNotNull(java) { NOT_LOADED }.compile(source)
 

@@ -13,6 +13,7 @@ import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -22,8 +23,9 @@ import robotran.robolang.translate.translateRobolang
 internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** Compiles [text]; null if it has errors. */
-internal fun robolangOf(name: String, text: String): RobolangProgram? =
-    (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)?.program
+internal fun robolangOf(name: String, text: String): RobolangRcxProgram? =
+    (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)
+        ?.program as? RobolangRcxProgram
 
 /** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {

@@ -2,7 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.program.RcxProgram
-import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -80,7 +80,7 @@ class TranslationDifferenceTest {
         return "after $same calls ${interpreted.drop(same).take(3)}, translated ${translated.drop(same).take(3)}"
     }
 
-    private class Robolang(val path: String, text: String, val robolang: RobolangProgram) {
+    private class Robolang(val path: String, text: String, val robolang: RobolangRcxProgram) {
         val sensors = sensorsIn(text)
         val hasBehaviours = text.lines().any { it.trim().startsWith("whenever") }
     }

@@ -1,7 +1,5 @@
 package robotran.projects
 
-import robotran.brick.kind.BrickKind
-
 /** The keywords for session inputs in a project file, and the fields of each kind in addition to its time. */
 internal object InputKind {
     const val PRESS = "press"
@@ -14,9 +12,6 @@ internal object InputKind {
     const val LIGHT = "light"
     const val TEMPERATURE = "temperature"
     const val TOUCH = "touch"
-
-    /** Number of input ports of the brick that has most. */
-    val PORTS = BrickKind.entries.maxOf { it.inputPorts }
 
     val COMMON = setOf("at", "kind")
 

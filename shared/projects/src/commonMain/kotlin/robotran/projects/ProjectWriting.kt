@@ -85,7 +85,9 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Press -> input.robot in world.robots.indices
     is SessionInput.Release -> input.robot in world.robots.indices
     is SessionInput.PlaceRobot -> input.robot in world.robots.indices
-    is SessionInput.TouchSensor -> input.robot in world.robots.indices && input.port in 0..<InputKind.PORTS
+    is SessionInput.TouchSensor -> input.port >= 0 &&
+        input.port < (world.robots.getOrNull(input.robot)?.description?.brick?.inputPorts ?: 0)
+
     is SessionInput.PlaceBlock -> input.block in world.blocks.indices
     is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
     is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices

@@ -33,8 +33,8 @@ sealed interface RobotLoads {
 }
 
 /**
- * Compiles the programs of all robots of [world] for the slots of their bricks, in order. A robot without a program in
- * [given] uses the world's default program, if any.
+ * Compiles the programs of all robots of [world] for the slots of their bricks, in order; each for its robot. A robot
+ * without a program in [given] uses the world's default program, if any.
  *
  * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
  * @throws Throwable like [ProgramCompiler.read].

@@ -3,6 +3,7 @@ package robotran.projects
 import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.RobotTarget
 import robotran.world.Penbot
+import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.robot.RobotFigures
 
@@ -23,5 +24,12 @@ val RobotDescription.target: RobotTarget
         )
     }
 
-/** What the compiler must know of the penbot. */
+/** What the compiler must know of the penbot with an RCX. */
 val PENBOT_TARGET: RobotTarget = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+
+/** What the compiler must know of the penbot with a brick of this kind. */
+val BrickKind.penbotTarget: RobotTarget
+    get() = when (this) {
+        BrickKind.RCX -> PENBOT_TARGET
+        BrickKind.NXT -> ReadyRobots.NXT_PENBOT.target
+    }

@@ -11,10 +11,10 @@ import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.run.NxtDevice
+import robotran.robolang.run.RcxDevice
 import robotran.robolang.run.RobolangRun
-import robotran.robolang.run.device.NxtDevice
-import robotran.robolang.run.device.RcxDevice
-import robotran.robolang.run.device.RobotDevice
+import robotran.robolang.run.RobotDevice
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
 

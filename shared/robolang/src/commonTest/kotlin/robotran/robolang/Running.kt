@@ -6,11 +6,11 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.robot.RobotTarget
 
-/** A robot with round durations: 50 ms per centimetre and 5 ms per degree. */
+/** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */
 internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-internal fun read(source: String, target: RobotTarget = testTarget): RobolangResult =
-    compileRobolang("test", source, target)
+internal fun read(source: String, calibration: RobotTarget = testTarget): RobolangResult =
+    compileRobolang("test", source, calibration)
 
 /** The errors of [source]; empty if it can run. */
 internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
@@ -28,8 +28,8 @@ private val NXT_HEADER = Regex("""(^|\n)\s*brick nxt\b""")
 
 internal val RobolangResult.Ready.rcxProgram: RobolangRcxProgram get() = program as RobolangRcxProgram
 
-internal fun programOf(source: String, target: RobotTarget = testTarget): RcxProgram =
-    when (val result = read(source, target)) {
+internal fun programOf(source: String, calibration: RobotTarget = testTarget): RcxProgram =
+    when (val result = read(source, calibration)) {
         is RobolangResult.Ready -> result.rcxProgram
         is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }

@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -15,7 +15,7 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
-internal fun robolang(source: String): RcxProgram {
+internal fun robolang(source: String): BrickProgram {
     val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
     return assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
 }

@@ -41,7 +41,8 @@ class NxjProgram internal constructor(
 ) : NxtProgram {
     override fun start(nxt: Nxt): DebuggableRun = start(NxtPeripherals(nxt))
 
-    internal fun start(peripherals: Peripherals): NxjRun = NxjRun(linked, peripherals, messages, bytecodesPerStep(), nativeOf)
+    internal fun start(peripherals: Peripherals): NxjRun =
+        NxjRun(linked, peripherals, messages, bytecodesPerStep(), nativeOf)
 
     private fun bytecodesPerStep(): Int = when (speed) {
         TinyVmSpeed.BRICK -> NxtCosts.BYTECODES_PER_MILLISECOND / NxtCosts.STEPS_PER_MILLISECOND

@@ -17,15 +17,15 @@ internal class NxjRun(
     bytecodesPerStep: Int,
     nativeOf: (LinkedMethod) -> NativeMethod?,
 ) : ThreadedRun(
-    VirtualMachine(
-        program,
-        peripherals,
-        MachineModel.NXT,
+        VirtualMachine(
+            program,
+            peripherals,
+            MachineModel.NXT,
+            messages,
+            NxtMemory.HEAP_BYTES,
+            NxtMemory.HEAP_BYTES,
+        ),
         messages,
-        NxtMemory.HEAP_BYTES,
-        NxtMemory.HEAP_BYTES,
-    ),
-    messages,
-    bytecodesPerStep,
-    nativeOf,
-)
+        bytecodesPerStep,
+        nativeOf,
+    )

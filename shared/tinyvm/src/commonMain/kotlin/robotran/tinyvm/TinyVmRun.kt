@@ -22,15 +22,15 @@ internal class TinyVmRun(
     version: LejosVersion,
     room: BrickRoom = BrickRoom.of(version),
 ) : ThreadedRun(
-    VirtualMachine(
-        program,
-        RcxPeripherals(rom),
-        MachineModel.of(mode),
+        VirtualMachine(
+            program,
+            RcxPeripherals(rom),
+            MachineModel.of(mode),
+            messages,
+            room.objectBytes(program.bytes),
+            room.bytes,
+        ),
         messages,
-        room.objectBytes(program.bytes),
-        room.bytes,
-    ),
-    messages,
-    speed.bytecodesPerStep,
-    NativeMethods::find,
-)
+        speed.bytecodesPerStep,
+        NativeMethods::find,
+    )

@@ -28,7 +28,7 @@ internal fun checkHeap(run: DebuggableRun) {
     for (field in machine.program.statics) {
         if (field.isReference) check(machine.statics[field.slot], field.descriptor, "${field.owner.name}.${field.name}")
     }
-    for (place in Heap.FIRST_OBJECT until heap.words.size) {
+    for (place in machine.model.firstObject until heap.words.size) {
         if (!heap.isObject(place)) continue
         when (val type = heap.typeOf(place)) {
             is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter {

@@ -11,6 +11,7 @@ import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
+import robotran.projects.target
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.grade.GoalRun
@@ -54,7 +55,7 @@ class HandInGrader(
             val known = graded.world.robots.map { it.name }
             val own = graded.world.robots.first().name
             val given = sources.mapKeys { (name, _) -> if (name == first) own else name }.filterKeys { it in known }
-            val robotsOfWorld = graded.world.robots.map { it.name to it.program }
+            val robotsOfWorld = graded.world.robots.map { Triple(it.name, it.program, it.description.target) }
             val result = compiled.getOrPut(robotsOfWorld) { readRobotLoads(graded.world, compiler, given) }
             when (result) {
                 is RobotLoads.Ready -> {

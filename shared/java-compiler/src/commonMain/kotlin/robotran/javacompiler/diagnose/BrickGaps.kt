@@ -1,6 +1,6 @@
 package robotran.javacompiler.diagnose
 
-import robotran.javacompiler.BrickTarget
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.messages.JavaMessages
 
 /** What other programs use and a brick does not have, by name. */

@@ -1,6 +1,6 @@
 package robotran.javacompiler.diagnose
 
-import robotran.javacompiler.BrickTarget
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.JavaSource

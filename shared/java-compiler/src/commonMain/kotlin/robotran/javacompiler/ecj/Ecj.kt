@@ -1,7 +1,5 @@
 package robotran.javacompiler.ecj
 
-import robotran.javacompiler.BrickTarget
-
 /** The Eclipse compiler (ECJ) of this platform. Its messages are not yet worded for pupils. */
 internal interface Ecj {
     /**

@@ -3,7 +3,6 @@ package robotran.robolang.run
 import robotran.brick.controls.MotorMode
 import robotran.brick.kind.BrickKind
 import robotran.robolang.check.ValueType
-import robotran.robolang.run.device.RobotDevice
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue

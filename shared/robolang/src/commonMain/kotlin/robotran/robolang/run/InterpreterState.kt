@@ -2,7 +2,6 @@ package robotran.robolang.run
 
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Durations
-import robotran.robolang.run.device.RobotDevice
 
 /**
  * The state shared by all activities of a run: the robot, the main program's variables, lists, random numbers and the

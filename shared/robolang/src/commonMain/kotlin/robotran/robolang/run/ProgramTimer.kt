@@ -1,7 +1,5 @@
 package robotran.robolang.run
 
-import robotran.robolang.run.device.RobotDevice
-
 /** The value `timer`. */
 internal class ProgramTimer(private val robot: RobotDevice) {
     private var start = robot.milliseconds

@@ -9,7 +9,6 @@ import robotran.brick.program.StatementWatch
 import robotran.brick.program.VariableScope
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Durations
-import robotran.robolang.run.device.RobotDevice
 
 /**
  * One run of a Robolang program. A step is a statement or a loop's check for another round, so even an empty loop uses

@@ -1,6 +1,7 @@
 package robotran.robolang.run
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
 
 /** Pushes a sensor's value. */

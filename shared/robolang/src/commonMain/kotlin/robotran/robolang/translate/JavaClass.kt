@@ -4,7 +4,7 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.run.stopsAtEnd
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
 
 /** The sensors of a program for an NXT: objects of leJOS NXJ, each in a field. */

@@ -15,6 +15,8 @@ internal enum class QuirkHandling {
 /**
  * The machine that a program is linked for and runs on.
  *
+ * @property firstObject the smallest reference. The collector takes every number in a stack for a reference if there is an
+ * object, so where numbers are small, references should not be.
  * @property heapWords words for objects; 0 for as many as the program has bytes.
  * @property heapBytes the brick's bytes for objects; 0 if they depend on the program.
  * @property sliceMilliseconds how long a thread runs before another of the same priority.
@@ -25,6 +27,7 @@ internal enum class QuirkHandling {
  */
 internal class MachineModel private constructor(
     val quirks: QuirkHandling,
+    val firstObject: Int,
     val heapWords: Int,
     val heapBytes: Int,
     val sliceMilliseconds: Int,
@@ -50,6 +53,9 @@ internal class MachineModel private constructor(
         /** Source: leJOS, TICKS_PER_TIME_SLICE. */
         private const val RCX_SLICE = 20
 
+        /** The words before it belong to null. */
+        private const val RCX_FIRST_OBJECT = 2
+
         /** 1 MB. */
         private const val HEAP_WORDS = 262_144
 
@@ -58,6 +64,7 @@ internal class MachineModel private constructor(
 
         private val RCX_BRICK = MachineModel(
             QuirkHandling.APPLY,
+            RCX_FIRST_OBJECT,
             heapWords = 0,
             heapBytes = 0,
             RCX_SLICE,
@@ -69,6 +76,7 @@ internal class MachineModel private constructor(
 
         private val RCX_FORGIVING = MachineModel(
             QuirkHandling.WARN,
+            RCX_FIRST_OBJECT,
             heapWords = HEAP_WORDS,
             heapBytes = 0,
             RCX_SLICE,
@@ -81,6 +89,7 @@ internal class MachineModel private constructor(
         /** An NXT with leJOS NXJ. */
         val NXT = MachineModel(
             QuirkHandling.NONE,
+            firstObject = 1 shl 20,
             heapWords = HEAP_WORDS,
             NxtMemory.HEAP_BYTES,
             NxtCosts.SLICE_MILLISECONDS,

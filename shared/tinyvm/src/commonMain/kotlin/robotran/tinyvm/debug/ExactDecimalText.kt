@@ -23,11 +23,17 @@ internal object ExactDecimalText {
     private fun of(isNegative: Boolean, number: Double, exponent: Int, fraction: Long, bits: Int, bias: Int): String {
         val sign = if (isNegative) "-" else ""
         return when {
-            number.isNaN() -> "NaN"
+            number.isNaN() -> {
+                "NaN"
+            }
 
-            number.isInfinite() -> sign + "Infinity"
+            number.isInfinite() -> {
+                sign + "Infinity"
+            }
 
-            number == 0.0 -> sign + "0.0"
+            number == 0.0 -> {
+                sign + "0.0"
+            }
 
             else -> {
                 val (digits, point) = digits(fraction, exponent, bits, bias)
@@ -94,14 +100,18 @@ internal object ExactDecimalText {
     private fun sum(left: NaturalNumber, right: NaturalNumber): NaturalNumber = left.copy().also { it.add(right) }
 
     private fun layout(digits: String, point: Int): String = when (point) {
-        in FIRST_PLAIN..0 -> "0." + "0".repeat(-point) + digits
+        in FIRST_PLAIN..0 -> {
+            "0." + "0".repeat(-point) + digits
+        }
 
         in 1..LAST_PLAIN -> {
             val padded = digits.padEnd(point, '0')
             padded.take(point) + "." + padded.drop(point).ifEmpty { "0" }
         }
 
-        else -> digits.take(1) + "." + digits.drop(1).ifEmpty { "0" } + "E" + (point - 1)
+        else -> {
+            digits.take(1) + "." + digits.drop(1).ifEmpty { "0" } + "E" + (point - 1)
+        }
     }
 
     private const val TEN = 10

@@ -19,11 +19,23 @@ internal class ValueTexts(private val machine: VirtualMachine) {
         val isLong = isExact && at + 1 < words.size
         return when (descriptor[0]) {
             'Z' -> if (word != 0) "true" else "false"
+
             'C' -> "'${word.toChar()}'"
+
             'F' -> decimal(Float.fromBits(word))
-            'D' -> if (isLong) ExactDecimalText.of(Double.fromBits(longAt(words, at))) else decimal(Float.fromBits(word))
+
+            'D' -> if (isLong) {
+                ExactDecimalText.of(
+                    Double.fromBits(longAt(words, at)),
+                )
+            } else {
+                decimal(Float.fromBits(word))
+            }
+
             'J' -> if (isLong) longAt(words, at).toString() else word.toString()
+
             'L', '[' -> reference(word)
+
             else -> word.toString()
         }
     }
@@ -48,7 +60,13 @@ internal class ValueTexts(private val machine: VirtualMachine) {
         val fields = type.instanceFields
         val field = if (isNumber) fields.firstOrNull() else fields.firstOrNull { it.descriptor == TEXT }
         val place = reference + Heap.HEADER_WORDS + (field ?: return null).slot
-        return if (isConstant) machine.textOf(machine.heap.words[place]) else of(field.descriptor, machine.heap.words, place)
+        return if (isConstant) {
+            machine.textOf(
+                machine.heap.words[place],
+            )
+        } else {
+            of(field.descriptor, machine.heap.words, place)
+        }
     }
 
     private fun array(type: ArrayType, array: Int): String {
@@ -66,6 +84,8 @@ internal class ValueTexts(private val machine: VirtualMachine) {
         const val ENUM = "java/lang/Enum"
         const val TEXT = "Ljava/lang/String;"
         val BOXES =
-            listOf("Boolean", "Byte", "Character", "Short", "Integer", "Long", "Float", "Double").map { "java/lang/$it" }
+            listOf("Boolean", "Byte", "Character", "Short", "Integer", "Long", "Float", "Double").map {
+                "java/lang/$it"
+            }
     }
 }

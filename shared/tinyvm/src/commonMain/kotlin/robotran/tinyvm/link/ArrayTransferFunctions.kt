@@ -57,7 +57,9 @@ internal class ArrayTransferFunctions(
         when {
             // An exact machine looks at what it stores, since an array may be one of a subclass.
             isStore -> if (isObject && !isExact && element != null && !relations.fits(stored, element)) unsound()
+
             isObject -> frameState.push(element?.let { VerificationType.reference(it) } ?: VerificationType.NULL)
+
             else -> frameState.pushValue(VerificationType.ofLetter(letters[0]))
         }
     }

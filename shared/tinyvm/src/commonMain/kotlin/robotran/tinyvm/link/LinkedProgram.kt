@@ -13,8 +13,9 @@ import robotran.tinyvm.config.BrickLayout
  * @property bytes the size in brick memory, in bytes; an estimate unless its image was linked.
  * @property exceptions the classes of [BuiltInException], in its order.
  * @property text the string class; [textField] is its character array, of type [characters].
- * @property wholeNumbers the type of arrays of int, on an exact machine; null on an RCX. So are the next three.
+ * @property wholeNumbers the type of arrays of int, on an exact machine; null on an RCX. So are the next four.
  * @property bytes8 the type of arrays of byte.
+ * @property texts1 the type of arrays of texts.
  * @property classType the class of class objects.
  * @property uncaughtHandler what the machine calls if an exception leaves the first method of a thread.
  * @property thread the thread class; [threadRun] is its `run` method.
@@ -38,6 +39,7 @@ internal class LinkedProgram(
     private val layout: BrickLayout?,
     val wholeNumbers: ArrayType? = null,
     val bytes8: ArrayType? = null,
+    val texts1: ArrayType? = null,
     val classType: LinkedClass? = null,
     val uncaughtHandler: LinkedMethod? = null,
 ) {
@@ -59,7 +61,13 @@ internal class LinkedProgram(
     }
 
     /** The number that a brick shows for [method]: on an RCX that of its signature. */
-    fun numberOf(method: LinkedMethod): Int = if (classType != null) method.number else layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber
+    fun numberOf(method: LinkedMethod): Int = if (classType !=
+        null
+    ) {
+        method.number
+    } else {
+        layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber
+    }
 
     private companion object {
         /** Behind five fields of four bytes and three of one. Source: leJOS `classes.h`, Thread. */

@@ -44,6 +44,7 @@ internal class Linker(
         val classType = if (model.isExact) types.classNamed("java/lang/Class", start) else null
         val wholeNumbers = if (model.isExact) types.typeOf("[I", start) as ArrayType else null
         val bytes8 = if (model.isExact) types.typeOf("[B", start) as ArrayType else null
+        val texts1 = if (model.isExact) types.typeOf("[Ljava/lang/String;", start) as ArrayType else null
         val uncaughtHandler = if (model.isExact) thread.methods.find { it.signature == UNCAUGHT_HANDLER } else null
         if (model.isExact) {
             linkReachable(main, run, uncaughtHandler, exceptions + listOfNotNull(types.root, text, thread, classType))
@@ -71,6 +72,7 @@ internal class Linker(
             layout,
             wholeNumbers,
             bytes8,
+            texts1,
             classType,
             uncaughtHandler,
         )

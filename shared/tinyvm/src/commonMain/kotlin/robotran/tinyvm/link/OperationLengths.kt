@@ -1,7 +1,13 @@
 package robotran.tinyvm.link
 
 private val WITH_TWO_OPERANDS =
-    setOf(Operation.INCREMENT, Operation.CALL_VIRTUAL, Operation.CALL_INTERFACE, Operation.NEW_ARRAYS, Operation.PUSH_LONG)
+    setOf(
+        Operation.INCREMENT,
+        Operation.CALL_VIRTUAL,
+        Operation.CALL_INTERFACE,
+        Operation.NEW_ARRAYS,
+        Operation.PUSH_LONG,
+    )
 
 private val WITH_ONE_OPERAND =
     setOf(Operation.STATEMENT, Operation.PUSH, Operation.PUSH_WIDE, Operation.PUSH_TEXT) +

@@ -245,8 +245,9 @@ internal object RegisterOperation {
     const val SET_REFERENCE = 121
 
     /** The operations whose result is in A and the next register. */
-    val WITH_WIDE_RESULT: Set<Int> = (ADD_LONG..DOUBLE_TO_FLOAT).toSet() + setOf(FIELD_LONG, ELEMENT_LONG, STATIC_LONG) -
-        setOf(REMAINDER_FLOAT, INT_TO_LONG, LONG_TO_INT, LONG_TO_FLOAT, DOUBLE_TO_INT, DOUBLE_TO_FLOAT)
+    val WITH_WIDE_RESULT: Set<Int> =
+        (ADD_LONG..DOUBLE_TO_FLOAT).toSet() + setOf(FIELD_LONG, ELEMENT_LONG, STATIC_LONG) -
+            setOf(REMAINDER_FLOAT, INT_TO_LONG, LONG_TO_INT, LONG_TO_FLOAT, DOUBLE_TO_INT, DOUBLE_TO_FLOAT)
 
     /** The operations whose result is in A. */
     val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH, STATIC_FAR) +

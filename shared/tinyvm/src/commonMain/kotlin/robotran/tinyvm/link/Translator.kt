@@ -66,13 +66,23 @@ internal class Translator(
         val table = instruction.targets
         when {
             simple?.operation == Operation.PUSH_LONG -> pushLong(simple.constant ?: 0, simple.high)
-            table != null -> writer.writeSwitch(SwitchTable(instruction.keys ?: IntArray(0), table + instruction.operand))
+
+            table != null -> writer.writeSwitch(
+                SwitchTable(instruction.keys ?: IntArray(0), table + instruction.operand),
+            )
+
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
+
             simple != null -> writer.write(simple.operation)
+
             opcode in BRANCHES -> writer.writeBranch(OperationTables.branch(opcode), instruction.operand)
+
             opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
+
             opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
+
             opcode in WITH_TYPE -> members.typed(instruction)
+
             else -> other(instruction)
         }
     }

@@ -7,11 +7,7 @@ import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 
 /** All classes and array types of a program, each linked on first use. */
-internal class TypeTable(
-    private val files: ClassPath,
-    private val messages: LinkMessages,
-    val model: MachineModel,
-) {
+internal class TypeTable(private val files: ClassPath, private val messages: LinkMessages, val model: MachineModel) {
     private val specialNumbers = if (model.isExact) NxtNumbers.CLASSES else SpecialNumbers.CLASS_NUMBERS
     private val byDescriptor = HashMap<String, HeapType>()
     private val beingLinked = LinkedHashSet<String>()

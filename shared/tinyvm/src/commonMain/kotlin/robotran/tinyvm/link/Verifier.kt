@@ -88,7 +88,8 @@ internal class Verifier(
         val isSwitch = instruction.targets != null
         if (isBranch || isSwitch) mergeInto(instruction.operand, context, frameState)
         instruction.targets?.distinct()?.forEach { mergeInto(it, context, frameState) }
-        val isEnd = isSwitch || opcode == Opcode.GOTO || opcode in Opcode.IRETURN..Opcode.RETURN || opcode == Opcode.ATHROW
+        val isEnd =
+            isSwitch || opcode == Opcode.GOTO || opcode in Opcode.IRETURN..Opcode.RETURN || opcode == Opcode.ATHROW
         if (!isEnd) mergeInto(instruction.next, context, frameState)
     }
 

@@ -15,9 +15,16 @@ internal class WideCompiler(
     fun compile(operation: Int, operand: Int, second: Int): Boolean {
         when (operation) {
             in Operation.PUSH_LONG..Operation.SET_STATIC_LONG -> move(operation, operand, second)
+
             in Operation.FIELD_LONG..Operation.SET_ELEMENT_LONG -> access(operation, operand)
+
             in Operation.ADD_LONG..Operation.COMPARE_DOUBLE_64_HIGH -> calculate(operation)
-            Operation.CAST, Operation.IS_INSTANCE, Operation.PUSH_TEXT, Operation.SET_REFERENCE -> objects(operation, operand)
+
+            Operation.CAST, Operation.IS_INSTANCE, Operation.PUSH_TEXT, Operation.SET_REFERENCE -> objects(
+                operation,
+                operand,
+            )
+
             else -> return false
         }
         return true
@@ -46,7 +53,8 @@ internal class WideCompiler(
 
             else -> {
                 val words = intArrayOf(operand)
-                instructions += RegisterInstruction(RegisterOperation.SET_STATIC_LONG, operands.popPair(), words = words)
+                instructions +=
+                    RegisterInstruction(RegisterOperation.SET_STATIC_LONG, operands.popPair(), words = words)
             }
         }
     }
@@ -71,7 +79,13 @@ internal class WideCompiler(
             return
         }
         val from = operands.registerOf(low)
-        val upper = if (high.kind == Operand.LOCAL && high.value == local) operands.putOnStack(high) else operands.registerOf(high)
+        val upper = if (high.kind == Operand.LOCAL &&
+            high.value == local
+        ) {
+            operands.putOnStack(high)
+        } else {
+            operands.registerOf(high)
+        }
         instructions += RegisterInstruction(RegisterOperation.MOVE_2, local, from, upper)
     }
 

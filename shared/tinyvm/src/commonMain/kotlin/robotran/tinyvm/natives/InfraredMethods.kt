@@ -1,12 +1,12 @@
 package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.Heap
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.wordOf
 
 private const val BYTE = 0xFF

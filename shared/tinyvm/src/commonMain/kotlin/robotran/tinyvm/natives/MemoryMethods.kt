@@ -3,11 +3,11 @@ package robotran.tinyvm.natives
 import robotran.rcxrom.call.RomCall
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 private const val WORD = 0xFFFF
 private const val MAX_ARGUMENTS = 4

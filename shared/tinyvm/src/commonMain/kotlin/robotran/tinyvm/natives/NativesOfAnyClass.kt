@@ -1,11 +1,11 @@
 package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 /** How a program declares a native method: its name and descriptor, and whether it is static. */
 internal data class DeclaredNative(val signature: String, val isStatic: Boolean)

@@ -1,12 +1,12 @@
 package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 /** `java.lang.Object`. Source: leJOS `threads.c`. */
 internal val objectMethods: Map<String, NativeMethod> = mapOf(

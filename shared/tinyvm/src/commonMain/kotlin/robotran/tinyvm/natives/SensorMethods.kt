@@ -5,9 +5,9 @@ import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
-import robotran.tinyvm.run.rcx
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 /** `josx.platform.rcx.Sensor`, `Poll` and `Serial.resetSerial`. Source: leJOS `native.c`. */
 internal val sensorMethods: Map<String, NativeMethod> = mapOf(

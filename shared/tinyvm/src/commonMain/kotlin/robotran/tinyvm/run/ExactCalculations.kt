@@ -41,13 +41,21 @@ internal fun calculated(left: Double, right: Double, operation: Int): Double = w
 /** Puts the number at [from] of [stack], converted, at [to]; returns the words of the result. */
 internal fun converted(stack: IntArray, to: Int, from: Int, operation: Int): Int {
     when (operation) {
-        Operation.LONG_TO_INT -> stack[to] = stack[from]
+        Operation.LONG_TO_INT -> {
+            stack[to] = stack[from]
+        }
 
-        Operation.LONG_64_TO_FLOAT -> stack[to] = longAt(stack, from).toFloat().toBits()
+        Operation.LONG_64_TO_FLOAT -> {
+            stack[to] = longAt(stack, from).toFloat().toBits()
+        }
 
-        Operation.DOUBLE_64_TO_INT -> stack[to] = doubleAt(stack, from).toInt()
+        Operation.DOUBLE_64_TO_INT -> {
+            stack[to] = doubleAt(stack, from).toInt()
+        }
 
-        Operation.DOUBLE_64_TO_FLOAT -> stack[to] = doubleAt(stack, from).toFloat().toBits()
+        Operation.DOUBLE_64_TO_FLOAT -> {
+            stack[to] = doubleAt(stack, from).toFloat().toBits()
+        }
 
         else -> {
             when (operation) {

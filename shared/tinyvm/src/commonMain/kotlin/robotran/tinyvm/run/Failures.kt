@@ -21,7 +21,16 @@ internal class Failures(private val machine: VirtualMachine, private val message
         val type = machine.heap.typeOf(exception) as LinkedClass
         if (type.name == SpecialNumbers.THREAD_DEATH) return
         val name = type.sourceName.substringAfterLast('.')
-        val failure = if (machine.model.isExact) onNxt(thread, exception, type, name) else onRcx(thread, exception, type, name)
+        val failure = if (machine.model.isExact) {
+            onNxt(
+                thread,
+                exception,
+                type,
+                name,
+            )
+        } else {
+            onRcx(thread, exception, type, name)
+        }
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
     }
 

@@ -17,7 +17,19 @@ import robotran.tinyvm.link.brickBytesOf
  * @param bytes brick bytes available for objects.
  */
 internal class Heap(private val types: List<HeapType>, private val model: MachineModel, private val bytes: Int) {
-    val words = IntArray(if (model.heapWords == 0) bytes + FIRST_OBJECT else model.heapWords)
+    private val first = model.firstObject
+
+    val words = IntArray(
+        if (model.isExact) {
+            first + model.heapWords
+        } else if (model.heapWords ==
+            0
+        ) {
+            bytes + first
+        } else {
+            model.heapWords
+        },
+    )
 
     /** Whether a brick's bytes bound the memory. */
     private val isBounded = model.hasQuirks || model.isExact
@@ -30,7 +42,7 @@ internal class Heap(private val types: List<HeapType>, private val model: Machin
         private set
     private val objectStarts = BitSet(words.size)
     private val marked = BitSet(words.size)
-    private var free = FreeBlocks(words.size)
+    private var free = FreeBlocks(first, words.size)
     private val toVisit = IntStack()
 
     /** Brick bytes that the objects created so far would take. */
@@ -89,7 +101,7 @@ internal class Heap(private val types: List<HeapType>, private val model: Machin
     }
 
     /** Whether [word] could be a reference to an object. */
-    fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && objectStarts[word]
+    fun isObject(word: Int): Boolean = word >= first && word < words.size && objectStarts[word]
 
     /**
      * Frees all objects that are not reachable from [roots], which may also pass numbers that are not references.
@@ -140,7 +152,7 @@ internal class Heap(private val types: List<HeapType>, private val model: Machin
 
     private fun sweep(): FreeBlocks {
         val blocks = FreeBlocks()
-        var place = FIRST_OBJECT
+        var place = first
         var gap = place
         var bytesLeft = reserved
         while (true) {
@@ -181,9 +193,6 @@ internal class Heap(private val types: List<HeapType>, private val model: Machin
     companion object {
         /** Words before an object's fields or elements. */
         const val HEADER_WORDS = 2
-
-        /** The smallest reference; the words before it belong to null. */
-        const val FIRST_OBJECT = 2
 
         /** Source: leJOS `memory.h`, HEADER_SIZE. */
         const val ARRAY_HEADER_BYTES = 4

@@ -8,11 +8,7 @@ package robotran.tinyvm.run
  * @param mostThreads the most threads that may be alive.
  * @param clock the brick's clock in milliseconds.
  */
-internal class Scheduler(
-    private val monitors: Monitors,
-    private val mostThreads: Int,
-    private val clock: () -> Long,
-) {
+internal class Scheduler(private val monitors: Monitors, private val mostThreads: Int, private val clock: () -> Long) {
     private val living = ArrayList<VmThread>()
     private var started = 0
 

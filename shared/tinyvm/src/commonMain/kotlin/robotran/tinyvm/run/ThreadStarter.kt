@@ -8,7 +8,7 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun begin(thread: VmThread) {
         val main = machine.program.main
         if (thread.isMain) {
-            if (calls.begin(thread, main, 0) && !machine.isInitialized[main.owner.number]) {
+            if (calls.begin(thread, main, machine.mainArguments()) && !machine.isInitialized[main.owner.number]) {
                 initializeMainClass(thread, main.owner)
             }
         } else {

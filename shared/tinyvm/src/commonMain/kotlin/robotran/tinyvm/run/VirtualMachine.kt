@@ -85,11 +85,16 @@ internal class VirtualMachine(
 
     private fun setInitialValue(field: LinkedField) {
         when (val value = field.initialValue) {
-            is InitialValue.Word -> statics[field.slot] = value.bits
-            is InitialValue.Text -> if (!model.isExact) {
-                statics[field.slot] = newText(value.text)
-            } else if (field.isRead) {
-                statics[field.slot] = text(program.texts.indexOf(value.text))
+            is InitialValue.Word -> {
+                statics[field.slot] = value.bits
+            }
+
+            is InitialValue.Text -> {
+                if (!model.isExact) {
+                    statics[field.slot] = newText(value.text)
+                } else if (field.isRead) {
+                    statics[field.slot] = text(program.texts.indexOf(value.text))
+                }
             }
 
             is InitialValue.Wide -> {
@@ -97,7 +102,9 @@ internal class VirtualMachine(
                 statics[field.slot + 1] = (value.value shr Int.SIZE_BITS).toInt()
             }
 
-            null -> return
+            null -> {
+                return
+            }
         }
     }
 
@@ -216,6 +223,9 @@ internal class VirtualMachine(
         threadsByReference[mainThread.reference] = mainThread
         start(mainThread)
     }
+
+    /** What `main` gets: an empty array; null on an RCX. */
+    fun mainArguments(): Int = program.texts1?.let { newArray(it, 0) } ?: 0
 
     /** Makes [thread] ready to run; its stack must be there already. */
     fun start(thread: VmThread) {
@@ -352,7 +362,11 @@ internal class VirtualMachine(
         val isWorthIt = heap.collect { mark ->
             exceptions.forEach(mark)
             textReferences.forEach(mark)
-            statics.forEach(mark)
+            if (model.isExact) {
+                for (field in program.statics) if (field.isReference) mark(statics[field.slot])
+            } else {
+                statics.forEach(mark)
+            }
             peripherals.roots(mark)
             classObjects.values.forEach(mark)
             mark(held)

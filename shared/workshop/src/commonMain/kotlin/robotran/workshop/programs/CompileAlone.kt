@@ -3,16 +3,16 @@ package robotran.workshop.programs
 import robotran.blockediting.BlockEditError
 import robotran.blockediting.TrialResult
 import robotran.blockediting.trialOf
+import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlocksState
 
 /** The result of [compileAlone]. */
 internal sealed interface ImmediateResult {
-    class Ready(val program: RcxProgram) : ImmediateResult
+    class Ready(val program: BrickProgram) : ImmediateResult
 
     class Refused(val reason: BlockEditError) : ImmediateResult
 }
@@ -27,7 +27,7 @@ internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, 
     if (trial is TrialResult.Refused) return ImmediateResult.Refused(trial.reason)
     val text = (trial as TrialResult.Ready).text
     return when (val result = compileNow(ProgramSource.Robolang(name, text))) {
-        is ProgramResult.Ready -> ImmediateResult.Ready(result.program as RcxProgram)
+        is ProgramResult.Ready -> ImmediateResult.Ready(result.program)
 
         is ProgramResult.HasErrors -> with(result.diagnostics.first()) {
             ImmediateResult.Refused(BlockEditError.Mistaken(range?.line ?: 0, message))

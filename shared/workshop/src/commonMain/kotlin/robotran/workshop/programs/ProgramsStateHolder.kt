@@ -14,6 +14,7 @@ import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
+import robotran.projects.target
 import robotran.robolang.diagnostic.SourceRange
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
@@ -28,11 +29,11 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.ImmediateProgram
-import robotran.workshop.state.ImmediateRcxProgram
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.immediate
 import robotran.world.RobotPlacement
 import robotran.world.World
 
@@ -140,9 +141,10 @@ class ProgramsStateHolder(
     internal fun immediateProgram(load: BlockLoad): ImmediateProgram? {
         val robot = shown
         val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
-        return when (val result = compiler.compileAlone(load, blocks, robot.entry.program.name)) {
+        val itsCompiler = compiler.forTarget(robot.placement.description.target)
+        return when (val result = itsCompiler.compileAlone(load, blocks, robot.entry.program.name)) {
             is ImmediateResult.Ready -> {
-                ImmediateRcxProgram(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
+                immediate(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
             }
 
             is ImmediateResult.Refused -> {

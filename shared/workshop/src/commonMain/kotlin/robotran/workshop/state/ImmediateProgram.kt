@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import robotran.brick.program.BrickProgram
+import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
 
 /**
@@ -16,11 +17,26 @@ interface ImmediateProgram : BrickProgram {
     val source: String
 }
 
-/** An [ImmediateProgram] for an RCX. */
-internal class ImmediateRcxProgram(
+/** [program] as an [ImmediateProgram]. */
+internal fun immediate(program: BrickProgram, robot: String, slot: Int, source: String): ImmediateProgram =
+    when (program) {
+        is RcxProgram -> ImmediateRcxProgram(program, robot, slot, source)
+        is NxtProgram -> ImmediateNxtProgram(program, robot, slot, source)
+        else -> error("There is no brick for ${program.name}.")
+    }
+
+private class ImmediateRcxProgram(
     program: RcxProgram,
     override val robot: String,
     override val slot: Int,
     override val source: String,
 ) : ImmediateProgram,
     RcxProgram by program
+
+private class ImmediateNxtProgram(
+    program: NxtProgram,
+    override val robot: String,
+    override val slot: Int,
+    override val source: String,
+) : ImmediateProgram,
+    NxtProgram by program

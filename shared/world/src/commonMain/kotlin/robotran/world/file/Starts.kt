@@ -28,6 +28,14 @@ internal fun checkStarts(world: World, file: JsonCursor) {
     }
 }
 
+/** Whether the robot with this number starts neither in an obstacle nor in another robot. */
+fun hasRoomAtStart(world: World, robot: Int): Boolean {
+    val outlines = world.robots.map { outline(it.start, it.description) }
+    val own = outlines[robot]
+    return obstacles(world).none { overlap(own, it.shape) } &&
+        outlines.indices.none { it != robot && overlap(own, outlines[it]) }
+}
+
 /** @property what its path in the file, such as `walls[2]`. */
 private class Obstacle(val what: String, val shape: Outline)
 

@@ -12,11 +12,12 @@ import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.brick
 
 /** A native method that makes the call [native] with its arguments, which are words, and returns the result. */
-internal fun calls(native: NxtNative, cost: Int = NxtCosts.SETTING): NativeMethod = NativeMethod { machine, thread, first ->
-    machine.charge(cost - NxtCosts.NATIVE_METHOD)
-    val numbers = IntArray(native.parameters) { thread.stack[first + it] }
-    machine.brick.call(thread, NxtCall(native, numbers))
-}
+internal fun calls(native: NxtNative, cost: Int = NxtCosts.SETTING): NativeMethod =
+    NativeMethod { machine, thread, first ->
+        machine.charge(cost - NxtCosts.NATIVE_METHOD)
+        val numbers = IntArray(native.parameters) { thread.stack[first + it] }
+        machine.brick.call(thread, NxtCall(native, numbers))
+    }
 
 /** A native method that reads something from the brick; [read] gets the arguments, which are words. */
 internal fun reads(read: (nxt: Nxt, arguments: (Int) -> Int) -> Int): NativeMethod =

@@ -70,16 +70,12 @@ private fun copyArray(machine: VirtualMachine, thread: VmThread, first: Int) {
 }
 
 /** How many of [count] elements from the heap index [start] on, one after the other, [target] may hold. */
-private fun fitting(
-    machine: VirtualMachine,
-    start: Int,
-    count: Int,
-    source: ArrayType?,
-    target: ArrayType?,
-): Int {
+private fun fitting(machine: VirtualMachine, start: Int, count: Int, source: ArrayType?, target: ArrayType?): Int {
     val wanted = target?.element ?: return count
     if (source?.element?.isA(wanted) == true) return count
     val heap = machine.heap
-    return (0 until count).firstOrNull { heap.words[start + it] != 0 && !heap.typeOf(heap.words[start + it]).isA(wanted) }
+    return (0 until count).firstOrNull {
+        heap.words[start + it] != 0 && !heap.typeOf(heap.words[start + it]).isA(wanted)
+    }
         ?: count
 }

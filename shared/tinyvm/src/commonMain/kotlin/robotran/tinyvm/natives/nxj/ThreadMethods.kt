@@ -91,9 +91,13 @@ private fun join(machine: VirtualMachine, thread: VmThread, reference: Int, mill
 
 private fun interrupt(machine: VirtualMachine, thread: VmThread) {
     when (thread.state) {
-        ThreadState.SLEEPING, ThreadState.JOINING -> thread.state = ThreadState.READY
+        ThreadState.SLEEPING, ThreadState.JOINING -> {
+            thread.state = ThreadState.READY
+        }
 
-        ThreadState.WAITING -> thread.state = ThreadState.BLOCKED
+        ThreadState.WAITING -> {
+            thread.state = ThreadState.BLOCKED
+        }
 
         else -> {
             thread.isInterrupted = true

@@ -1,0 +1,69 @@
+package robotran.cli.check
+
+import robotran.cli.CommandTest
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+
+class NxtCheckTest : CommandTest() {
+    private fun check(vararg arguments: String) = commandLine.execute(listOf("check") + arguments)
+
+    @Test
+    fun `the imports of Java tell its brick`() {
+        assertEquals(0, check(nxjProgram("Fine", "Motor.A.rotate(90);")), console.complaints.joinToString())
+        val wrong = nxjProgram("Wrong", "Motor.A.rotat(90);")
+        assertEquals(1, check(wrong))
+        assertContains(console.complaints.single(), "$wrong:7:")
+    }
+
+    @Test
+    fun `Java is checked for the brick that is named`() {
+        val forNxt = nxjProgram("Fine", "Motor.A.rotate(90);")
+        assertEquals(1, check("--brick", "rcx", forNxt))
+        assertContains(console.complaints.single(), "$forNxt:1:8: This program is for an NXT")
+        console.complaints.clear()
+        val anywhere = program(
+            "public class Say { public static void main(String[] a) { System.out.println(1L); } }",
+            "Say.java",
+        )
+        assertEquals(0, check("--brick", "nxt", anywhere), console.complaints.joinToString())
+    }
+
+    @Test
+    fun `Robolang is checked for the brick that is named or that its header names`() {
+        val forNxt = program("robot\n  brick nxt\nend\nshow \"hello\"", "nxt.robo")
+        assertEquals(0, check(forNxt), console.complaints.joinToString())
+        assertEquals(0, check("--brick", "nxt", "--lejos", "3.0", forNxt), console.complaints.joinToString())
+        assertEquals(1, check("--brick", "rcx", forNxt))
+        console.complaints.clear()
+        val text = program("show \"hello\"", "text.robo")
+        assertEquals(0, check("--brick", "nxt", text), console.complaints.joinToString())
+        assertEquals(1, check(text))
+    }
+
+    @Test
+    fun `translate writes Java for the brick that is named or that the header names`() {
+        val drive = program("forward 20 cm", "drive.robo")
+        assertEquals(0, commandLine.execute(listOf("translate", "--brick", "nxt", drive)))
+        assertContains(console.said.single(), "import lejos.nxt.")
+        console.said.clear()
+        val forNxt = program("robot\n  brick nxt\nend\nforward 20 cm", "nxt.robo")
+        assertEquals(0, commandLine.execute(listOf("translate", forNxt)))
+        assertContains(console.said.single(), "import lejos.nxt.")
+        console.said.clear()
+        assertEquals(0, commandLine.execute(listOf("translate", drive)))
+        assertContains(console.said.single(), "import josx.")
+        assertEquals(2, commandLine.execute(listOf("translate", forNxt, "--kit", "$folder/kit.zip")))
+        assertContains(console.complaints.single(), "This program is for an NXT")
+    }
+
+    @Test
+    fun `an image of a program for an NXT is refused in a sentence`() {
+        val forNxt = nxjProgram("Fine", "Motor.A.rotate(90);")
+        assertEquals(1, commandLine.execute(listOf("build", forNxt)))
+        assertEquals(
+            "$forNxt:1:8: This program is for an NXT. Only programs for an RCX can be built for a real brick.",
+            console.complaints.single(),
+        )
+    }
+}
