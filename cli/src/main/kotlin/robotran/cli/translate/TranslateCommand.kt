@@ -25,7 +25,7 @@ import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.brickOf
-import robotran.projects.PENBOT_TARGET
+import robotran.projects.penbotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -70,8 +70,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
         val kind = brick ?: brickOf(files.source) ?: BrickKind.RCX
-        if (kind != BrickKind.RCX) return refuse(sentences.noKit(kind.name))
-        val reader = ProgramCompiler(PENBOT_TARGET, language = spoken.language)
+        val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {
                 result.diagnostics.forEach { console.complain(lineOf(files, it)) }
@@ -80,8 +79,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
             is Reading.Ready -> {
                 val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
-                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources)), sentences)?.let(::refuse)
-                    ?: ExitCode.DONE
+                val made = javaKitFiles(checkNotNull(result.mainClass), sources, kind)
+                writeFile(kit, zip(made), sentences)?.let(::refuse) ?: ExitCode.DONE
             }
         }
     }
@@ -95,8 +94,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         val file = readRobolangFile(program, spoken.language, brick)
     ) {
         is RobolangFile.Ready -> {
-            val kind = file.program.kind
-            if (kit != null && kind != BrickKind.RCX) refuse(sentences.noKit(kind.name)) else write(program, file)
+            write(program, file)
         }
 
         is RobolangFile.HasErrors -> {

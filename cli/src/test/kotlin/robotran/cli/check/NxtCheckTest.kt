@@ -1,9 +1,11 @@
 package robotran.cli.check
 
 import robotran.cli.CommandTest
+import java.util.zip.ZipFile
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class NxtCheckTest : CommandTest() {
     private fun check(vararg arguments: String) = commandLine.execute(listOf("check") + arguments)
@@ -53,8 +55,17 @@ class NxtCheckTest : CommandTest() {
         console.said.clear()
         assertEquals(0, commandLine.execute(listOf("translate", drive)))
         assertContains(console.said.single(), "import josx.")
-        assertEquals(2, commandLine.execute(listOf("translate", forNxt, "--kit", "$folder/kit.zip")))
-        assertContains(console.complaints.single(), "This program is for an NXT")
+    }
+
+    @Test
+    fun `a kit for an NXT has what its own tools need, from both languages`() {
+        val kit = folder.resolve("kit.zip")
+        for (file in listOf(program("robot\n  brick nxt\nend\nforward 20 cm", "fine.robo"), nxjProgram("Fine", ""))) {
+            assertEquals(0, commandLine.execute(listOf("translate", file, "--kit", "$kit")), "${console.complaints}")
+            ZipFile(kit.toFile()).use { zip ->
+                assertTrue(listOf("Fine.java", "build.xml", "upload.sh").all { zip.getEntry("Fine/$it") != null }, file)
+            }
+        }
     }
 
     @Test

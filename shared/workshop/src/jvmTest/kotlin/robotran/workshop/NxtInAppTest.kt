@@ -89,6 +89,18 @@ class NxtInAppTest {
     }
 
     @Test
+    fun `Robolang with words of an NXT is told, other mistakes are not`() = workshop { workshop ->
+        workshop.handle(ProgramEvent.ProgramEdited("when distance < 20\nbeep\n"))
+        assertNull(workshop.state.programs.otherBrick)
+        workshop.handle(ProgramEvent.ProgramEdited("wait until distance < 20\nbeep\n"))
+        assertEquals(BrickKind.NXT, workshop.state.programs.otherBrick)
+        workshop.use(BrickKind.NXT)
+        assertEquals(emptyList(), workshop.state.diagnostics)
+        workshop.handle(ProgramEvent.ProgramEdited("robot\n  brick rcx\nend\nbeep\n"))
+        assertEquals(BrickKind.RCX, workshop.state.programs.otherBrick)
+    }
+
+    @Test
     fun `the change of the robot is a step that the world editor takes back`() = workshop { workshop ->
         workshop.use(BrickKind.NXT)
         workshop.handle(WorldEditEvent.EditorOpened)

@@ -10,7 +10,6 @@ import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
-import robotran.programs.brickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -58,6 +57,7 @@ class ProgramsStateHolder(
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
     private val editing = ProgramEditing(preferences, navigator, notices)
+    private val otherBrick = OtherBrickFinder()
     private var compileStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -298,10 +298,8 @@ class ProgramsStateHolder(
     }
 
     /** The brick that the shown program of [robot] is for, if its compiler has refused it for that. */
-    private fun otherBrickOf(robot: RobotPrograms): BrickKind? {
-        if (robot.entry.diagnostics.isEmpty()) return null
-        return brickOf(robot.entry.program.source())?.takeIf { it != robot.brick }
-    }
+    private fun otherBrickOf(robot: RobotPrograms): BrickKind? =
+        if (robot.entry.diagnostics.isEmpty()) null else otherBrick.find(robot.entry.program, robot.brick)
 
     private fun refresh() {
         shown.readBlocks(preferences.language)
