@@ -4,9 +4,11 @@ package robotran.web
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
+import robotran.brick.kind.BrickKind
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.programs.brickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -49,7 +51,7 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String): JsA
         } else {
             ProgramSource.Robolang(name, program)
         }
-    val world = BuiltInWorlds.plain
+    val world = BuiltInWorlds.plainFor(brickOf(source) ?: BrickKind.RCX)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(

@@ -1,7 +1,7 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -36,23 +36,26 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
         BrickKind.RCX -> Res.string.program_for_rcx to Res.string.program_use_rcx
         BrickKind.NXT -> Res.string.program_for_nxt to Res.string.program_use_nxt
     }
-    Row(
+    Column(
         Modifier
             .fillMaxWidth()
             .background(colours.errorPane)
             .testTag("other-brick")
             .padding(start = 16.dp, end = 8.dp),
-        verticalAlignment = Alignment.CenterVertically,
     ) {
         Text(
             stringResource(sentence, robot),
-            Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.padding(top = 8.dp).semantics { liveRegion = LiveRegionMode.Polite },
             color = colours.error,
             fontSize = TextSizes.BODY,
         )
         TextButton(
             onUse,
-            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("use-other-brick").focusRing(),
+            Modifier
+                .align(Alignment.End)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
+                .testTag("use-other-brick")
+                .focusRing(),
         ) {
             Text(
                 stringResource(action),

@@ -4,12 +4,14 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
+import robotran.ui.brick.nxt.words
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_both_sides
 import robotran.ui.resources.robot_line_follower
 import robotran.ui.resources.robot_nxt_penbot
 import robotran.ui.resources.robot_rcx_penbot
 import robotran.ui.resources.robot_sumo
+import robotran.ui.resources.sensor
 import robotran.ui.resources.worldedit_beacon
 import robotran.ui.resources.worldedit_colour
 import robotran.ui.resources.worldedit_facing
@@ -61,7 +63,10 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         // Its ports are kept if the pupil touches what it already is.
         if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready))
     }
-    if (robot.description.brick == BrickKind.RCX) RcxFields(robot, atOnce)
+    when (robot.description.brick) {
+        BrickKind.RCX -> RcxFields(robot, atOnce)
+        BrickKind.NXT -> NxtParts(robot.description)
+    }
     NumberRow(
         stringResource(Res.string.worldedit_beacon),
         robot.beacon,
@@ -87,6 +92,16 @@ private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
         atOnce(robot.copy(lightFacing = it))
     }
     PortFields(robot) { atOnce(robot.withPorts(it)) }
+}
+
+/** What is on the ports, which a program has to name. */
+@Composable
+private fun NxtParts(description: RobotDescription) {
+    RowHeading(stringResource(Res.string.worldedit_ports))
+    for (port in 1..description.brick.inputPorts) {
+        val word = description.parts.firstOrNull { it.port == port }?.kind?.words ?: Res.string.worldedit_nothing
+        Remark(stringResource(Res.string.sensor, port, stringResource(word)))
+    }
 }
 
 /** The ready robot that [description] was made from; null for one of its own. */
