@@ -7,7 +7,7 @@ import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 
 /**
- * The lanes of a robot's chart over time: its sensor readings and motor commands.
+ * The lanes of a robot's chart over time: its sensor readings, motor commands and the counters of its motors.
  *
  * @property kinds the bricks whose robots have the lane.
  */
@@ -24,22 +24,36 @@ enum class ChartLane(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
     MOTOR_B,
     MOTOR_C,
     SENSOR_4(setOf(BrickKind.NXT)),
+
+    /** What the counter of the motor says, in degrees. */
+    DEGREES_A(setOf(BrickKind.NXT)),
+    DEGREES_B(setOf(BrickKind.NXT)),
+    DEGREES_C(setOf(BrickKind.NXT)),
     ;
 
     val isMotor: Boolean get() = this in MOTOR_A..MOTOR_C
+    val isDegrees: Boolean get() = this in DEGREES_A..DEGREES_C
 
     /** Index of the port that the lane is about, among the motors or the sensors. */
     val port: Int
         get() = when (this) {
-            SENSOR_1, MOTOR_A -> 0
-            SENSOR_2, MOTOR_B -> 1
-            SENSOR_3, MOTOR_C -> 2
+            SENSOR_1, MOTOR_A, DEGREES_A -> 0
+            SENSOR_2, MOTOR_B, DEGREES_B -> 1
+            SENSOR_3, MOTOR_C, DEGREES_C -> 2
             SENSOR_4 -> 3
         }
 
     companion object {
-        /** The lanes of a robot with a [kind] of brick: sensors, then motors. */
-        fun of(kind: BrickKind): List<ChartLane> = entries.filter { kind in it.kinds }.sortedBy { it.isMotor }
+        /** The lanes of a robot with a [kind] of brick: sensors, then motors, then their counters. */
+        fun of(kind: BrickKind): List<ChartLane> = entries.filter { kind in it.kinds }.sortedBy {
+            if (it.isDegrees) {
+                2
+            } else if (it.isMotor) {
+                1
+            } else {
+                0
+            }
+        }
     }
 }
 
@@ -101,10 +115,10 @@ internal class ChartTrack(private val robots: Int) {
         private val LANES = ChartLane.entries.size
 
         /** The value of [lane] for [robot]. */
-        fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = if (lane.isMotor) {
-            signedPower(robot.brick.motors[lane.port], robot.brick.kind)
-        } else {
-            robot.brick.inputs.getOrNull(lane.port)?.value ?: 0
+        fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = when {
+            lane.isMotor -> signedPower(robot.brick.motors[lane.port], robot.brick.kind)
+            lane.isDegrees -> robot.brick.motorDegrees.getOrElse(lane.port) { 0 }
+            else -> robot.brick.inputs.getOrNull(lane.port)?.value ?: 0
         }
 
         private fun signedPower(motor: MotorState, kind: BrickKind): Int {

@@ -39,12 +39,12 @@ internal class RobotInSession(
 ) {
     private val machine = simulation.machines[number]
     val ports: BrickPorts = portsOf(load, air, network)
-    val brick: Brick get() = ports.brick
+    val brick: Brick = ports.brick
     private var hashedCalls = 0L
 
     private val comparison = PortComparison(world.robots[number].description, SimulationMessages.of(language))
 
-    private val log: CallLog get() = brick.log
+    private val log: CallLog = brick.log
 
     /** What the current or last program expects at the ports, but the robot does not have there; null for nothing. */
     val missingSensors: MissingSensors? get() = comparison.among(brick.expectedSensors)

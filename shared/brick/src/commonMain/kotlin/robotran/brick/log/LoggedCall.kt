@@ -19,6 +19,9 @@ interface LoggedCall {
     val group: CallGroup
     val callText: String
 
+    /** Whether the class library made the call by itself, not for a line of the program. */
+    val isByLibrary: Boolean get() = false
+
     /** The line, with its file if the program has several, as in `Robot.java:7`; empty for the firmware. */
     val sourceLocation: String
         get() = when {

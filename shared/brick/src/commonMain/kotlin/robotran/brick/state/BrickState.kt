@@ -19,6 +19,7 @@ import robotran.brick.kind.BrickKind
  * @property isImmediate whether [run] is about a program that was sent to run at once, not about one in a slot.
  * @property motors the output ports A, B and C, in this order.
  * @property inputs the last readings of the input ports, in their order; as many as the [kind] has.
+ * @property motorDegrees what the counters of the motors A, B and C say; empty for a kind of brick without counters.
  * @property isSending whether the brick sends a message by light or radio.
  */
 interface BrickState {
@@ -36,6 +37,7 @@ interface BrickState {
     val motors: List<MotorState>
     val inputs: List<InputReading>
     val isSending: Boolean
+    val motorDegrees: List<Int> get() = emptyList()
 
     /** This state with other [modes] of the motors A, B and C, and another [run]. */
     fun withRun(modes: List<MotorMode>, run: RunState): BrickState

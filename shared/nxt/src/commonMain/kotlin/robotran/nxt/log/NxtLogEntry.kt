@@ -36,11 +36,12 @@ class NxtLogEntry(
 ) : LoggedCall {
     override val group: CallGroup get() = call.native.group
     override val callText: String get() = call.toString()
+    override val isByLibrary: Boolean get() = origin == CallOrigin.LIBRARY
     override val meaning: String
         get() = if (outcome == CallOutcome.DONE) messages.describe(call, result) else messages.wrongArguments()
 
     override val sourceLocation: String
-        get() = if (origin == CallOrigin.LIBRARY) LIBRARY else super.sourceLocation
+        get() = if (isByLibrary) LIBRARY else super.sourceLocation
 
     /** Time, id of the call, its numbers, its text, its bytes. */
     override fun identify(add: (Long) -> Unit) {

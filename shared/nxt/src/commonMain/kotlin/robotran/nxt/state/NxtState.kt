@@ -19,7 +19,6 @@ import robotran.nxt.hardware.SensorPortState
  * @property display what the glass shows.
  * @property selectedSlot index of the program that Run Default starts.
  * @property sensorPorts the ports 1 to 4.
- * @property motorDegrees what the counters of the motors A, B and C say.
  * @property contrast 0..96; at 0 nothing can be seen on the display.
  * @property volume of the menu's setting, 0..10.
  * @property menu the menu that is shown; null if there is none.
@@ -36,7 +35,7 @@ data class NxtState(
     override val run: RunState,
     override val sounding: Boolean,
     val sensorPorts: List<SensorPortState>,
-    val motorDegrees: List<Int>,
+    override val motorDegrees: List<Int>,
     override val batteryMillivolts: Int,
     override val explanation: String?,
     override val isImmediate: Boolean = false,

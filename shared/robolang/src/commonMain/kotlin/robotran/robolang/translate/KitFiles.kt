@@ -1,5 +1,7 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
+
 /**
  * One file of a kit.
  *
@@ -10,20 +12,22 @@ package robotran.robolang.translate
 data class KitFile(val path: String, val text: String, val isExecutable: Boolean = false)
 
 /**
- * The files to bring a program onto a real RCX with leJOS 2.1 or 3.0: the Java, its Robolang source, instructions, an
- * Ant build file, and scripts for a Unix shell and for Windows.
+ * The files to bring a program onto a real brick, an RCX with leJOS 2.1 or 3.0 or an NXT with leJOS NXJ 0.9: the Java,
+ * its Robolang source, instructions, an Ant build file, and scripts for a Unix shell and for Windows.
  *
  * @param sourceName the name of the Robolang file, without folders.
  * @param source its text.
  */
 fun kitFiles(translation: Translation, sourceName: String, source: String): List<KitFile> {
     val className = translation.className
-    val scripts = KitScripts(className, className, listOf(translation.fileName))
-    return listOf(
+    val program = listOf(
         KitFile("$className/${translation.fileName}", translation.java),
         KitFile("$className/$sourceName", source),
-        KitFile("$className/README.txt", KitTexts.readme(className, sourceName)),
-    ) + filesOf(scripts, className)
+    )
+    if (translation.brick == BrickKind.NXT) return program + NxtKit(className, sourceName).files()
+    val scripts = KitScripts(className, className, listOf(translation.fileName))
+    val readme = KitFile("$className/README.txt", KitTexts.readme(className, sourceName))
+    return program + readme + filesOf(scripts, className)
 }
 
 /**

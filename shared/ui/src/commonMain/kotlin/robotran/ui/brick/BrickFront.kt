@@ -4,19 +4,24 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
+import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
+import robotran.nxt.state.NxtState
 import robotran.rcxrom.state.RcxState
+import robotran.ui.brick.nxt.NxtFront
+import robotran.ui.brick.nxt.NxtStrip
 import robotran.ui.brick.rcx.BrickPlan
 import robotran.ui.brick.rcx.RcxFront
 import robotran.ui.brick.rcx.RcxStrip
-import robotran.world.PortSensor
-import robotran.world.RobotPlacement
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
+import robotran.world.pluggedSensors
 
 /**
  * The front of a brick, with buttons that support multi-touch.
  *
  * @param down the buttons drawn pressed.
- * @param ports the sensors on the input ports.
+ * @param robot what is plugged in.
  * @param onTouch called when the user presses or releases the touch sensor on an input port, from 0.
  */
 @Composable
@@ -26,10 +31,18 @@ internal fun BrickFront(
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
     modifier: Modifier = Modifier,
-    ports: List<List<PortSensor>> = RobotPlacement.PENBOT_PORTS,
+    robot: RobotDescription = ReadyRobots.defaultOf(state.kind),
     onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
-    if (state is RcxState) RcxFront(state, down, onPress, onRelease, modifier, ports, onTouch)
+    when (state.kind) {
+        BrickKind.RCX -> {
+            RcxFront(state as RcxState, down, onPress, onRelease, modifier, robot.pluggedSensors, onTouch)
+        }
+
+        BrickKind.NXT -> {
+            NxtFront(state as NxtState, down, onPress, onRelease, modifier, robot, onTouch)
+        }
+    }
 }
 
 /**
@@ -46,10 +59,13 @@ internal fun BrickStrip(
     modifier: Modifier = Modifier,
     isLow: Boolean = false,
 ) {
-    if (state is RcxState) RcxStrip(state, down, onPress, onRelease, modifier, isLow)
+    when (state.kind) {
+        BrickKind.RCX -> RcxStrip(state as RcxState, down, onPress, onRelease, modifier, isLow)
+        BrickKind.NXT -> NxtStrip(state as NxtState, down, onPress, onRelease, modifier, isLow)
+    }
 }
 
-/** The ratio of the brick's width to its height. */
+/** The ratio of a brick's width to its height, the same for all kinds. */
 internal const val BRICK_ASPECT = BrickPlan.ASPECT
 
 /** The min width at which every button is large enough for a finger. */

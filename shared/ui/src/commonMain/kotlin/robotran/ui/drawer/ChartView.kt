@@ -20,12 +20,14 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
 import robotran.ui.resources.run_chart_coarser
+import robotran.ui.resources.run_chart_degrees
 import robotran.ui.resources.run_chart_empty
 import robotran.ui.resources.run_chart_finer
 import robotran.ui.resources.run_chart_motor
@@ -87,7 +89,10 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         }
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
             for (line in shown) {
-                Lane(laneName(line.lane), line, window, touched ?: state.time, state.time) { touched = it }
+                Lane(laneName(line.lane), line, state.brick.kind, window, touched ?: state.time, state.time) {
+                    touched =
+                        it
+                }
             }
             Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
                 for (time in listOf(window.from, touched, window.until)) {
@@ -104,10 +109,10 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 }
 
 @Composable
-private fun laneName(lane: ChartLane): String = if (lane.isMotor) {
-    stringResource(Res.string.run_chart_motor, 'A' + lane.port)
-} else {
-    stringResource(Res.string.run_chart_sensor, lane.port + 1)
+private fun laneName(lane: ChartLane): String = when {
+    lane.isMotor -> stringResource(Res.string.run_chart_motor, 'A' + lane.port)
+    lane.isDegrees -> stringResource(Res.string.run_chart_degrees, 'A' + lane.port)
+    else -> stringResource(Res.string.run_chart_sensor, lane.port + 1)
 }
 
 /**
@@ -137,8 +142,8 @@ internal data class ChartWindow(val from: Long, val until: Long) {
 }
 
 /** The min and max value of [line], always a range of some width. */
-internal fun rangeOf(line: ChartLine): IntRange {
-    if (line.lane.isMotor) return -MAX_POWER..MAX_POWER
+internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
+    if (line.lane.isMotor) return if (brick == BrickKind.RCX) -MAX_POWER..MAX_POWER else -PERCENT..PERCENT
     var min = 0
     var greatest = 1
     for (piece in 0..<line.size) {
@@ -150,3 +155,4 @@ internal fun rangeOf(line: ChartLine): IntRange {
 
 private const val MAX_ZOOM = 8
 private const val MAX_POWER = 8
+private const val PERCENT = 100

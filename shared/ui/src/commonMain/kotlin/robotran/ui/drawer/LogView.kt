@@ -34,6 +34,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
@@ -43,6 +44,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
 import robotran.ui.resources.run_log_empty
+import robotran.ui.resources.run_log_empty_calls
 import robotran.ui.resources.run_log_firmware
 import robotran.ui.resources.run_log_group_bluetooth
 import robotran.ui.resources.run_log_group_buttons
@@ -55,6 +57,7 @@ import robotran.ui.resources.run_log_group_sound
 import robotran.ui.resources.run_log_group_system
 import robotran.ui.resources.run_log_group_timer
 import robotran.ui.resources.run_log_group_unknown
+import robotran.ui.resources.run_log_library
 import robotran.ui.resources.run_log_line
 import robotran.ui.resources.run_log_none
 import robotran.ui.resources.run_log_program
@@ -70,10 +73,13 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LogState
 
-/** All ROM calls so far, newest last, to search, filter, copy and save. */
+/** All calls of the brick so far, newest last, to search, filter, copy and save. */
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, EmptyPicture.LINES, modifier)
+    if (state.total == 0L) {
+        val words = if (state.kind == BrickKind.RCX) Res.string.run_log_empty else Res.string.run_log_empty_calls
+        return EmptyDrawer(words, EmptyPicture.LINES, modifier)
+    }
     Column(modifier.padding(horizontal = 12.dp)) {
         LogTools(state, onEvent)
         if (state.entries.isEmpty() && state.isComplete) {
@@ -201,10 +207,10 @@ private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
             Text(callText(entry), Modifier.weight(1f), style = quiet, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
         Text(
-            if (entry.sourceLine == 0) {
-                stringResource(Res.string.run_log_firmware)
-            } else {
-                stringResource(Res.string.run_log_line, entry.sourceLine)
+            when {
+                entry.isByLibrary -> stringResource(Res.string.run_log_library)
+                entry.sourceLine == 0 -> stringResource(Res.string.run_log_firmware)
+                else -> stringResource(Res.string.run_log_line, entry.sourceLine)
             },
             Modifier.width(84.dp * scale),
             style = style.copy(color = colours.quiet),

@@ -107,6 +107,8 @@ class StringsTest {
             "View",
             "Prgm",
             "Run",
+            "Enter",
+            "Escape",
             "s",
             "cm",
             "C",

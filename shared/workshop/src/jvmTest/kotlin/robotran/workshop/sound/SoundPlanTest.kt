@@ -43,6 +43,12 @@ class SoundPlanTest {
     }
 
     @Test
+    fun `a tone keeps the volume of its brick, and an NXT's are soft`() {
+        SoundPlan(speaker, isSoft = true).add(listOf(SoundEvent.Tone(0, 440.0, 100, volume = 40)))
+        assertEquals(PlannedTone(SoundPlan.LEAD, 440.0, 100.0, volume = 0.4, isSoft = true), speaker.tones.single())
+    }
+
+    @Test
     fun `beeps that come while the sound card is being opened keep their rhythm`() {
         plan.add(listOf(SoundEvent.Tone(20, 1000.0, 150)))
         plan.add(listOf(SoundEvent.Tone(220, 1000.0, 150)))

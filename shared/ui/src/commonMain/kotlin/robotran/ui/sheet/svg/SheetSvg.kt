@@ -83,7 +83,8 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
         for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
         world.robots.zip(state.robots).forEachIndexed { number, (place, now) ->
-            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), penbotFace(state, number))
+            val face = penbotFace(state, number, drive = place.description.drive)
+            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), face)
         }
         for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
         if (world.robots.size > 1) names()
