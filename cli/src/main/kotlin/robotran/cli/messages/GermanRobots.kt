@@ -12,9 +12,6 @@ internal object GermanRobotMessages : RobotMessages {
     override fun noMemory(brick: String) =
         "Der Roboter hat einen $brick: Nur der Speicher eines RCX lässt sich zeigen."
 
-    override fun noKit(brick: String) =
-        "Dieses Programm ist für einen $brick: Nur Programme für einen RCX passen in ein Paket."
-
     override fun standsIn(robot: String, file: String) =
         "Gebaut, wie $file sagt, hat der Roboter $robot an seinem Start in dieser Welt keinen Platz."
 
