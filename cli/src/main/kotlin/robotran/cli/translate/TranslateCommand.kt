@@ -79,7 +79,11 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
             is Reading.Ready -> {
                 val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
-                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources, kind)), sentences)?.let(::refuse)
+                writeFile(
+                    kit,
+                    zip(javaKitFiles(checkNotNull(result.mainClass), sources, kind)),
+                    sentences,
+                )?.let(::refuse)
                     ?: ExitCode.DONE
             }
         }
