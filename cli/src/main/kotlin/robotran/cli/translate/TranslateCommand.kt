@@ -38,7 +38,7 @@ import robotran.programs.ProgramResult as Reading
 internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",
-        help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)",
+        help = "Robolang programs (.robo); for --kit also the files of one program in Java (.java)",
     ).multiple(required = true)
     private val output by option(
         "-o",
@@ -46,7 +46,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         metavar = "FILE",
         help = "where the Java goes; to the console if not given",
     )
-    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
+    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for a real brick (.zip)")
 
     private val brick by brickOption()
     private val spoken by LanguageOption()
@@ -79,8 +79,12 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
             is Reading.Ready -> {
                 val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
-                val made = javaKitFiles(checkNotNull(result.mainClass), sources, kind)
-                writeFile(kit, zip(made), sentences)?.let(::refuse) ?: ExitCode.DONE
+                writeFile(
+                    kit,
+                    zip(javaKitFiles(checkNotNull(result.mainClass), sources, kind)),
+                    sentences,
+                )?.let(::refuse)
+                    ?: ExitCode.DONE
             }
         }
     }

@@ -58,12 +58,16 @@ class NxtCheckTest : CommandTest() {
     }
 
     @Test
-    fun `a kit for an NXT has what its own tools need, from both languages`() {
-        val kit = folder.resolve("kit.zip")
-        for (file in listOf(program("robot\n  brick nxt\nend\nforward 20 cm", "fine.robo"), nxjProgram("Fine", ""))) {
-            assertEquals(0, commandLine.execute(listOf("translate", file, "--kit", "$kit")), "${console.complaints}")
+    fun `a kit for an NXT has what its own tools need`() {
+        val forNxt = program("robot\n  brick nxt\nend\nforward 20 cm", "nxt.robo")
+        val turn = nxjProgram("Turn", "Motor.A.rotate(90);")
+        for ((name, source) in listOf("Nxt" to forNxt, "Turn" to turn)) {
+            val kit = folder.resolve("$name.zip")
+            assertEquals(0, commandLine.execute(listOf("translate", source, "--kit", "$kit")))
             ZipFile(kit.toFile()).use { zip ->
-                assertTrue(listOf("Fine.java", "build.xml", "upload.sh").all { zip.getEntry("Fine/$it") != null }, file)
+                val script = zip.getInputStream(zip.getEntry("$name/upload.sh")).readBytes().decodeToString()
+                assertContains(script, "nxjc -encoding UTF-8 -d . $name.java\nnxjlink -o $name.nxj $name\n")
+                assertTrue(zip.getEntry("$name/$name.java") != null)
             }
         }
     }

@@ -147,7 +147,7 @@ class NxtInAppTest {
         workshop.handle(DocumentEvent.KitRequested)
         val files = machine.zip()
         assertEquals(example("Hello.java"), files["Hello/Hello.java"])
-        assertContains(files.getValue("Hello/upload.sh"), "nxjc -encoding UTF-8 Hello.java")
+        assertContains(files.getValue("Hello/upload.sh"), "nxjc -encoding UTF-8 -d . Hello.java")
         workshop.close()
     }
 

@@ -24,7 +24,7 @@ fun kitFiles(translation: Translation, sourceName: String, source: String): List
         KitFile("$className/${translation.fileName}", translation.java),
         KitFile("$className/$sourceName", source),
     )
-    if (translation.brick == BrickKind.NXT) return program + NxtKit(className, listOf(translation.fileName), sourceName).files()
+    if (translation.brick == BrickKind.NXT) return program + NxtKit(className, sourceName).files()
     val scripts = KitScripts(className, className, listOf(translation.fileName))
     val readme = KitFile("$className/README.txt", KitTexts.readme(className, sourceName))
     return program + readme + filesOf(scripts, className)
@@ -35,18 +35,14 @@ fun kitFiles(translation: Translation, sourceName: String, source: String): List
  *
  * @param mainClass its main class, with slashes after the parts of its package.
  * @param sources its files by name; folders in names are dropped.
- * @param brick the brick that the program is for.
+ * @param brick that the program is for.
  */
-fun javaKitFiles(
-    mainClass: String,
-    sources: List<KitFile>,
-    brick: BrickKind = BrickKind.RCX,
-): List<KitFile> {
+fun javaKitFiles(mainClass: String, sources: List<KitFile>, brick: BrickKind = BrickKind.RCX): List<KitFile> {
     val className = mainClass.substringAfterLast('/')
     val names = mutableListOf<String>()
     for (source in sources) names += uniqueName(plainName(source.path), names)
     val files = names.zip(sources) { name, source -> KitFile("$className/$name", source.text) }
-    if (brick == BrickKind.NXT) return files + NxtKit(mainClass.replace('/', '.'), names, sourceName = null).files()
+    if (brick == BrickKind.NXT) return files + NxtKit(className, null, mainClass.replace('/', '.'), names).files()
     val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
     return files + KitFile("$className/README.txt", KitTexts.javaReadme(className)) + filesOf(scripts, className)
 }

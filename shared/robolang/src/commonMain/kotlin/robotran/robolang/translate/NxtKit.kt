@@ -3,21 +3,18 @@ package robotran.robolang.translate
 /**
  * The files that bring a program for an NXT onto a real one with the tools of leJOS NXJ 0.9.
  *
- * @property mainClass the class with `main`, with its package.
- * @property sources the names of its Java files.
- * @property sourceName the Robolang file that it was translated from; null if it was written in Java.
+ * @param className its main class, without package; also the name of the program on the brick.
+ * @param sourceName the Robolang program that it is a translation of; null if it was written in Java.
+ * @param mainClass the main class with its package.
+ * @param javaFiles the names of its sources, without characters that are special to a shell.
  */
 internal class NxtKit(
-    private val mainClass: String,
-    private val sources: List<String>,
+    private val className: String,
     private val sourceName: String?,
+    private val mainClass: String = className,
+    javaFiles: List<String> = listOf("$className.java"),
 ) {
-    private val className = mainClass.substringAfterLast('.')
-
-    /** Into the folders of their packages, if any. */
-    private val options = if ('.' in mainClass) "-encoding UTF-8 -d ." else "-encoding UTF-8"
-
-    private val written = sources.joinToString(" ")
+    private val sources = javaFiles.joinToString(" ")
 
     fun files(): List<KitFile> = NxtKitTexts(className, sourceName).readmes() + listOf(
         KitFile("$className/build.xml", antFile()),
@@ -48,7 +45,7 @@ internal class NxtKit(
             </macrodef>
 
             <target name="link" description="compiles and links the program">
-                <nxj tool="nxjc" line="$options $written"/>
+                <nxj tool="nxjc" line="-encoding UTF-8 -d . $sources"/>
                 <nxj tool="nxjlink" line="-o $className.nxj $mainClass"/>
             </target>
 
@@ -69,13 +66,10 @@ internal class NxtKit(
             echo "leJOS NXJ is not there: set NXJ_HOME to its folder. README.txt says more." >&2
             exit 1
         fi
-        nxjc $options ${sources.joinToString(" ", transform = ::word)}
-        nxjlink -o ${word("$className.nxj")} ${word(mainClass)}
-        nxjupload -r ${word("$className.nxj")}
+        nxjc -encoding UTF-8 -d . $sources
+        nxjlink -o $className.nxj $mainClass
+        nxjupload -r $className.nxj
         """.trimIndent() + "\n"
-
-    /** Quoted for a shell: names of nested classes contain a dollar sign. */
-    private fun word(name: String) = if ('$' in name) "'$name'" else name
 
     private fun batchFile(): String =
         """
@@ -87,7 +81,7 @@ internal class NxtKit(
             echo leJOS NXJ is not there: set NXJ_HOME to its folder. README.txt says more.
             exit /b 1
         )
-        call nxjc $options $written || exit /b 1
+        call nxjc -encoding UTF-8 -d . $sources || exit /b 1
         call nxjlink -o $className.nxj $mainClass || exit /b 1
         call nxjupload -r $className.nxj
         """.trimIndent() + "\n"
