@@ -22,18 +22,14 @@ data class WordHelp(
 ) {
     companion object {
         /**
-         * Returns the help in [language] on a [word] of [code] for a [brick], such as `forward` or `Motor.forward`; null
-         * if there is none.
+         * Returns the help in [language] on a [word] of [code] for a [brick], such as `forward` or `Motor.forward`;
+         * null if there is none.
          */
-        fun of(
-            language: Language,
-            code: ProgramLanguage,
-            word: String,
-            brick: BrickKind = BrickKind.RCX,
-        ): WordHelp? = when (code) {
-            ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
-            ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
-        }
+        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind = BrickKind.RCX): WordHelp? =
+            when (code) {
+                ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
+                ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
+            }
 
         /** The words of a programming language that have an entry, in the order of their file. */
         fun words(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<String> = when (code) {

@@ -176,6 +176,7 @@ class CompletionTest {
             assertTrue(type.members.isNotEmpty(), name)
             assertEquals(emptyList(), type.members.filter { it.help.isEmpty() }, name)
         }
-        for (name in BrickApi.of(BrickKind.RCX).classNames) assertNotNull(BrickApi.of(BrickKind.RCX).classOf(name), name)
+        val api = BrickApi.of(BrickKind.RCX)
+        for (name in api.classNames) assertNotNull(api.classOf(name), name)
     }
 }

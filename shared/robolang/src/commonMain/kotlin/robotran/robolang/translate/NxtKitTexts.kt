@@ -48,7 +48,7 @@ internal class NxtKitTexts(private val className: String, private val sourceName
             1. Let the robot turn 3600 degrees and count how far it turns: ten times round?
             2. New figure = old figure x 3600 / degrees turned.
                Example: 11.4 and 3500 degrees make 11.4 x 3600 / 3500 = 11.73
-        """.trimIndent() + "\n"
+            """.trimIndent() + "\n"
     }
 
     private fun german(): String {
@@ -91,7 +91,7 @@ internal class NxtKitTexts(private val className: String, private val sourceName
             1. Lass den Roboter sich um 3600 Grad drehen und zähle mit: zehnmal herum?
             2. Neue Zahl = alte Zahl x 3600 / gedrehte Grad.
                Beispiel: 11.4 und 3500 Grad ergeben 11.4 x 3600 / 3500 = 11.73
-        """.trimIndent() + "\n"
+            """.trimIndent() + "\n"
     }
 
     private fun spanish(): String {
@@ -134,6 +134,6 @@ internal class NxtKitTexts(private val className: String, private val sourceName
             1. Haz que el robot gire 3600 grados y cuenta cuánto gira: ¿diez vueltas?
             2. Número nuevo = número viejo x 3600 / grados girados.
                Ejemplo: 11.4 y 3500 grados dan 11.4 x 3600 / 3500 = 11.73
-        """.trimIndent() + "\n"
+            """.trimIndent() + "\n"
     }
 }

@@ -33,8 +33,8 @@ data class ApiClass(
 )
 
 /**
- * The library classes that a Java program for one kind of brick can use. Each is read from the library's source on first
- * use.
+ * The library classes that a Java program for one kind of brick can use. Each is read from the library's source on
+ * first use.
  *
  * @param allNames the classes of the library, with slashes.
  * @param packages those whose classes are offered.

@@ -8,7 +8,8 @@ import robotran.ui.resources.allStringResources
 
 /**
  * A one-sentence description of the example [name]. For `wall-bouncer.robo` and `WallBouncer.java` it is
- * `example_wall_bouncer`, unless the Java version has its own resource, whose name ends in `_java`, or in `_nxj` for an NXT.
+ * `example_wall_bouncer`, unless the Java version has its own resource, whose name ends in `_java`, or in `_nxj` for an
+ * NXT.
  */
 @OptIn(ExperimentalResourceApi::class)
 internal fun aboutExample(set: ExampleSet, name: String): StringResource {

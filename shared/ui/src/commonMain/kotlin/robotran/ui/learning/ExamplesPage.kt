@@ -32,7 +32,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 
-/** All example programs with their drawings; those in the language [current], for the [brick] of the robot, come first. */
+/**
+ * All example programs with their drawings; those in the language [current], for the [brick] of the robot, come first.
+ */
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
@@ -57,8 +59,8 @@ internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (
                     fontSize = TextSizes.BODY,
                 )
             }
-            val sets = ExampleSet.entries.sortedByDescending { it.language == current && it.brick in listOf(null, brick) }
-            for (set in sets) examples(set, onEvent)
+            val isFirst = { set: ExampleSet -> set.language == current && (set.brick == null || set.brick == brick) }
+            for (set in ExampleSet.entries.sortedByDescending(isFirst)) examples(set, onEvent)
         }
     }
 }

@@ -75,7 +75,9 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
                     settings.java.mode == TinyVmMode.FORGIVING,
                 ) {
                     change(
-                        settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)),
+                        settings.copy(
+                            java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK),
+                        ),
                     )
                 }
             }

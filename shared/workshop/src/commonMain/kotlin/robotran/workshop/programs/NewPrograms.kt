@@ -21,10 +21,9 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>, b
 /** A file with another class for the Java program [program] of a robot with a [brick]. */
 internal fun newClass(program: PupilProgram, brick: BrickKind): ProgramFile {
     val name = uniqueName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
-    return ProgramFile(
-        name,
-        "import ${packageOf(brickOf(program.source()) ?: brick)}.*;\n\nclass ${name.removeSuffix(ProgramLanguage.JAVA.extension)} {\n\n}\n",
-    )
+    val library = packageOf(brickOf(program.source()) ?: brick)
+    val className = name.removeSuffix(ProgramLanguage.JAVA.extension)
+    return ProgramFile(name, "import $library.*;\n\nclass $className {\n\n}\n")
 }
 
 /** The file name [name], with a number if it is one of [taken]. */

@@ -8,7 +8,7 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.workshop.state.PupilProgram
 
-/** Finds out whether a program with mistakes is for the other brick. Remembers the last answer, since it is asked often. */
+/** Finds out whether a program with mistakes is for the other brick. It is asked often and remembers its last answer. */
 internal class OtherBrickFinder {
     private var asked: Pair<PupilProgram, BrickKind>? = null
     private var answer: BrickKind? = null
