@@ -267,6 +267,11 @@ class Workshop(
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
     suspend fun compilePrograms() {
+        compile()
+        programs.loadHelp()
+    }
+
+    private suspend fun compile() {
         run.programsCompiled(programs.compile())
         runChanged()
     }
@@ -396,7 +401,7 @@ class Workshop(
     override fun run() = handle(RunEvent.RunPressed)
 
     override suspend fun playInputs() {
-        compilePrograms()
+        compile()
         handle(RunEvent.RecordingPlayed)
     }
 

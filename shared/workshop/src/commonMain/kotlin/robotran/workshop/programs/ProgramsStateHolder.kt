@@ -254,9 +254,15 @@ class ProgramsStateHolder(
         return result
     }
 
+    /** Loads what completion and help say about Java for an NXT, if a robot needs that. Without it they offer less. */
+    internal suspend fun loadHelp() {
+        val needsIt = robots.any { robot ->
+            robot.brick == BrickKind.NXT && robot.list.programs.any { it.language == ProgramLanguage.JAVA }
+        }
+        if (needsIt) nxjSources()
+    }
+
     private suspend fun compileChanged(): CompilerLoading {
-        // Completion and help know the classes of leJOS NXJ from then on. Without them they offer less.
-        if (robots.any { it.brick == BrickKind.NXT }) nxjSources()
         for (robot in robots) {
             val loading = robot.list.compilePending()
             if (loading is CompilerLoading.Failed) return loading
