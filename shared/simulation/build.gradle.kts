@@ -4,6 +4,7 @@ plugins {
     id("robotran.physics-web")
     id("robotran.texts")
     id("robotran.brick-programs")
+    id("robotran.nxj-web")
 }
 
 texts {

@@ -13,7 +13,7 @@ class RobotCommandTest : CommandTest() {
         assertEquals(5, files.size)
         assertEquals(0, check(*files.map { it.path }.toTypedArray()))
         assertEquals(5, console.said.size)
-        assertContains(console.said.toString(), "It is the robot \"Sumo\" with an NXT.")
+        assertContains(console.said.toString(), "It is the robot \"Sumo robot\" with an NXT.")
     }
 
     @Test

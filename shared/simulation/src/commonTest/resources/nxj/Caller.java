@@ -5,6 +5,7 @@ import lejos.nxt.LCD;
 import lejos.nxt.comm.BTConnection;
 import lejos.nxt.comm.Bluetooth;
 import lejos.nxt.comm.NXTConnection;
+import lejos.util.Delay;
 
 /** Sends numbers to the robot called red, and shows what comes back. */
 public class Caller {
@@ -19,5 +20,6 @@ public class Caller {
         }
         connection.close();
         LCD.refresh();
+        Delay.msDelay(1000);
     }
 }

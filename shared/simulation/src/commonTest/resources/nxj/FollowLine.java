@@ -11,8 +11,8 @@ public class FollowLine {
         Motor.C.forward();
         while (!Button.ESCAPE.isPressed()) {
             int error = light.getLightValue() - 45;
-            Motor.A.setSpeed(250 + 8 * error);
-            Motor.C.setSpeed(250 - 8 * error);
+            Motor.A.setSpeed(Math.max(20, 200 + 15 * error));
+            Motor.C.setSpeed(Math.max(20, 200 - 15 * error));
             Thread.sleep(20);
         }
     }

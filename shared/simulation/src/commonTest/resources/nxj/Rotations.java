@@ -30,6 +30,7 @@ public class Rotations {
         }
         show(4, start);
         LCD.refresh();
+        Thread.sleep(1000);
     }
 
     static void show(int row, long start) {

@@ -36,7 +36,7 @@ class NxtCheckTest : CommandTest() {
         assertEquals(0, check("--brick", "nxt", "--lejos", "3.0", forNxt), console.complaints.joinToString())
         assertEquals(1, check("--brick", "rcx", forNxt))
         console.complaints.clear()
-        val text = program("show \"hello\"", "text.robo")
+        val text = program("show distance", "text.robo")
         assertEquals(0, check("--brick", "nxt", text), console.complaints.joinToString())
         assertEquals(1, check(text))
     }

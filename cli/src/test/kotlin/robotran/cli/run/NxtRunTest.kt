@@ -81,7 +81,7 @@ class NxtRunTest : CommandTest() {
     fun `the log has the calls of the NXT with the lines of the program`() {
         assertEquals(0, run(hello, "--rom-log", "-", "--rom-log-only", "display", "--for", "2"))
         val line = console.said.single().lines().single { "drawString" in it }
-        assertTrue(Regex("""\d+ drawString "World" 2 3 .* ; Hello\.java:8""").matches(line), line)
+        assertTrue(Regex("""\d+ drawString "World" 2 3 .* ; 8""").matches(line), line)
         console.said.clear()
         val table = folder.resolve("log.csv")
         assertEquals(0, run(hello, "--rom-log", "$table", "--for", "2"))
@@ -125,7 +125,7 @@ class NxtRunTest : CommandTest() {
     fun `an exception in main fails with its line`() {
         val failing = nxjProgram("Fails", "int[] numbers = new int[2];\nnumbers[2] = 1;")
         assertEquals(1, run(failing))
-        assertContains(console.complaints.first(), "Fails.java:8")
+        assertContains(console.complaints.first(), "Line 8: Nobody caught the ArrayIndexOutOfBoundsException.")
     }
 
     @Test
@@ -152,7 +152,7 @@ class NxtRunTest : CommandTest() {
         assertEquals(0, run(hello, "--world", plain, "--robot-file", "yellow=$robot", "--for", "1"))
         console.complaints.clear()
         assertEquals(2, run(hello, "--robot-file", "green=$robot"))
-        assertEquals("No robot in this world is called green.", console.complaints.single())
+        assertEquals("No robot in this world is called green. There is only one, called yellow.", console.complaints.single())
         console.complaints.clear()
         assertEquals(2, run(hello, "--robot-file", "yellow=missing.robot.json"))
         assertContains(console.complaints.single(), "missing.robot.json")

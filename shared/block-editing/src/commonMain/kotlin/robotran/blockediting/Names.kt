@@ -10,8 +10,8 @@ import robotran.robolang.robolangTokens
 import robotran.textediting.TextEdit
 
 /**
- * Whether Robolang allows [text] as a name. It also allows its newer words, but lines that already use such a word would
- * say something else then, so blocks offer none of them.
+ * Whether Robolang allows [text] as a name. It also allows its newer words, but lines that already use such a word
+ * would say something else then, so blocks offer none of them.
  */
 fun isName(text: String): Boolean {
     if (RobolangWords.isNewerWord(text)) return false

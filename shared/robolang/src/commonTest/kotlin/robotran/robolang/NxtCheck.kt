@@ -51,6 +51,7 @@ internal fun runOn(nxt: FakeNxt, program: NxtProgram, expected: Expectations): P
 /** What the sensors measure now. */
 internal class Senses(private val expected: Expectations) {
     fun apply(nxt: FakeNxt) {
+        if (expected.sensors.isEmpty() && expected.senses.isEmpty()) return
         expected.sensors.filter { it.milliseconds <= nxt.milliseconds }.forEach { nxt.analog[it.port - 1] = it.raw }
         nxt.held = 0
         for (sense in expected.senses.filter { it.milliseconds <= nxt.milliseconds }) {

@@ -13,6 +13,7 @@ import robotran.simulation.goal.GoalJudge
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.nxt.Loudness
 import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.robot.BrickPorts
 import robotran.simulation.state.AmbientConditions
 import robotran.simulation.state.LampState
 import robotran.simulation.state.SessionState
@@ -46,6 +47,9 @@ internal class SessionEngine(
         RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, network, language)
     }
 
+    /** Those of the [robots]; an array, since each millisecond asks all of them. */
+    private val ports: Array<BrickPorts> = Array(robots.size) { robots[it].ports }
+
     /** Virtual time since the beginning. */
     var milliseconds = 0L
         private set
@@ -63,11 +67,11 @@ internal class SessionEngine(
     fun tick() {
         latest = null
         if (!hasSensed) {
-            for (robot in robots) robot.ports.sense(milliseconds + 1)
+            for (each in ports) each.sense(milliseconds + 1)
             hasSensed = true
         }
-        while (nextToTick < robots.size) {
-            val brick = robots[nextToTick].brick
+        while (nextToTick < ports.size) {
+            val brick = ports[nextToTick].brick
             brick.tick()
             if (brick.isPaused) return
             nextToTick++
@@ -126,7 +130,7 @@ internal class SessionEngine(
     fun close() = simulation.close()
 
     private fun move() {
-        for (robot in robots) robot.ports.moveMotors(milliseconds)
+        for (each in ports) each.moveMotors(milliseconds)
         if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
             simulation.step()
             simulation.addTo(hash)

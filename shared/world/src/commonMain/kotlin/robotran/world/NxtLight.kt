@@ -13,13 +13,13 @@ object NxtLight {
     const val HALF_AMOUNT = 1.72
 
     /** The part of the ambient light that gets under the sensor. */
-    const val UNDER_ROBOT = 0.265
+    const val UNDER_ROBOT = 0.27
 
     /** The light of the sensor's lamp that perfectly white paper reflects, up to 1 cm away. */
-    const val OWN_LAMP = 2.536
+    const val OWN_LAMP = 2.578
 
     /** The light of the lamp that gets into the sensor by itself. */
-    const val STRAY = 0.243
+    const val STRAY = 0.25
 
     /** How much the sensor sees of what a surface reflects: the lamp is red. */
     const val RED = 0.85

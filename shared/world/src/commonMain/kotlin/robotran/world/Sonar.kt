@@ -31,7 +31,10 @@ object Sonar {
     const val SOFT_FRICTION = 0.6
     const val SOFT_FARTHEST = 150.0
 
-    /** Two sensors that look at each other within this angle disturb each other, for so many milliseconds. */
+    /**
+     * Two sensors that look at each other within this angle, and ping at most so many milliseconds apart, disturb each
+     * other.
+     */
     const val CROSSTALK_BEAM = 25.0
     const val CROSSTALK_MILLISECONDS = 12
 }

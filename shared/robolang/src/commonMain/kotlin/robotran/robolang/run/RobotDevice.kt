@@ -49,7 +49,7 @@ internal interface RobotDevice : RobotSenses {
     /** After a drive or a turn, also one that is cut short. */
     fun endDrive(sourceLine: Int)
 
-    /** Begins to move the pen; returns the milliseconds to wait before [isTurning] of its motor is asked. */
+    /** Begins to move the pen; returns how many milliseconds to wait before [isPenMoving] is asked. */
     fun startPen(position: PenPosition, sourceLine: Int): Int
 
     val isPenMoving: Boolean

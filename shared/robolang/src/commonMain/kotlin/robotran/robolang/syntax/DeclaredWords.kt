@@ -3,8 +3,8 @@ package robotran.robolang.syntax
 import robotran.brick.kind.BrickKind
 
 /**
- * A word that the program declares as a name is a name on all its lines, if [Keyword.yields]. So programs that are older
- * than the word mean what they always meant.
+ * A word that the program declares as a name is a name on all its lines, if [Keyword.yields]. So programs that are
+ * older than the word mean what they always meant.
  */
 internal fun withDeclaredNames(lines: List<ScannedLine>): List<ScannedLine> {
     val declared = lines.flatMapTo(mutableSetOf()) { declaredWords(it.tokens) }

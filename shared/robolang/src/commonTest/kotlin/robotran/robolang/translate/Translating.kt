@@ -1,6 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.robolang.RobolangNxtProgram
+import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -25,6 +26,11 @@ internal val nxtPrograms: Map<String, RobolangNxtProgram> by lazy {
         val result = compileRobolang(path, text, testNxt) as? RobolangResult.Ready
         result?.let { path to it.program as RobolangNxtProgram }
     }.toMap()
+}
+
+/** All of them, for each brick. */
+internal val programsForBoth: Map<String, RobolangProgram> by lazy {
+    translatablePrograms + nxtPrograms.mapKeys { "${it.key} on an NXT" }
 }
 
 /** Translates [source], named [name], to Java. */

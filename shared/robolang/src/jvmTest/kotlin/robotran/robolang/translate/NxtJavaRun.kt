@@ -159,7 +159,7 @@ private fun read(nxt: NotingNxt, what: String, port: Int): Int = when (what) {
 }
 
 private const val MAX_STEPS = 100_000
-private const val LONGEST_RUN_MILLISECONDS = 60_000L
+private const val LONGEST_RUN_MILLISECONDS = 600_000L
 private const val WIDTH = 100
 private const val HEIGHT = 64
 private const val ROW = 8

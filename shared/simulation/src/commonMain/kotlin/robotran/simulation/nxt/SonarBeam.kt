@@ -69,9 +69,14 @@ internal class SonarBeam(
         return abs(number - RAYS.size / 2) * Sonar.RAY_STEP <= Sonar.EDGE_BEAM && (hit.isRound || isEdge(number))
     }
 
-    /** Whether a ray beside it meets something else. */
-    private fun isEdge(number: Int): Boolean = listOf(number - 1, number + 1).any {
-        it in hits.indices && hits[it]?.body != hits[number]?.body
+    /** Whether a ray beside it meets something else, or another side of the same thing. */
+    private fun isEdge(number: Int): Boolean {
+        val hit = hits[number] ?: return false
+        return listOf(number - 1, number + 1).filter { it in hits.indices }.any {
+            val other = hits[it]
+            other == null || other.body != hit.body ||
+                other.normalX * hit.normalX + other.normalY * hit.normalY < SAME_SIDE_COSINE
+        }
     }
 
     /** What the sensor makes of a [distance]; null if it does not hear it. */
@@ -96,7 +101,11 @@ internal class SonarBeam(
     private fun reaches(other: SonarBeam): Boolean {
         val sent = other.device.pingedAt ?: return false
         val now = device.pingedAt ?: return false
-        if (now - sent !in 0..Sonar.CROSSTALK_MILLISECONDS || distanceTo(other) > Sonar.REAL_FARTHEST) return false
+        // It pings again and again, so its next ping may be what this one hears.
+        val since = (now - sent) % SonarDevice.CYCLE_MILLISECONDS
+        val isNear = minOf(since, SonarDevice.CYCLE_MILLISECONDS - since) <= Sonar.CROSSTALK_MILLISECONDS
+        val isOn = now - sent in 0..SonarDevice.CYCLE_MILLISECONDS + Sonar.CROSSTALK_MILLISECONDS
+        if (!isNear || !isOn || distanceTo(other) > Sonar.REAL_FARTHEST) return false
         return looksAt(other) && other.looksAt(this)
     }
 
@@ -123,6 +132,7 @@ internal class SonarBeam(
         val RAYS = (-Sonar.BEAM / Sonar.RAY_STEP).toInt().let { first ->
             (first..-first).map { Direction(it * Sonar.RAY_STEP) }
         }
+        val SAME_SIDE_COSINE = Direction(20.0).cosine
         val MIRROR_COSINE = Direction(Sonar.MIRROR).cosine
         val CROSSTALK_COSINE = Direction(Sonar.CROSSTALK_BEAM).cosine
     }

@@ -66,7 +66,8 @@ internal class NxtMotor(
             }
 
             else -> {
-                speed += (wanted - speed) * RESPONSE
+                // Friction helps to slow it down.
+                speed += (wanted - speed) * (if (speed > wanted || speed < 0) BRAKE_RESPONSE else RESPONSE)
             }
         }
     }
