@@ -81,7 +81,7 @@ internal val RobotPart.place: Point?
  * The same robot with [change] done to a thing, whose cables stay where they are; null if that made it the same thing as
  * another one.
  */
-internal fun RobotDescription.withThing(number: Int, change: (RobotPart) -> RobotPart): RobotDescription? {
+fun RobotDescription.withThing(number: Int, change: (RobotPart) -> RobotPart): RobotDescription? {
     val before = things.getOrNull(number)?.on(null) ?: return null
     val after = change(before).on(null)
     if (after == before) return this

@@ -27,7 +27,9 @@ class DraggingRobotTest :
 
         "a drag that is cancelled changes nothing" {
             val first = RobotEditing.of(ReadyRobots.SUMO)
-            val dragging = first.after(RobotEdit.StartDrag(body(2), Point(8.0, 0.0))).after(RobotEdit.DragTo(Point(0.0, 3.0)))
+            val dragging = first.after(
+                RobotEdit.StartDrag(body(2), Point(8.0, 0.0)),
+            ).after(RobotEdit.DragTo(Point(0.0, 3.0)))
             dragging.after(RobotEdit.CancelDrag) shouldBe first
             dragging.after(RobotEdit.Undo) shouldBe first
         }
@@ -57,7 +59,8 @@ class DraggingRobotTest :
             val wheels = RobotEditing.of(ReadyRobots.SUMO).after(RobotEdit.Choose(RobotElement.Wheels))
             wheels.handles().size shouldBe 3
             wheels.drag(RobotHandle.Track, Point(0.0, 7.0), Point(1.0, 8.1)).robot.drive.track shouldBe 16.0
-            wheels.drag(RobotHandle.WheelDiameter, Point(2.8, 7.0), Point(3.4, 7.0)).robot.drive.wheelDiameter shouldBe 7.0
+            wheels.drag(RobotHandle.WheelDiameter, Point(2.8, 7.0), Point(3.4, 7.0)).robot.drive.wheelDiameter shouldBe
+                7.0
             wheels.drag(RobotHandle.WheelWidth, Point(0.0, 8.3), Point(0.0, 8.0)).robot.drive.wheelWidth shouldBe 2.0
             val right = RobotHandle.Body(RobotElement.Wheels)
             wheels.drag(right, Point(0.0, -7.0), Point(0.0, -6.0)).robot.drive.track shouldBe 12.0
@@ -96,5 +99,18 @@ class DraggingRobotTest :
             onPaper.eye shouldBe Point(25.0, 22.0)
             (robot.views()[1] as SensorView.Spot).at shouldBe Point(7.2, 0.0)
             robot.views().map { it.number } shouldBe listOf(0, 2, 3)
+        }
+
+        "a finger finds the small things first" {
+            val sumo = ReadyRobots.SUMO
+            sumo.elementsAt(Point(8.2, 0.2), 0.5).take(2) shouldBe listOf(RobotElement.Part(2), RobotElement.Part(1))
+            sumo.elementsAt(Point(0.5, -7.0), 0.2) shouldBe listOf(RobotElement.Wheels)
+            sumo.elementsAt(Point(-8.5, 5.0), 0.2).last() shouldBe RobotElement.Chassis
+            sumo.elementsAt(Point(30.0, 30.0), 1.0) shouldBe emptyList()
+        }
+
+        "an error is at its piece" {
+            val taken = on(ReadyRobots.SUMO, RobotEdit.Choose(RobotElement.Part(1)), RobotEdit.SetPort(4))
+            taken.robot.elementOf(taken.errors.single()) shouldBe RobotElement.Part(2)
         }
     })

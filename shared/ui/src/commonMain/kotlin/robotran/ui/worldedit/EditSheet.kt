@@ -32,6 +32,7 @@ import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetLayer
+import robotran.worldediting.ElementKind
 
 /** The sheet of the world editor, with touch and keyboard input. Screen readers announce the selection. */
 @Composable
@@ -51,7 +52,10 @@ internal fun EditSheet(
     val latest = rememberUpdatedState(making)
     val name = stringResource(Res.string.worldedit_sheet)
     val chosen = selectionText(making.editing)
-    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
+    val layers = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
+    val isRobotChosen = making.editing.selection.any { it.kind == ElementKind.ROBOT }
+    // Whoever puts a robot somewhere wants to know what it sees there.
+    val shown = if (isRobotChosen) layers + SheetLayer.SENSORS else layers
     Canvas(
         modifier
             .fillMaxSize()

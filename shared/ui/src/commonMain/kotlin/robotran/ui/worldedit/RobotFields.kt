@@ -1,9 +1,17 @@
 package robotran.ui.worldedit
 
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
+import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
+import robotran.ui.resources.robot_build
+import robotran.ui.resources.robot_impossible
 import robotran.ui.resources.worldedit_beacon
 import robotran.ui.resources.worldedit_colour
 import robotran.ui.resources.worldedit_facing
@@ -31,6 +39,8 @@ import robotran.world.PortSensor
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
+import robotran.world.messages.sentence
+import robotran.world.robot.robotErrors
 import robotran.worldediting.EditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
@@ -47,6 +57,17 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         atOnce(robot.copy(colour = it))
     }
     FormFields(making, thing, piece)
+    robot.draft?.let { draft ->
+        for (error in robotErrors(draft).take(1)) {
+            Wrong(stringResource(Res.string.robot_impossible, draft.title, error.sentence(LocalLanguage.current)))
+        }
+    }
+    WordButton(
+        stringResource(Res.string.robot_build),
+        "build-robot",
+        { making.build(thing.number) },
+        Modifier.fillMaxWidth().padding(top = 8.dp),
+    )
     val facings = listOf(
         null to stringResource(Res.string.worldedit_facing_free),
         LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
@@ -55,7 +76,8 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
         atOnce(robot.copy(lightFacing = it))
     }
-    PortFields(robot) { atOnce(robot.withPorts(it)) }
+    // What else there is on ports is built in the workbench.
+    if (robot.description.brick == BrickKind.RCX) PortFields(robot) { atOnce(robot.withPorts(it)) }
     NumberRow(
         stringResource(Res.string.worldedit_beacon),
         robot.beacon,

@@ -17,8 +17,7 @@ internal val FULL_WORLD = """
         {
           "name": "ann", "colour": "blue", "start": { "x": 40, "y": 30, "heading": 270 },
           "ports": { "1": "left bumper", "2": ["light", "touch"], "3": [] },
-          "lightSensor": "forward", "beacon": 0.5, "program": ["repeat forever", "\tforward 5", "end"],
-          "draft": { "title": "Draft", "pen": "A" }
+          "lightSensor": "forward", "beacon": 0.5, "program": ["repeat forever", "\tforward 5", "end"]
         },
         { "name": "bob", "colour": "red", "start": { "x": 80, "y": 30, "heading": 0 } },
         { "name": "carl", "start": { "x": 120, "y": 30, "heading": 0 }, "robot": "line-follower" },
