@@ -14,7 +14,7 @@ fun RobotEditing.after(edit: RobotEdit): RobotEditing {
 
         is RobotEdit.ChooseNext -> calm.dropped().nextChosen(edit.backwards)
 
-        is RobotEdit.StartDrag -> calm.dropped().let { it.copy(gesture = RobotGesture(edit.handle, edit.at, it.moment)) }
+        is RobotEdit.StartDrag -> calm.dropped().taken(edit)
 
         is RobotEdit.DragTo -> calm.draggedTo(edit.at)
 
@@ -152,6 +152,8 @@ private fun RobotEditing.nextChosen(backwards: Boolean): RobotEditing {
     }
     return copy(chosen = next)
 }
+
+private fun RobotEditing.taken(edit: RobotEdit.StartDrag) = copy(gesture = RobotGesture(edit.handle, edit.at, moment))
 
 private fun RobotEditing.draggedTo(at: Point): RobotEditing {
     val gesture = gesture ?: return this

@@ -94,7 +94,8 @@ internal fun RobotGesture.dragged(to: Point): RobotDescription? {
 
         is RobotHandle.BumperEnd -> robot.withThing(handle.number) { part ->
             if (part !is BumperPart) return@withThing part
-            val across = Direction(part.direction).let { -(to.x - part.at.x) * it.sine + (to.y - part.at.y) * it.cosine }
+            val facing = Direction(part.direction)
+            val across = -(to.x - part.at.x) * facing.sine + (to.y - part.at.y) * facing.cosine
             part.copy(width = 2 * RobotSnapping.length(abs(across), RobotSnapping.CENTIMETRES / 2)).inRange()
         }
 

@@ -78,8 +78,8 @@ internal val RobotPart.place: Point?
     }
 
 /**
- * The same robot with [change] done to a thing, whose cables stay where they are; null if that made it the same thing as
- * another one.
+ * The same robot with [change] done to a thing, whose cables stay where they are; null if that made it the same thing
+ * as another one.
  */
 fun RobotDescription.withThing(number: Int, change: (RobotPart) -> RobotPart): RobotDescription? {
     val before = things.getOrNull(number)?.on(null) ?: return null

@@ -118,7 +118,7 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
             Facing.Ahead((part.facing as? Facing.Ahead)?.direction ?: 0.0) to
                 stringResource(Res.string.robot_looks_ahead),
             (Facing.Free to stringResource(Res.string.robot_looks_free)).takeIf {
-                part.sensor == SensorKind.LIGHT && scope.robot.brick == BrickKind.RCX || part.facing == Facing.Free
+                part.facing == Facing.Free || (part.sensor == SensorKind.LIGHT && scope.robot.brick == BrickKind.RCX)
             },
         )
         ChipRow(stringResource(Res.string.robot_looks), words, part.facing, "robot-looks") { facing ->

@@ -32,8 +32,8 @@ internal class PlanView(robot: RobotDescription) {
     val pane: Rect get() = Rect(Offset.Zero, window.size)
 
     /**
-     * Maps the plan to pixels as if the robot stood on a sheet with its middle at the lower left corner of the paper and
-     * looked up.
+     * Maps the plan to pixels as if the robot stood on a sheet with its middle at the lower left corner of the paper
+     * and looked up.
      */
     val transform: SheetTransform
         get() {

@@ -43,8 +43,8 @@ import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 
 /**
- * Why an edit was refused, what is impossible about the robot, and whether it has no room where it stands. It covers the
- * plan, which does not move, until it is closed or replaced.
+ * Why an edit was refused, what is impossible about the robot, and whether it has no room where it stands. It covers
+ * the plan, which does not move, until it is closed or replaced.
  */
 @Composable
 internal fun RobotHints(

@@ -30,8 +30,8 @@ import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 
 /**
- * Holds the robot in the workbench. Each of its states goes into the edited world at once, an impossible one as a draft;
- * all of them are one undo step of the world editor.
+ * Holds the robot in the workbench. Each of its states goes into the edited world at once, an impossible one as a
+ * draft; all of them are one undo step of the world editor.
  *
  * @param worldEdit the world editor; null while it is closed.
  * @param editWorld changes it.

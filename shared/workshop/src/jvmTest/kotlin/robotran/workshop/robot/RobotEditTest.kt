@@ -1,5 +1,6 @@
 package robotran.workshop.robot
 
+import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
@@ -7,7 +8,6 @@ import robotran.robotediting.RobotHandle
 import robotran.robotediting.RobotItem
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
-import robotran.workshop.documents.keep
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
@@ -150,7 +150,7 @@ class RobotEditTest {
     fun `nothing is lost when the app ends in the workbench`() {
         open()
         makeImpossible()
-        workshop.keep()
+        runBlocking { workshop.closeDocument() }
         windows += machine.window()
         assertEquals(listOf(2, 2, 3, 4), robot.draft?.parts?.map { it.port })
         open()
@@ -197,12 +197,12 @@ class RobotEditTest {
         workshop.changeWorld(
             workshop.project.world.let { world ->
                 val start = world.robots.first().start
-                val wall = Wall(Point(start.x + 11, start.y - 5), Point(start.x + 11, start.y + 5), 1.0)
+                val wall = Wall(Point(start.x - 5, start.y + 8.6), Point(start.x + 5, start.y + 8.6), 1.0)
                 world.copy(walls = listOf(wall))
             },
         )
         open()
-        make(RobotEdit.Replace(ReadyRobots.SUMO), RobotEdit.Choose(RobotElement.Chassis), RobotEdit.Nudge(3.0, 0.0))
+        make(RobotEdit.Replace(ReadyRobots.SUMO))
         done()
         assertNull(workshop.state.robotEdit)
         assertTrue(assertNotNull(workshop.state.worldEdit).hasFailedToClose)
