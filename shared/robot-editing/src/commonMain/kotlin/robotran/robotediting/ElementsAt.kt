@@ -17,7 +17,11 @@ import kotlin.math.abs
 /** What is within [reach] of [place], small things first: a finger on the brick may mean a sensor beside it. */
 fun RobotDescription.elementsAt(place: Point, reach: Double): List<RobotElement> =
     elements().mapNotNull { element -> distance(element, place)?.takeIf { it <= reach }?.let { element to it } }
-        .sortedWith(compareBy({ (element, _) -> rank(element) }, { (_, distance) -> distance }))
+        .sortedWith(
+            compareBy({ (element, _) -> rank(element) }, { (_, distance) -> distance }, { (element, _) ->
+                placeOf(element)?.let { beyond(it, 0.0, place) } ?: 0.0
+            }),
+        )
         .map { (element, _) -> element }
 
 /** The piece that [error] is about; null if it is about the whole robot. */

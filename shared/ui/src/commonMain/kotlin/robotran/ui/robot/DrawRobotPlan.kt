@@ -6,6 +6,7 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Brush
 import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
@@ -57,7 +58,8 @@ internal fun DrawScope.drawPlan(
     val robot = editing.robot
     drawSquares(transform, colours)
     for (view in robot.views()) drawView(view, transform, isChosen = editing.chosen == RobotElement.Part(view.number))
-    drawRobot(STANDING, RobotPlacement(STANDING.pose, colour = colour, description = robot), plan, transform)
+    val place = RobotPlacement(STANDING.pose, colour = colour, description = robot)
+    drawRobot(STANDING, place, plan, transform, hasEyes = false)
     for (caster in robot.casters) drawCaster(transform.ofRobot(caster), transform)
     drawMass(transform.ofRobot(robot.chassis.massAt), transform)
     drawLabels(robot, transform, measurer)
@@ -165,11 +167,13 @@ private fun DrawScope.drawCone(view: SensorView.Cone, transform: SheetTransform,
     }
 }
 
+/** Below the chassis, therefore dashed. */
 private fun DrawScope.drawCaster(at: Offset, transform: SheetTransform) {
     val radius = transform.toPixels(CASTER_RADIUS)
-    drawCircle(RobotBenchColours.CASTER, radius, at)
-    drawCircle(RobotranColours.CASING, radius, at, style = Stroke(1.5.dp.toPx()))
-    drawCircle(RobotranColours.CASING, radius / 3, at)
+    val dashes = PathEffect.dashPathEffect(floatArrayOf(3.dp.toPx(), 3.dp.toPx()))
+    drawCircle(RobotBenchColours.CASTER.copy(alpha = 0.4f), radius, at)
+    drawCircle(RobotBenchColours.CASTER, radius, at, style = Stroke(3.dp.toPx()))
+    drawCircle(RobotranColours.CASING, radius, at, style = Stroke(1.5.dp.toPx(), pathEffect = dashes))
 }
 
 /** The sign of a centre of mass: two dark and two light quarters. */
@@ -189,8 +193,9 @@ private fun DrawScope.drawLabels(robot: RobotDescription, transform: SheetTransf
         if (ports.isNotEmpty() && at != null) drawLabel(ports.joinToString(" "), transform.ofRobot(at), measurer)
     }
     val wheel = robot.drive.track / 2
-    drawLabel(robot.drive.left.name, transform.ofRobot(Point(0.0, wheel)), measurer)
-    drawLabel(robot.drive.right.name, transform.ofRobot(Point(0.0, -wheel)), measurer)
+    val behind = -robot.drive.wheelDiameter * LABEL_BEHIND_AXLE
+    drawLabel(robot.drive.left.name, transform.ofRobot(Point(behind, wheel)), measurer)
+    drawLabel(robot.drive.right.name, transform.ofRobot(Point(behind, -wheel)), measurer)
     robot.pen?.let { drawLabel(it.motor.name, transform.ofRobot(Point(-LABEL_BEHIND_PEN, 0.0)), measurer) }
 }
 
@@ -311,6 +316,7 @@ private const val SPOT_SHOWN = 2.0
 private const val CASTER_RADIUS = 0.6
 private const val MASS_RADIUS = 0.45
 private const val LABEL_BEHIND_PEN = 2.0
+private const val LABEL_BEHIND_AXLE = 0.3
 private const val SENSOR_FRAME = 1.5
 private const val SMALL_FRAME = 1.1
 private const val TURN_DISTANCE = 56f

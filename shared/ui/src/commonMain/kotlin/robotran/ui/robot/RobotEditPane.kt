@@ -88,8 +88,9 @@ internal fun RobotEditPane(
                     RobotPlanCanvas(scope, view, state.colour, focus)
                 }
                 val over = Modifier.padding(8.dp).heightIn(max = maxHeight / 2)
-                RobotHints(state, world, scope, Modifier.align(Alignment.TopCenter).then(over))
-                AutosaveBanner(document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
+                // Where the back of the robot is: most is built in front.
+                RobotHints(state, world, scope, Modifier.align(Alignment.BottomCenter).then(over))
+                AutosaveBanner(document, onEvent, Modifier.align(Alignment.TopCenter).then(over))
             }
         }
         val put = { if (!state.sheetShown) focus.requestFocus() }

@@ -19,12 +19,12 @@ import robotran.ui.resources.robot_on_sheet
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
+import robotran.ui.sheet.drawSights
 import robotran.ui.sheet.transform
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.initialStateOf
 import robotran.workshop.state.RobotEditState
 import robotran.workshop.state.SheetCamera
-import robotran.workshop.state.SheetLayer
 import robotran.world.World
 import robotran.world.geometry.Point
 import kotlin.math.min
@@ -60,9 +60,10 @@ internal fun RobotOnSheet(state: RobotEditState, world: World, session: SessionS
             resting,
             sheetColours,
             labels,
-            setOf(SheetLayer.SENSORS),
+            emptySet(),
             transform,
         )
+        drawSights(shown, resting, transform)
     }
 }
 

@@ -109,5 +109,5 @@ private suspend fun PointerInputScope.carryOut(upright: Boolean, onCarry: (Offse
         onCarry(null)
     }
 
-private val ITEM_WIDTH = 84.dp
+private val ITEM_WIDTH = 108.dp
 private const val MAX_STRETCH = 1.6f

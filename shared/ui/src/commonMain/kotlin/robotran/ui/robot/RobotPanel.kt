@@ -2,6 +2,7 @@ package robotran.ui.robot
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -84,19 +85,18 @@ internal enum class RobotTab(val title: StringResource) {
 internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
     val colours = LocalRobotranColours.current
     Row(
-        Modifier.fillMaxWidth().background(colours.pane).selectableGroup(),
+        Modifier.fillMaxWidth().background(colours.pane).horizontalScroll(rememberScrollState()).selectableGroup(),
         Arrangement.spacedBy(4.dp),
     ) {
         for (each in RobotTab.entries) {
             val isOpen = each == tab
             Column(
                 Modifier
-                    .weight(1f)
                     .testTag("tab-robot-${each.name.lowercase()}")
-                    .defaultMinSize(minHeight = Dimensions.TARGET)
+                    .defaultMinSize(88.dp, Dimensions.TARGET)
                     .focusRing()
                     .selectable(isOpen, role = Role.Tab) { onChoose(each) }
-                    .padding(horizontal = 8.dp),
+                    .padding(horizontal = 12.dp),
                 Arrangement.Center,
                 Alignment.CenterHorizontally,
             ) {
