@@ -2,6 +2,7 @@ package robotran.ui.robot
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -62,6 +63,7 @@ internal fun RobotEditPane(
     document: DocumentState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    notice: @Composable () -> Unit,
 ) {
     val scope = RobotScope(state.editing, onEvent)
     val view = remember(state.number) { PlanView(state.editing.robot) }
@@ -90,7 +92,10 @@ internal fun RobotEditPane(
                 val over = Modifier.padding(8.dp).heightIn(max = maxHeight / 2)
                 // Where the back of the robot is: most is built in front.
                 RobotHints(state, world, scope, Modifier.align(Alignment.BottomCenter).then(over))
-                AutosaveBanner(document, onEvent, Modifier.align(Alignment.TopCenter).then(over))
+                Column(Modifier.align(Alignment.TopCenter).then(over), Arrangement.spacedBy(8.dp)) {
+                    notice()
+                    AutosaveBanner(document, onEvent)
+                }
             }
         }
         val put = { if (!state.sheetShown) focus.requestFocus() }

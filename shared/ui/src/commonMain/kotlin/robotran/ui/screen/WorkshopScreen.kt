@@ -46,6 +46,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
@@ -92,7 +93,10 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                             state.session,
                             state.document,
                             onEvent,
-                        )
+                        ) {
+                            val ofFile = state.notice?.takeIf { it is Notice.FileSaved || it is Notice.FileNotSaved }
+                            ofFile?.let { NoticeBar(it, onEvent) }
+                        }
 
                         edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
 
