@@ -62,8 +62,8 @@ internal fun DrawScope.drawPlan(
     drawRobot(STANDING, place, plan, transform, hasEyes = false)
     for (caster in robot.casters) drawCaster(transform.ofRobot(caster), transform)
     drawMass(transform.ofRobot(robot.chassis.massAt), transform)
-    drawLabels(robot, transform, measurer)
     editing.chosen?.let { drawFrame(robot, it, transform) }
+    drawLabels(robot, transform, measurer)
     for (error in editing.errors) {
         robot.elementOf(error)?.let { drawWarning(transform.ofRobot(signPlace(robot, it)), colours) }
     }
@@ -80,20 +80,15 @@ internal fun placedHandles(
     transform: SheetTransform,
     density: Float,
 ): List<Pair<RobotHandle, Offset>> {
-    val from = editing.chosen?.let { signPlace(editing.robot, it) }?.let(transform::ofRobot)
+    val middle = (editing.chosen as? RobotElement.Part)?.let { editing.robot.placeOf(it) }?.let(transform::ofRobot)
     return editing.handles().map { placed ->
         val place = transform.ofRobot(placed.at)
-        val away = when (placed.handle) {
-            is RobotHandle.Direction -> TURN_DISTANCE * density
-            else -> 0f
-        }
-        val middle = (editing.chosen as? RobotElement.Part)?.let { editing.robot.placeOf(it) }?.let(transform::ofRobot)
-        val outwards = place - (middle ?: from ?: place)
+        val outwards = middle?.let { place - it } ?: Offset.Zero
         val distance = outwards.getDistance()
-        if (away <= distance || distance == 0f) {
-            placed.handle to place
+        if (placed.handle is RobotHandle.Direction && distance > 0f) {
+            placed.handle to (place - outwards + outwards * (TURN_DISTANCE * density / distance))
         } else {
-            placed.handle to (place - outwards + outwards * (away / distance))
+            placed.handle to place
         }
     }
 }

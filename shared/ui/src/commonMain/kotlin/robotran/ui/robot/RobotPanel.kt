@@ -6,6 +6,7 @@ import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.IntrinsicSize
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxSize
@@ -13,6 +14,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
@@ -96,6 +98,7 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
                     .defaultMinSize(88.dp, Dimensions.TARGET)
                     .focusRing()
                     .selectable(isOpen, role = Role.Tab) { onChoose(each) }
+                    .width(IntrinsicSize.Max)
                     .padding(horizontal = 12.dp),
                 Arrangement.Center,
                 Alignment.CenterHorizontally,
