@@ -9,9 +9,7 @@ import robotran.world.SensorPart
 import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.robot.things
-import kotlin.math.PI
 import kotlin.math.abs
-import kotlin.math.atan2
 
 internal fun RobotPart.movedBy(x: Double, y: Double): RobotPart? = when (this) {
     is BumperPart -> copy(at = at.movedBy(x, y))
@@ -88,8 +86,8 @@ internal fun RobotGesture.dragged(to: Point): RobotDescription? {
 
         is RobotHandle.Direction -> robot.withThing(handle.number) { part ->
             val at = part.place ?: return@withThing part
-            val angle = atan2(to.y - at.y, to.x - at.x) * (DEGREES_IN_HALF_TURN / PI)
-            part.turnedTo(RobotSnapping.angle(angle)).inRange()
+            val angle = RobotSnapping.angleTowards(to.x - at.x, to.y - at.y)
+            part.turnedTo(angle).inRange()
         }
 
         is RobotHandle.BumperEnd -> robot.withThing(handle.number) { part ->
@@ -123,5 +121,3 @@ private fun RobotGesture.dragBody(robot: RobotDescription, element: RobotElement
     val wanted = RobotSnapping.place(start.movedBy(to.x - from.x, to.y - from.y))
     return robot.moved(element, wanted.x - start.x, wanted.y - start.y)
 }
-
-private const val DEGREES_IN_HALF_TURN = 180.0

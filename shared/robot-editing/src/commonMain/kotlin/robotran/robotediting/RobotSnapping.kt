@@ -1,5 +1,6 @@
 package robotran.robotediting
 
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import kotlin.math.floor
 
@@ -14,7 +15,12 @@ object RobotSnapping {
 
     internal fun place(place: Point) = Point(length(place.x), length(place.y))
 
-    internal fun angle(degrees: Double): Double = normalAngle(length(degrees, DEGREES))
+    /** The step of [DEGREES] that is nearest to the direction of [x], [y]; the same on every platform. */
+    internal fun angleTowards(x: Double, y: Double): Double = normalAngle(
+        ANGLES.maxBy { angle -> Direction(angle).let { x * it.cosine + y * it.sine } },
+    )
+
+    private val ANGLES = List((FULL_TURN / DEGREES).toInt()) { it * DEGREES }
 
     private const val HALF = 0.5
 }
