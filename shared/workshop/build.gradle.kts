@@ -27,6 +27,7 @@ kotlin {
             api(project(":shared:text-editing"))
             api(project(":shared:block-editing"))
             api(project(":shared:world-editing"))
+            api(project(":shared:robot-editing"))
             api(project(":shared:documents"))
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))

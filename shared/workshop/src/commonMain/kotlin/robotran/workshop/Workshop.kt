@@ -29,6 +29,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
@@ -43,6 +44,7 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.robot.RobotEditStateHolder
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
@@ -120,6 +122,7 @@ class Workshop(
     private val sheet = SheetStateHolder(this)
     private val editedWorld = VariationTarget(this, this, this)
     private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this, editedWorld::origin)
+    private val robotEdit = RobotEditStateHolder(platform, scope, this, this, { worldEdit.state }, ::handleWorldEdit)
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
@@ -167,6 +170,7 @@ class Workshop(
             course = course.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
+            robotEdit = robotEdit.state,
         )
 
     override val project: Project get() = opened.copy(
@@ -198,6 +202,7 @@ class Workshop(
             is RunEvent -> handleRun(event)
             is SheetEvent -> sheet.handle(event)
             is WorldEditEvent -> handleWorldEdit(event)
+            is RobotEditEvent -> robotEdit.handle(event)
             is DocumentEvent -> document.handle(event)
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
@@ -464,6 +469,7 @@ class Workshop(
     }
 
     private fun leaveWorldEditor() {
+        robotEdit.leave()
         worldEdit.leave()
         editedWorld.leave()
     }

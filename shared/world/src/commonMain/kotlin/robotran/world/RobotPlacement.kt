@@ -12,6 +12,8 @@ import robotran.world.geometry.Pose
  * pupil may choose it, see `RobotLoad`, with down as the default.
  * @property beacon the brightness of a lamp on top of it, like a [Lamp] that shines all round; 0 for none.
  * @property program its default program in Robolang; null if it has none.
+ * @property draft a robot on which somebody still works and that is impossible so far, see
+ * [robotran.world.robot.robotErrors]; null if there is none. It is to replace [description].
  */
 data class RobotPlacement(
     val start: Pose,
@@ -22,6 +24,7 @@ data class RobotPlacement(
     val beacon: Double = 0.0,
     val program: String? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
+    val draft: RobotDescription? = null,
 ) {
     /**
      * What is on each input port, as far as it is a [PortSensor]; on a port with two, the one with the lower raw value

@@ -4,6 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.worldName
+import robotran.ui.language.LocalLanguage
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_begun_again
@@ -44,6 +45,7 @@ import robotran.ui.resources.notice_change_number
 import robotran.ui.resources.notice_try_change
 import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
+import robotran.ui.resources.robot_impossible
 import robotran.ui.resources.run_log_copied
 import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
@@ -52,6 +54,7 @@ import robotran.ui.resources.run_plugged_in_several
 import robotran.ui.resources.status_no_compiler
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
+import robotran.world.messages.sentence
 
 /** The localised text of [notice]. */
 @Composable
@@ -131,6 +134,12 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     } ?: stringResource(Res.string.hand_in_notice, notice.name)
 
     Notice.HandInOpen -> ""
+
+    is Notice.RobotImpossible -> stringResource(
+        Res.string.robot_impossible,
+        notice.robot,
+        notice.error.sentence(LocalLanguage.current),
+    )
 
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }

@@ -31,6 +31,7 @@ import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
+import robotran.ui.robot.RobotEditPane
 import robotran.ui.runbar.LocalBrickKind
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
@@ -45,6 +46,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
@@ -82,11 +84,26 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             WithAllowedBlocks(state, onEvent) {
                 val edit = state.worldEdit
+                val bench = state.robotEdit
                 CompositionLocalProvider(LocalBrickKind provides state.run.brick.kind) {
                     when {
+                        edit != null && bench != null -> RobotEditPane(
+                            bench,
+                            edit,
+                            state.session,
+                            state.document,
+                            onEvent,
+                        ) {
+                            val ofFile = state.notice?.takeIf { it is Notice.FileSaved || it is Notice.FileNotSaved }
+                            ofFile?.let { NoticeBar(it, onEvent) }
+                        }
+
                         edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
+
                         layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
+
                         layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
+
                         else -> NarrowScreen(state, onEvent)
                     }
                 }

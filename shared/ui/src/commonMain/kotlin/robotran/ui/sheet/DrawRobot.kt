@@ -17,6 +17,7 @@ import robotran.world.RobotPlacement
  * sensors, the pen between the wheels, two eyes with the look of [face], and optionally a lamp on top.
  *
  * @param plan of the robot of [build].
+ * @param hasEyes whether the eyes are drawn, which may hide sensors.
  */
 internal fun DrawScope.drawRobot(
     robot: RobotState,
@@ -24,6 +25,7 @@ internal fun DrawScope.drawRobot(
     plan: RobotPlan,
     transform: SheetTransform,
     face: PenbotFace = PenbotFace.STILL,
+    hasEyes: Boolean = true,
 ) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
     val scale = transform.pixelsPerCentimetre
@@ -36,7 +38,7 @@ internal fun DrawScope.drawRobot(
         drawWheel(plan, -plan.wheelMiddle, robot.leftWheelTurn)
         drawWheel(plan, plan.wheelMiddle, robot.rightWheelTurn)
         CanvasBrush(this).drawBody(plan, build, robot)
-        drawEyes(plan.eyes, face, RobotColours.brick(build.colour), RobotColours.edge(build.colour))
+        if (hasEyes) drawEyes(plan.eyes, face, RobotColours.brick(build.colour), RobotColours.edge(build.colour))
         if (plan.hasPen) drawPen(robot.penDown)
         if (build.beacon > 0) drawBeacon(plan.beacon)
     }

@@ -1,12 +1,19 @@
 package robotran.ui.worldedit
 
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.brick.nxt.words
+import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_both_sides
+import robotran.ui.resources.robot_build
+import robotran.ui.resources.robot_impossible
 import robotran.ui.resources.robot_line_follower
 import robotran.ui.resources.robot_nxt_penbot
 import robotran.ui.resources.robot_rcx_penbot
@@ -42,6 +49,8 @@ import robotran.world.RobotColour
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
+import robotran.world.messages.sentence
+import robotran.world.robot.robotErrors
 import robotran.worldediting.EditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
@@ -61,8 +70,19 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     val kinds = ReadyRobots.all.map { (name, ready) -> ready to stringResource(robotWord(name)) }
     ChipRow(stringResource(Res.string.worldedit_robot_kind), kinds, readyOf(robot.description), "robot-kind") { ready ->
         // Its ports are kept if the pupil touches what it already is.
-        if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready))
+        if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready, draft = null))
     }
+    robot.draft?.let { draft ->
+        for (error in robotErrors(draft).take(1)) {
+            Wrong(stringResource(Res.string.robot_impossible, draft.title, error.sentence(LocalLanguage.current)))
+        }
+    }
+    WordButton(
+        stringResource(Res.string.robot_build),
+        "build-robot",
+        { making.build(thing.number) },
+        Modifier.fillMaxWidth().padding(top = 8.dp),
+    )
     when (robot.description.brick) {
         BrickKind.RCX -> RcxFields(robot, atOnce)
         BrickKind.NXT -> NxtParts(robot.description)

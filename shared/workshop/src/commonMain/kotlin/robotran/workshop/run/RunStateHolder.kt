@@ -33,9 +33,11 @@ import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.ImmediateProgram
+import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
 import robotran.world.World
+import robotran.world.robot.robotErrors
 
 /**
  * Holds the current run. Not thread-safe.
@@ -56,7 +58,7 @@ class RunStateHolder(
     platform: Platform,
     scope: CoroutineScope,
     preferences: Preferences,
-    notices: Notices,
+    private val notices: Notices,
     private var recording: List<RecordedInput> = emptyList(),
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
@@ -120,7 +122,7 @@ class RunStateHolder(
      */
     internal fun runNow(program: ImmediateProgram) {
         val robot = run.world.robots.indexOfFirst { it.name == program.robot }
-        if (robot < 0) return
+        if (robot < 0 || isRefused()) return
         pendingStart = null
         state = state.copy(untouched = false)
         tries.leave()
@@ -208,6 +210,7 @@ class RunStateHolder(
      * compiled.
      */
     private fun start(slot: Int, what: StartAction) {
+        if (isRefused()) return
         pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
         startNewRun(slot)
@@ -287,8 +290,17 @@ class RunStateHolder(
         state = state.copy(watched = robot)
     }
 
+    /** Tells why, if a robot is impossible. */
+    private fun isRefused(): Boolean {
+        val robot = run.world.robots.firstNotNullOfOrNull { it.draft } ?: return false
+        val error = robotErrors(robot).firstOrNull() ?: return false
+        pendingStart = null
+        notices.show(Notice.RobotImpossible(robot.title, error))
+        return true
+    }
+
     private fun playRecording() {
-        if (recording.isEmpty()) return
+        if (recording.isEmpty() || isRefused()) return
         val robots = current.project.robots.associateBy { it.name }
         startNewRun(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
         state = state.copy(untouched = false)
@@ -298,6 +310,7 @@ class RunStateHolder(
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
         val isStart = button == state.brick.kind.startButton
+        if (isStart && state.brick.run !is RunState.Running && isRefused()) return
         if (isStart && state.brick.run !is RunState.Running && state.changed) {
             val slot = run.slotOnBrick
             pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.world.robot.RobotError
 
 /** A message at the bottom of the screen that stays until it is dismissed or replaced. */
 @Immutable
@@ -139,6 +140,11 @@ sealed interface Notice {
     data object HandInOpen : Notice {
         override val action: NoticeAction get() = NoticeAction.BackToHandIns
     }
+
+    /** No program runs, because a robot of the world cannot be built like this: [robot] is its title. */
+    data class RobotImpossible(val robot: String, val error: RobotError) :
+        Notice,
+        Error
 
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice

@@ -26,8 +26,12 @@ import robotran.world.robot.robotErrors
 import robotran.world.robot.rounded
 import robotran.world.roundToThousandths
 
-/** The robot in the members of [place]; those that are missing are like those of the ready robot that it names. */
-internal fun readDescription(place: JsonCursor): RobotDescription {
+/**
+ * The robot in the members of [place]; those that are missing are like those of the ready robot that it names.
+ *
+ * @param mayBeImpossible whether somebody still works on it; its figures are in their ranges nevertheless.
+ */
+internal fun readDescription(place: JsonCursor, mayBeImpossible: Boolean = false): RobotDescription {
     val base = place.optional("like")?.let(::readyRobot)
     val brick = place.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.RCX
     val like = base ?: ReadyRobots.defaultOf(brick)
@@ -47,7 +51,8 @@ internal fun readDescription(place: JsonCursor): RobotDescription {
         base = base?.base,
         unknown = unknownOf(place),
     )
-    robotErrors(robot).firstOrNull()?.let { error -> placeOf(error, place).refuseInSentence { error.sentence(it) } }
+    val errors = robotErrors(robot).filter { !mayBeImpossible || it is RobotError.OutOfRange || it == RobotError.NoWheels }
+    errors.firstOrNull()?.let { error -> placeOf(error, place).refuseInSentence { error.sentence(it) } }
     return robot
 }
 

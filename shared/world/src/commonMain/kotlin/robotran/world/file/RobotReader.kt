@@ -23,6 +23,7 @@ internal fun readRobot(place: JsonCursor, paper: Paper) = RobotPlacement(
     lightFacing = place.optional("lightSensor")?.choice(FACINGS),
     beacon = place.optional("beacon")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: 0.0,
     program = place.optional("program")?.let(::readProgram),
+    draft = place.optional("draft")?.let { readDescription(it, mayBeImpossible = true) },
     unknown = unknownOf(place),
 )
 

@@ -64,6 +64,7 @@ private fun elementOf(robot: RobotPlacement) = jsonObject(robot.unknown.members)
     text("lightSensor", robot.lightFacing?.let(::wordFor))
     number("beacon", robot.beacon, default = 0.0)
     put("program", robot.program?.let { program -> JsonArray(program.lines().map(::JsonPrimitive)) })
+    robot.draft?.let { draft -> put("draft", jsonObject(draft.unknown.members) { describe(draft) }) }
 }
 
 private fun elementOf(start: Pose) = jsonObject {
