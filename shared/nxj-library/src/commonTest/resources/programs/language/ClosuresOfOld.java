@@ -27,14 +27,14 @@ public class ClosuresOfOld {
     }
 
     public static void main(String[] arguments) {
-        Function<Object, String> text = new Function<Object, String>() {
-            public String apply(Object value) {
+        Function<Object, Object> text = new Function<Object, Object>() {
+            public Object apply(Object value) {
                 return "<" + value + ">";
             }
         };
-        System.out.println(after(adder(5), text).apply(37));
+        System.out.println(ClosuresOfOld.<Integer, Integer, Object>after(adder(5), text).apply(37));
         System.out.println(times(4, adder(3), 0));
-        System.out.println(times(3, after(text, text), "x"));
+        System.out.println(ClosuresOfOld.<Object>times(3, ClosuresOfOld.<Object, Object, Object>after(text, text), "x"));
         class Counter {
             int count;
 

@@ -27,6 +27,7 @@ public class Conversions {
         byte fits = small;
         System.out.println(fits); // expect 100
         System.out.println(5 / 2 + " " + 5 / 2.0 + " " + 5 / 2f + " " + 5L / 2); // expect 2 2.5 2.5 2
-        System.out.println(1.0f * Integer.MAX_VALUE + " " + 1.0 * Integer.MAX_VALUE); // expect 2.14748365E9 2.147483647E9
+        float most = Integer.MAX_VALUE;
+        System.out.println(most + " " + 1.0 * Integer.MAX_VALUE); // expect 2.1474836E9 2.147483647E9
     }
 }

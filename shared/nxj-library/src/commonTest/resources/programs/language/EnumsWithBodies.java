@@ -61,7 +61,7 @@ public class EnumsWithBodies {
         for (Operation operation : Operation.values()) {
             System.out.println(operation + " " + operation.sign + " " + operation.apply(3, 4) + " " + operation.isFromTheRight());
         }
-        System.out.println(kind(Operation.of("*")) + " " + kind(Operation.of("^")) + " " + kind(Operation.valueOf("PLUS")));
+        System.out.println(kind(Operation.of("*")) + " " + kind(Operation.of("^")) + " " + kind(Operation.PLUS));
         System.out.println(Operation.PLUS.compareTo(Operation.POWER) + " " + (Operation.of("+") == Operation.PLUS));
         try {
             Operation.of("-");

@@ -9,7 +9,13 @@ public class SumsOfDigits {
             digits.append((char) ('0' + carry % 10));
             carry /= 10;
         }
-        return digits.reverse().toString();
+        return reversed(digits.toString());
+    }
+
+    static String reversed(String text) {
+        char[] letters = new char[text.length()];
+        for (int i = 0; i < letters.length; i++) letters[i] = text.charAt(letters.length - 1 - i);
+        return new String(letters);
     }
 
     static long digitSum(long number) {
@@ -36,7 +42,7 @@ public class SumsOfDigits {
         String number = "89";
         int steps = 0;
         while (!isPalindrome(number)) {
-            number = sum(number, new StringBuilder(number).reverse().toString());
+            number = sum(number, reversed(number));
             steps++;
         }
         System.out.println(number + " after " + steps);

@@ -28,9 +28,11 @@ class NxjSessionsTest {
 
     @Test
     fun `all programs print in a world what their comments say`() {
-        val programs = nxjPrograms.filterValues { source -> NxjExpectations(source).inputs.none { it is NxjInput.Analog } }
+        val programs = nxjPrograms.filter { (path, source) ->
+            path !in OF_A_BRICK_ALONE && NxjExpectations(source).inputs.none { it is NxjInput.Analog }
+        }
         val differences = programs.flatMap { (path, source) -> differences(path, source) }
-        assertTrue(programs.size > 80, "${programs.size} programs")
+        assertTrue(programs.size > 145, "${programs.size} programs")
         assertEquals("", differences.joinToString("\n"))
     }
 
@@ -46,7 +48,9 @@ class NxjSessionsTest {
         session.close()
         val wanted = expected.failures.firstOrNull()
         return listOfNotNull(
-            "$path prints $printed instead of ${expected.printed}".takeIf { printed != expected.printed },
+            "$path prints $printed instead of ${expected.printed}".takeIf {
+                expected.saysWhatIsPrinted && printed != expected.printed
+            },
             "$path fails with $failure instead of $wanted".takeIf { (failure == null) != (wanted == null) },
             "$path fails with $failure instead of $wanted".takeIf { wanted != null && failure?.contains(wanted.first) == false },
         )
@@ -78,5 +82,8 @@ class NxjSessionsTest {
 
     private companion object {
         const val LONGEST = 120_000L
+
+        /** They turn motors that drive wheels here, or move a pen as far as it goes. */
+        val OF_A_BRICK_ALONE = setOf("nxt/MotorsOnAndOn.java", "nxt/TwoRobotsInOne.java")
     }
 }
