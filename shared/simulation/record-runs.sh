@@ -15,3 +15,23 @@ done
 find "$fresh" -name '*.rom-log.txt' -size "+${longest_log}c" -delete
 rm -f "$recorded"/*
 cp "$fresh"/* "$recorded"
+
+# The same on an NXT, and some Java programs, for NxtRecordedRunsTest.
+recorded=$here/src/commonTest/resources/nxt-runs
+java=$here/src/commonTest/resources/nxj
+penbot=(--robot-file "$root/worlds/nxt-penbot.robot.json")
+rm "$fresh"/*
+for example in "$root"/examples/*.robo; do
+  name=$(basename "$example" .robo)
+  # Not all examples are for an NXT.
+  "$root/robotran" run "$example" "${penbot[@]}" --report "$fresh/$name.report.json" || true
+done
+"$root/robotran" run "$java/PilotSquare.java" --report "$fresh/PilotSquare.report.json"
+"$root/robotran" run "$java/Rotations.java" --robot-file "$root/worlds/line-follower.robot.json" --realism 1 \
+  --report "$fresh/Rotations.report.json"
+"$root/robotran" run "$java/FollowLine.java" --world "$root/worlds/line-loop.world.json" "${penbot[@]}" --realism 1 \
+  --for 60 --report "$fresh/FollowLine.report.json"
+"$root/robotran" run "$java/Wanderer.java" --world "$root/worlds/obstacle-course.world.json" "${penbot[@]}" \
+  --realism 1 --for 60 --report "$fresh/Wanderer.report.json"
+rm -f "$recorded"/*
+cp "$fresh"/* "$recorded"

@@ -120,7 +120,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
             console.complain(console.messages.compiled(program.path))
             return null
         }
-        val place = world?.let { loadWorld(it, console) ?: return null } 
+        val place = world?.let { loadWorld(it, console) ?: return null }
             ?: LoadedWorld(plainSheetFor(programs.map { it.first }))
         val own = ProjectRobot(place.world.robots.first().name, programs.mapNotNull { it.second })
         return Project(place.world, listOf(own) + place.others)

@@ -100,20 +100,19 @@ private fun checkRobolang(
     compiler: ProgramCompiler,
     brick: BrickKind?,
     translating: Boolean,
-): CheckedFile =
-    when (val file = readRobolangFile(name, compiler.language, brick)) {
-        is RobolangFile.Unreadable -> {
-            CheckedFile.Unreadable(file.reason)
-        }
-
-        is RobolangFile.Ready -> {
-            CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
-        }
-
-        is RobolangFile.HasErrors -> {
-            CheckedFile.Robolang(file)
-        }
+): CheckedFile = when (val file = readRobolangFile(name, compiler.language, brick)) {
+    is RobolangFile.Unreadable -> {
+        CheckedFile.Unreadable(file.reason)
     }
+
+    is RobolangFile.Ready -> {
+        CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
+    }
+
+    is RobolangFile.HasErrors -> {
+        CheckedFile.Robolang(file)
+    }
+}
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */
 private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<ProgramDiagnostic> {
@@ -133,11 +132,7 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
 private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?): ProgramCompiler =
     forTarget((brick ?: brickOf(source) ?: BrickKind.RCX).penbotTarget)
 
-private fun checkJava(
-    names: List<String>,
-    compiler: ProgramCompiler,
-    brick: BrickKind?,
-): Map<String, CheckedFile> {
+private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }

@@ -37,8 +37,7 @@ internal fun readDescribedRobot(name: String, console: Console): DescribedRobot 
                 }
 
                 is RobotFileResult.Rejected -> {
-                    val line = result.line?.let { ":$it" }.orEmpty()
-                    DescribedRobot.Rejected("$name$line: ${result.message}", isReadable = true)
+                    DescribedRobot.Rejected("$name: ${result.message}", isReadable = true)
                 }
             }
         }

@@ -11,8 +11,6 @@ internal object EnglishRobotMessages : RobotMessages {
 
     override fun noMemory(brick: String) = "The robot has an $brick: only the memory of an RCX can be shown."
 
-    override fun noKit(brick: String) = "This program is for an $brick: only programs for an RCX can be put into a kit."
-
     override fun standsIn(robot: String, file: String) =
         "Built as $file says, the robot $robot has no room where it starts in this world."
 

@@ -9,11 +9,7 @@ internal object GermanRobotMessages : RobotMessages {
     override fun noCallGroup(brick: String, group: String, groups: List<String>) =
         "Ein $brick hat keine Aufrufe einer Gruppe $group. Seine Gruppen sind ${listed(groups, "und")}."
 
-    override fun noMemory(brick: String) =
-        "Der Roboter hat einen $brick: Nur der Speicher eines RCX lässt sich zeigen."
-
-    override fun noKit(brick: String) =
-        "Dieses Programm ist für einen $brick: Nur Programme für einen RCX passen in ein Paket."
+    override fun noMemory(brick: String) = "Der Roboter hat einen $brick: Nur der Speicher eines RCX lässt sich zeigen."
 
     override fun standsIn(robot: String, file: String) =
         "Gebaut, wie $file sagt, hat der Roboter $robot an seinem Start in dieser Welt keinen Platz."

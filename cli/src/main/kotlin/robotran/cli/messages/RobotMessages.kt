@@ -11,9 +11,6 @@ internal interface RobotMessages {
     /** `--memory` needs an RCX. */
     fun noMemory(brick: String): String
 
-    /** `--kit` needs a program for an RCX. */
-    fun noKit(brick: String): String
-
     /** The robot with this description, given by `--robot-file`, would start in an obstacle of the world. */
     fun standsIn(robot: String, file: String): String
 

@@ -11,9 +11,6 @@ internal object SpanishRobotMessages : RobotMessages {
 
     override fun noMemory(brick: String) = "El robot tiene un $brick: solo se puede mostrar la memoria de un RCX."
 
-    override fun noKit(brick: String) =
-        "Este programa es para un $brick: solo los programas para un RCX caben en un paquete."
-
     override fun standsIn(robot: String, file: String) =
         "Construido como dice $file, el robot $robot no cabe en su salida de este mundo."
 

@@ -39,7 +39,14 @@ internal fun brickReport(session: Session): String {
             }
             put("explanation", brick.explanation)
             val degrees = (brick as? NxtState)?.motorDegrees
-            put("motors", JsonObject(brick.motors.associate { it.port.name to json(it, degrees?.get(it.port.ordinal)) }))
+            put(
+                "motors",
+                JsonObject(
+                    brick.motors.associate {
+                        it.port.name to json(it, degrees?.get(it.port.ordinal))
+                    },
+                ),
+            )
             put("sensors", JsonArray(brick.inputs.map(::json)))
             put("batteryMillivolts", brick.batteryMillivolts)
             put("sounds", JsonArray(session.sounds.since(0).map(::json)))

@@ -61,9 +61,9 @@ internal class RunOptions : OptionGroup() {
     /** How robots are built, instead of what the world says; an empty name is the first robot. */
     val robotFiles by option(
         "--robot-file",
-        metavar = "[NAME=]FILE",
+        metavar = "NAME=FILE",
         help =
-            "builds this robot of the world, the first one without NAME, as FILE (.robot.json) says; may be given " +
+            "builds this robot of the world, the first one without NAME=, as FILE (.robot.json) says; may be given " +
                 "several times",
     )
         .convert { text -> readRobotBuild(text) ?: fail("$text is not a file, as in red=sumo.robot.json") }

@@ -25,7 +25,7 @@ import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.brickOf
-import robotran.projects.PENBOT_TARGET
+import robotran.projects.penbotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -38,7 +38,7 @@ import robotran.programs.ProgramResult as Reading
 internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",
-        help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)",
+        help = "Robolang programs (.robo); for --kit also the files of one program in Java (.java)",
     ).multiple(required = true)
     private val output by option(
         "-o",
@@ -46,7 +46,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         metavar = "FILE",
         help = "where the Java goes; to the console if not given",
     )
-    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
+    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for a real brick (.zip)")
 
     private val brick by brickOption()
     private val spoken by LanguageOption()
@@ -70,8 +70,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
         val kind = brick ?: brickOf(files.source) ?: BrickKind.RCX
-        if (kind != BrickKind.RCX) return refuse(sentences.noKit(kind.name))
-        val reader = ProgramCompiler(PENBOT_TARGET, language = spoken.language)
+        val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {
                 result.diagnostics.forEach { console.complain(lineOf(files, it)) }
@@ -80,7 +79,11 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
             is Reading.Ready -> {
                 val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
-                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources)), sentences)?.let(::refuse)
+                writeFile(
+                    kit,
+                    zip(javaKitFiles(checkNotNull(result.mainClass), sources, kind)),
+                    sentences,
+                )?.let(::refuse)
                     ?: ExitCode.DONE
             }
         }
@@ -95,8 +98,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         val file = readRobolangFile(program, spoken.language, brick)
     ) {
         is RobolangFile.Ready -> {
-            val kind = file.program.kind
-            if (kit != null && kind != BrickKind.RCX) refuse(sentences.noKit(kind.name)) else write(program, file)
+            write(program, file)
         }
 
         is RobolangFile.HasErrors -> {

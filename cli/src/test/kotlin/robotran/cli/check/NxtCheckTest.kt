@@ -1,9 +1,11 @@
 package robotran.cli.check
 
 import robotran.cli.CommandTest
+import java.util.zip.ZipFile
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class NxtCheckTest : CommandTest() {
     private fun check(vararg arguments: String) = commandLine.execute(listOf("check") + arguments)
@@ -53,8 +55,21 @@ class NxtCheckTest : CommandTest() {
         console.said.clear()
         assertEquals(0, commandLine.execute(listOf("translate", drive)))
         assertContains(console.said.single(), "import josx.")
-        assertEquals(2, commandLine.execute(listOf("translate", forNxt, "--kit", "$folder/kit.zip")))
-        assertContains(console.complaints.single(), "This program is for an NXT")
+    }
+
+    @Test
+    fun `a kit for an NXT has what its own tools need`() {
+        val forNxt = program("robot\n  brick nxt\nend\nforward 20 cm", "nxt.robo")
+        val turn = nxjProgram("Turn", "Motor.A.rotate(90);")
+        for ((name, source) in listOf("Nxt" to forNxt, "Turn" to turn)) {
+            val kit = folder.resolve("$name.zip")
+            assertEquals(0, commandLine.execute(listOf("translate", source, "--kit", "$kit")))
+            ZipFile(kit.toFile()).use { zip ->
+                val script = zip.getInputStream(zip.getEntry("$name/upload.sh")).readBytes().decodeToString()
+                assertContains(script, "nxjc -encoding UTF-8 -d . $name.java\nnxjlink -o $name.nxj $name\n")
+                assertTrue(zip.getEntry("$name/$name.java") != null)
+            }
+        }
     }
 
     @Test

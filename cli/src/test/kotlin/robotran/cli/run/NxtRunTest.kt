@@ -152,7 +152,10 @@ class NxtRunTest : CommandTest() {
         assertEquals(0, run(hello, "--world", plain, "--robot-file", "yellow=$robot", "--for", "1"))
         console.complaints.clear()
         assertEquals(2, run(hello, "--robot-file", "green=$robot"))
-        assertEquals("No robot in this world is called green. There is only one, called yellow.", console.complaints.single())
+        assertEquals(
+            "No robot in this world is called green. There is only one, called yellow.",
+            console.complaints.single(),
+        )
         console.complaints.clear()
         assertEquals(2, run(hello, "--robot-file", "yellow=missing.robot.json"))
         assertContains(console.complaints.single(), "missing.robot.json")

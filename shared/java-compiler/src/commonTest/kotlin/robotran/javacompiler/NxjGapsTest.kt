@@ -133,4 +133,11 @@ class NxjGapsTest {
     private companion object {
         const val LONGEST = 120
     }
+
+    @Test
+    fun `a class of two packages is told with the import of the brick's`() = runTest {
+        val diagnostic = nxtDiagnostic("Timer timer = null;")
+        assertEquals(EnglishJavaMessages.severalClasses("Timer"), diagnostic.message)
+        assertEquals(EnglishJavaMessages.importIt("import lejos.util.Timer;"), diagnostic.hint)
+    }
 }

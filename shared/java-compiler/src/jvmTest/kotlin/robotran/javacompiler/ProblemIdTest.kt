@@ -10,6 +10,7 @@ class ProblemIdTest {
     fun `the numbers are those of ECJ`() {
         val pairs = listOf(
             ProblemId.UNDEFINED_TYPE to IProblem.UndefinedType,
+            ProblemId.AMBIGUOUS_TYPE to IProblem.AmbiguousType,
             ProblemId.TYPE_MISMATCH to IProblem.TypeMismatch,
             ProblemId.UNDEFINED_NAME to IProblem.UndefinedName,
             ProblemId.UNINITIALIZED_LOCAL_VARIABLE to IProblem.UninitializedLocalVariable,

@@ -27,7 +27,6 @@ public class Conversions {
         byte fits = small;
         System.out.println(fits); // expect 100
         System.out.println(5 / 2 + " " + 5 / 2.0 + " " + 5 / 2f + " " + 5L / 2); // expect 2 2.5 2.5 2
-        float most = Integer.MAX_VALUE;
-        System.out.println(most + " " + 1.0 * Integer.MAX_VALUE); // expect 2.1474836E9 2.147483647E9
+        System.out.println((1.0f * Integer.MAX_VALUE == 2147483648f) + " " + 1.0 * Integer.MAX_VALUE); // expect true 2.147483647E9
     }
 }

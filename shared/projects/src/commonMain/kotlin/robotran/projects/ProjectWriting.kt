@@ -85,15 +85,17 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Press -> input.robot in world.robots.indices
     is SessionInput.Release -> input.robot in world.robots.indices
     is SessionInput.PlaceRobot -> input.robot in world.robots.indices
-    is SessionInput.TouchSensor -> input.port >= 0 &&
-        input.port < (world.robots.getOrNull(input.robot)?.description?.brick?.inputPorts ?: 0)
-
+    is SessionInput.TouchSensor -> input.port in 0..<inputPortsOf(input.robot, world)
     is SessionInput.PlaceBlock -> input.block in world.blocks.indices
     is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
     is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices
     is SessionInput.RunNow -> false
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
+
+/** The number of input ports of the robot with this number; 0 if there is none. */
+private fun inputPortsOf(robot: Int, world: World): Int =
+    world.robots.getOrNull(robot)?.description?.brick?.inputPorts ?: 0
 
 /** An input that is [repeatable], as JSON; [world] must contain its object. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {

@@ -190,7 +190,7 @@ class ProjectFileTest {
         )
         assertEquals("inputs[4].lamp must be a whole number from 1 to 2.", refusalWith("\"lamp\": 2", "\"lamp\": 3"))
         assertEquals("inputs[8].block must be a whole number from 1 to 2.", refusalWith("\"block\": 2", "\"block\": 0"))
-        assertEquals("inputs[9].port must be a whole number from 1 to 4.", refusalWith("\"port\": 3", "\"port\": 5"))
+        assertEquals("inputs[9].port must be a whole number from 1 to 3.", refusalWith("\"port\": 3", "\"port\": 4"))
         assertEquals("inputs[2] must not have \"x\".", refusalWith("\"stop\"", "\"stop\", \"x\": 1"))
         assertTrue(refusalWith("\"stop\"", "\"halt\"").startsWith("inputs[2].kind must be \"press\", \"release\""))
     }

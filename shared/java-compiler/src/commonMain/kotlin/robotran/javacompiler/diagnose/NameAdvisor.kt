@@ -19,6 +19,7 @@ internal class NameAdvisor(
         return when (problem.number) {
             ProblemId.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
             ProblemId.UNDEFINED_TYPE -> classAdvice(problem, source, written)
+            ProblemId.AMBIGUOUS_TYPE -> choiceAdvice(source, written)
             ProblemId.UNDEFINED_NAME, ProblemId.UNRESOLVED_VARIABLE -> name(problem, source, written)
             else -> null
         }
@@ -94,6 +95,16 @@ internal class NameAdvisor(
                     )
             }
         }
+    }
+
+    /** Several of the imported packages have the class; a program most likely means that of the brick. */
+    private fun choiceAdvice(source: SourceText, name: String): ProblemExplanation {
+        val message = messages.severalClasses(shortened(name))
+        val candidates = library.qualifiedNames.filter { it.substringAfterLast('.') == name }
+        val home = candidates.firstOrNull { !it.startsWith("java.") } ?: candidates.firstOrNull()
+        return home?.let { "import $it;" }
+            ?.let { ProblemExplanation(message, messages.importIt(it), source.addLineAtTop(it)) }
+            ?: ProblemExplanation(message)
     }
 
     private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {

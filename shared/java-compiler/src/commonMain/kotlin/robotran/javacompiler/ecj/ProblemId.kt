@@ -21,6 +21,7 @@ internal object ProblemId {
     const val LIBRARY_GAP = -14
 
     const val UNDEFINED_TYPE = 2
+    const val AMBIGUOUS_TYPE = 4
     const val TYPE_MISMATCH = 17
     const val UNDEFINED_NAME = 50
     const val UNINITIALIZED_LOCAL_VARIABLE = 51

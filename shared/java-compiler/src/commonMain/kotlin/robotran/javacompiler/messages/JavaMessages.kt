@@ -102,6 +102,9 @@ interface JavaSyntaxMessages {
 interface JavaNameMessages {
     fun unknownClass(name: String): String
 
+    /** Several of the imported packages have a class [name]. */
+    fun severalClasses(name: String): String
+
     fun unknownVariable(name: String): String
 
     /** [owner] is a class. */

@@ -35,13 +35,15 @@ fun kitFiles(translation: Translation, sourceName: String, source: String): List
  *
  * @param mainClass its main class, with slashes after the parts of its package.
  * @param sources its files by name; folders in names are dropped.
+ * @param brick that the program is for.
  */
-fun javaKitFiles(mainClass: String, sources: List<KitFile>): List<KitFile> {
+fun javaKitFiles(mainClass: String, sources: List<KitFile>, brick: BrickKind = BrickKind.RCX): List<KitFile> {
     val className = mainClass.substringAfterLast('/')
     val names = mutableListOf<String>()
     for (source in sources) names += uniqueName(plainName(source.path), names)
-    val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
     val files = names.zip(sources) { name, source -> KitFile("$className/$name", source.text) }
+    if (brick == BrickKind.NXT) return files + NxtKit(className, null, mainClass.replace('/', '.'), names).files()
+    val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
     return files + KitFile("$className/README.txt", KitTexts.javaReadme(className)) + filesOf(scripts, className)
 }
 

@@ -1,9 +1,23 @@
 package robotran.robolang.translate
 
-/** The files that bring a translation for an NXT onto a real one with the tools of leJOS NXJ 0.9. */
-internal class NxtKit(private val className: String, private val sourceName: String) {
+/**
+ * The files that bring a program for an NXT onto a real one with the tools of leJOS NXJ 0.9.
+ *
+ * @param className its main class, without package; also the name of the program on the brick.
+ * @param sourceName the Robolang program that it is a translation of; null if it was written in Java.
+ * @param mainClass the main class with its package.
+ * @param javaFiles the names of its sources, without characters that are special to a shell.
+ */
+internal class NxtKit(
+    private val className: String,
+    private val sourceName: String?,
+    private val mainClass: String = className,
+    javaFiles: List<String> = listOf("$className.java"),
+) {
+    private val sources = javaFiles.joinToString(" ")
+
     fun files(): List<KitFile> = listOf(
-        KitFile("$className/README.txt", readme()),
+        KitFile("$className/README.txt", if (sourceName == null) javaReadme() else readme()),
         KitFile("$className/build.xml", antFile()),
         KitFile("$className/upload.sh", shellScript(), isExecutable = true),
         KitFile("$className/upload.bat", batchFile().replace("\n", "\r\n")),
@@ -17,18 +31,7 @@ internal class NxtKit(private val className: String, private val sourceName: Str
         with leJOS NXJ 0.9. Plug in what it uses: left wheel on motor A, right wheel on C, pen on B. The
         lines at the top of $className.java say on which port each sensor is.
 
-        ONCE
-        1. Install a JDK that leJOS NXJ can use, 6 to 8, and leJOS NXJ 0.9.
-        2. Set NXJ_HOME to the folder of leJOS NXJ.
-        3. Put the firmware of leJOS NXJ on the brick: nxjflash
-
-        EACH TIME
-        Connect the robot by USB, switch it on, and type one of these in this folder:
-            ./upload.sh         (Linux, macOS)
-            upload.bat          (Windows)
-            ant                 (with Ant, on any of them)
-        The program starts at once. The brick keeps it: choose it under Files to start it again. Press
-        ENTER and ESCAPE together to stop a program that does not end.
+        @STEPS@
 
         MAKE IT DRIVE AS FAR AS IT SHOULD
         Two figures at the top of $className.java say how your robot is built. They are there if the
@@ -44,7 +47,39 @@ internal class NxtKit(private val className: String, private val sourceName: Str
         1. Run a program with the line  turn left 3600  and count how far it turns: ten times round?
         2. New figure = old figure x 3600 / degrees turned.
            Example: 11.4 and 3500 degrees make 11.4 x 3600 / 3500 = 11.73
-        """.trimIndent() + "\n"
+        """.trimIndent().replace("@STEPS@", steps()) + "\n"
+
+    /** The instructions for a program written in Java. */
+    private fun javaReadme(): String =
+        """
+        $className FOR A REAL ROBOT
+
+        $className.java is where your Java program begins. It runs on a LEGO Mindstorms NXT with leJOS
+        NXJ 0.9. Plug motors and sensors in where it wants them: the penbot of Robotran has its left
+        wheel on motor A, the right wheel on C and the pen on B.
+
+        @STEPS@
+
+        IF IT DRIVES FARTHER OR LESS FAR THAN IN ROBOTRAN
+        Measure the wheels of your robot and how far they are apart, and write what you have measured
+        where the program makes its pilot.
+        """.trimIndent().replace("@STEPS@", steps()) + "\n"
+
+    private fun steps(): String =
+        """
+        ONCE
+        1. Install a JDK that leJOS NXJ can use, 6 to 8, and leJOS NXJ 0.9.
+        2. Set NXJ_HOME to the folder of leJOS NXJ.
+        3. Put the firmware of leJOS NXJ on the brick: nxjflash
+
+        EACH TIME
+        Connect the robot by USB, switch it on, and type one of these in this folder:
+            ./upload.sh         (Linux, macOS)
+            upload.bat          (Windows)
+            ant                 (with Ant, on any of them)
+        The program starts at once. The brick keeps it: choose it under Files to start it again. Press
+        ENTER and ESCAPE together to stop a program that does not end.
+        """.trimIndent()
 
     private fun antFile(): String =
         """
@@ -69,8 +104,8 @@ internal class NxtKit(private val className: String, private val sourceName: Str
             </macrodef>
 
             <target name="link" description="compiles and links the program">
-                <nxj tool="nxjc" line="-encoding UTF-8 $className.java"/>
-                <nxj tool="nxjlink" line="-o $className.nxj $className"/>
+                <nxj tool="nxjc" line="-encoding UTF-8 -d . $sources"/>
+                <nxj tool="nxjlink" line="-o $className.nxj $mainClass"/>
             </target>
 
             <target name="upload" depends="link" description="sends it to the brick and starts it">
@@ -90,8 +125,8 @@ internal class NxtKit(private val className: String, private val sourceName: Str
             echo "leJOS NXJ is not there: set NXJ_HOME to its folder. README.txt says more." >&2
             exit 1
         fi
-        nxjc -encoding UTF-8 $className.java
-        nxjlink -o $className.nxj $className
+        nxjc -encoding UTF-8 -d . $sources
+        nxjlink -o $className.nxj $mainClass
         nxjupload -r $className.nxj
         """.trimIndent() + "\n"
 
@@ -105,8 +140,8 @@ internal class NxtKit(private val className: String, private val sourceName: Str
             echo leJOS NXJ is not there: set NXJ_HOME to its folder. README.txt says more.
             exit /b 1
         )
-        call nxjc -encoding UTF-8 $className.java || exit /b 1
-        call nxjlink -o $className.nxj $className || exit /b 1
+        call nxjc -encoding UTF-8 -d . $sources || exit /b 1
+        call nxjlink -o $className.nxj $mainClass || exit /b 1
         call nxjupload -r $className.nxj
         """.trimIndent() + "\n"
 }

@@ -15,9 +15,7 @@ import robotran.simulation.state.RobotState
 import robotran.world.BumperPart
 import robotran.world.BumperSide
 import robotran.world.NxtMotorFigures
-import robotran.world.Penbot
 import robotran.world.RobotDescription
-import robotran.world.SensorPart
 import robotran.world.TouchKind
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Trigonometry
@@ -34,34 +32,27 @@ internal class SimulatedRobot(
     streams: NoiseStreams,
     realism: Double,
 ) {
-    private val isNxt = robot.brick == BrickKind.NXT
-
     /** Its real start pose. */
     val start = realStart(plannedStart, streams, realism)
     val figures = RobotFigures.of(robot)
     val body = RobotBody(physics, trigonometry, start, robot, figures)
     val leftNoise = WheelNoise(streams, "left wheel", realism)
     val rightNoise = WheelNoise(streams, "right wheel", realism)
-    private val leftMotor = motor()
-    private val rightMotor = motor()
-    val leftWheel = Wheel(leftNoise, leftMotor, figures, play("left wheel", streams, realism))
-    val rightWheel = Wheel(rightNoise, rightMotor, figures, play("right wheel", streams, realism))
-    val battery = if (isNxt) {
-        BatteryNoise(streams, realism, NxtMotorFigures.VOLTS, NxtRealism.EMPTY_BATTERY)
-    } else {
+
+    /** null for a robot with an RCX. */
+    private val nxt = if (robot.brick == BrickKind.NXT) NxtMotors(robot, figures, streams, realism) else null
+    val leftWheel = Wheel(leftNoise, nxt?.left ?: RcxMotor(figures), figures, nxt?.play("left wheel"))
+    val rightWheel = Wheel(rightNoise, nxt?.right ?: RcxMotor(figures), figures, nxt?.play("right wheel"))
+    val battery = if (nxt == null) {
         BatteryNoise(streams, realism)
+    } else {
+        BatteryNoise(streams, realism, NxtMotorFigures.VOLTS, NxtRealism.EMPTY_BATTERY)
     }
     private val bumperParts = robot.bumpers
 
     /** In the order of the robot's bumpers. */
     val bumpers = bumperParts.indices.map { Bumper(streams.named(bumperName(it)), realism) }
-    private val pen = robot.pen?.takeIf { !isNxt }?.let { PenLift() }
-
-    /** The motor of an NXT that drives no wheel: that of the pen or a turret, or a free one. */
-    private val small = if (isNxt) smallMotor(streams, realism) else null
-    private val smallPort = MotorPort.entries.first { it != robot.drive.left && it != robot.drive.right }
-    private val degreesOfCentimetre = robot.drive.gear * FULL_TURN / figures.wheelCircumference *
-        (if (robot.drive.reversed) -1 else 1)
+    private val pen = robot.pen?.takeIf { nxt == null }?.let { PenLift() }
     private val left = MotorCommand(robot.drive.reversed)
     private val right = MotorCommand(robot.drive.reversed)
     private val traction = Traction(figures)
@@ -76,18 +67,10 @@ internal class SimulatedRobot(
     var bumpedAt: Long? = null
         private set
 
-    /** 0 at the pen's upper end stop, 1 at the lower. */
-    private val penDepth: Double
-        get() = when {
-            small == null -> pen?.depth ?: 0.0
-            robot.pen == null -> 0.0
-            else -> (small.degrees - NxtMotorFigures.PEN_TOP) / (NxtMotorFigures.PEN_BOTTOM - NxtMotorFigures.PEN_TOP)
-        }
-
-    val penIsDown: Boolean get() = if (small == null) pen?.isDown == true else penDepth >= Penbot.PEN_CONTACT
+    val penIsDown: Boolean get() = if (nxt == null) pen?.isDown == true else nxt.penIsDown
 
     /** Degrees that the turret has turned to the left. */
-    val turret: Double get() = if (robot.hasTurret && small != null) small.degrees else 0.0
+    val turret: Double get() = nxt?.turret ?: 0.0
 
     val state: RobotState
         get() = RobotState(
@@ -99,9 +82,9 @@ internal class SimulatedRobot(
             rightBumperPressed = isPressed(BumperSide.RIGHT),
             touching = kindsOf(body.touchedKinds),
             touched = kindsOf(touchedKinds),
-            penDepth = penDepth,
+            penDepth = if (nxt == null) pen?.depth ?: 0.0 else nxt.penDepth,
             pressed = pressed,
-            motorDegrees = if (isNxt) MotorPort.entries.map(::motorDegrees) else emptyList(),
+            motorDegrees = if (nxt == null) emptyList() else MotorPort.entries.map(::motorDegrees),
             turret = turret,
         )
 
@@ -109,10 +92,11 @@ internal class SimulatedRobot(
     fun bumper(part: BumperPart): Bumper = bumpers[bumperParts.indexOfFirst { it.isSameThing(part) }]
 
     /** Degrees that the hub of a motor of an NXT has turned since the session began, forwards for the motor positive. */
-    fun motorDegrees(port: MotorPort): Double = when (port) {
-        robot.drive.left -> leftWheel.motorTravel * degreesOfCentimetre
-        robot.drive.right -> rightWheel.motorTravel * degreesOfCentimetre
-        else -> small?.degrees ?: 0.0
+    fun motorDegrees(port: MotorPort): Double = when {
+        nxt == null -> 0.0
+        port == robot.drive.left -> nxt.degreesOf(leftWheel.motorTravel)
+        port == robot.drive.right -> nxt.degreesOf(rightWheel.motorTravel)
+        else -> nxt.third.degrees
     }
 
     /**
@@ -121,11 +105,11 @@ internal class SimulatedRobot(
      * @param isRegulated whether something makes up for a strong or weak motor of the wheels.
      */
     fun tick(a: MotorState, b: MotorState, c: MotorState, tick: Long, isRegulated: Boolean = false) {
-        if (leftNoise.isOn) battery.tick(if (isNxt) currents else driven(a) + driven(b) + driven(c))
+        if (leftNoise.isOn) battery.tick(nxt?.currents ?: (driven(a) + driven(b) + driven(c)))
         leftWheel.tick(left.of(command(robot.drive.left, a, b, c)), battery.share, tick, isRegulated)
         rightWheel.tick(right.of(command(robot.drive.right, a, b, c)), battery.share, tick, isRegulated)
         pen?.tick(command(checkNotNull(robot.pen).motor, a, b, c))
-        small?.tick(command(smallPort, a, b, c), battery.share, tick)
+        nxt?.third?.tick(command(nxt.thirdPort, a, b, c), battery.share, tick)
         touch(tick)
     }
 
@@ -155,34 +139,6 @@ internal class SimulatedRobot(
             body.groundSpeed(-place),
         )
     }
-
-    private fun motor(): MotorModel = if (isNxt) NxtMotor(figures) else RcxMotor(figures)
-
-    private fun play(side: String, streams: NoiseStreams, realism: Double): MotorPlay? {
-        if (!isNxt || realism == 0.0) return null
-        val degrees = NxtRealism.LEAST_PLAY + (NxtRealism.MOST_PLAY - NxtRealism.LEAST_PLAY) *
-            streams.named("$side: play").share()
-        return MotorPlay(realism * degrees / FULL_TURN / robot.drive.gear * figures.wheelCircumference)
-    }
-
-    private fun smallMotor(streams: NoiseStreams, realism: Double): SmallMotor {
-        val port = MotorPort.entries.first { it != robot.drive.left && it != robot.drive.right }
-        val noise = WheelNoise(streams, "motor $port", realism)
-        return when {
-            robot.pen != null -> SmallMotor(noise, NxtMotorFigures.PEN_TOP, NxtMotorFigures.PEN_BOTTOM)
-            robot.hasTurret -> SmallMotor(noise, -NxtMotorFigures.TURRET_END, NxtMotorFigures.TURRET_END)
-            else -> SmallMotor(noise, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
-        }
-    }
-
-    /** What the motors of an NXT draw together, as much as the battery's fuse lets through. */
-    private val currents: Double
-        get() = minOf(
-            NxtRealism.MAX_CURRENT,
-            (leftMotor as NxtMotor).current + (rightMotor as NxtMotor).current + (small?.current ?: 0.0),
-        )
-
-    private val RobotDescription.hasTurret: Boolean get() = parts.any { it is SensorPart && it.turret != null }
 
     private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS
 
@@ -232,7 +188,6 @@ internal class SimulatedRobot(
 
     private companion object {
         const val SLOTS = 8.0
-        const val FULL_TURN = 360.0
     }
 }
 

@@ -14,6 +14,7 @@ import robotran.simulation.report
 import robotran.simulation.runUnattended
 import robotran.world.LightFacing
 import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
@@ -25,11 +26,16 @@ import kotlin.time.Duration.Companion.minutes
 
 /**
  * Runs the examples and some Java programs on an NXT, and compares the reports with those in `resources/nxt-runs`. Their
- * trace hash covers every pose and call, so that all targets agree in each of them.
+ * trace hash covers every pose and call, so that all targets agree in each of them. `record-runs.sh` updates them.
  */
 class NxtRecordedRunsTest {
     /** The report as it is, if it is not the one in the resources. */
-    private suspend fun difference(name: String, world: World, program: BrickProgram, facing: LightFacing? = null): String? {
+    private suspend fun difference(
+        name: String,
+        world: World,
+        program: BrickProgram,
+        facing: LightFacing? = null,
+    ): String? {
         val session = Session(world, listOf(RobotLoad(listOf(program), lightFacing = facing)), loadPhysicsEngine())
         session.runUnattended(60_000)
         val report = session.report().toJson() + "\n"
@@ -37,10 +43,11 @@ class NxtRecordedRunsTest {
         return "$name: $report".takeIf { nxtRuns["$name.report.json"] != report }
     }
 
+    private fun World.with(robot: RobotDescription) = copy(robots = robots.map { it.copy(description = robot) })
+
     private fun world(name: String, realism: Double): World {
         val world = assertIs<WorldFileResult.Loaded>(readWorld(BuiltInWorlds.texts.getValue("$name.world.json"))).world
-        val robots = world.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) }
-        return world.copy(robots = robots, realism = realism)
+        return world.with(ReadyRobots.NXT_PENBOT).copy(realism = realism)
     }
 
     @Test
@@ -61,7 +68,7 @@ class NxtRecordedRunsTest {
             "PilotSquare" to nxtPlain,
             "FollowLine" to world("line-loop", 1.0),
             "Wanderer" to world("obstacle-course", 1.0),
-            "Rotations" to openWorld(ReadyRobots.LINE_FOLLOWER).copy(realism = 1.0),
+            "Rotations" to nxtPlain.with(ReadyRobots.LINE_FOLLOWER).copy(realism = 1.0),
         )
         val differences = worlds.mapNotNull { (name, world) -> difference(name, world, nxj(name)) }
         assertEquals("", differences.joinToString("\n"))

@@ -3,6 +3,7 @@ package robotran.simulation.nxt
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
+import robotran.nxt.program.NxtCall
 import robotran.nxt.state.NxtState
 import robotran.simulation.ScriptedProgram
 import robotran.simulation.Session
@@ -11,6 +12,8 @@ import robotran.simulation.explain.Cause
 import robotran.simulation.runUnattended
 import robotran.simulation.state.GoalStatus
 import robotran.world.Barrier
+import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -187,6 +190,21 @@ class NxtRunTest {
         assertEquals(330.0, nxt, 0.5)
         assertEquals(330.0, other, 0.5)
         assertEquals(emptyList(), session.state.robots[1].robot.motorDegrees)
+    }
+
+    @Test
+    fun `a goal sees what a program shows`() = runTest {
+        val showing = ScriptedNxt {
+            pause(500)
+            call(NxtCall.drawString("ABCDEFGHIJKLMNOP", 0, 3))
+            pause(1_000)
+        }
+        val wanted = listOf("ABCDEFGHIJKLMNOP", "Run Default").map { Goal(GoalCondition.ShowOnDisplay(it)) }
+        val session = nxtSession(nxtPlain.copy(goals = wanted), showing)
+        session.advance(400)
+        assertEquals(listOf(GoalStatus.PENDING, GoalStatus.PENDING), session.state.goals.map { it.status })
+        session.advance(3_000)
+        assertEquals(listOf(GoalStatus.MET, GoalStatus.PENDING), session.state.goals.map { it.status })
     }
 
     @Test

@@ -2,6 +2,7 @@ package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
 import robotran.assignments.doing.pupilCopy
+import robotran.brick.kind.BrickKind
 import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
@@ -10,10 +11,12 @@ import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
+import robotran.programs.brickOf
 import robotran.projects.LinkCreation
-import robotran.projects.PENBOT_TARGET
 import robotran.projects.linkOf
+import robotran.projects.penbotTarget
 import robotran.robolang.RobolangResult
+import robotran.robolang.brickOfRobolang
 import robotran.robolang.compileRobolang
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
@@ -99,7 +102,7 @@ internal class DocumentExports(
         val program = current.shownProgram
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
-        when (val result = compileRobolang(program.name, text, PENBOT_TARGET)) {
+        when (val result = compileRobolang(program.name, text, (brickOfRobolang(text) ?: BrickKind.RCX).penbotTarget)) {
             is RobolangResult.HasErrors -> {
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
@@ -112,7 +115,8 @@ internal class DocumentExports(
 
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
-        val reader = ProgramCompiler(PENBOT_TARGET, language = preferences.language)
+        val brick = brickOf(source) ?: BrickKind.RCX
+        val reader = ProgramCompiler(brick.penbotTarget, language = preferences.language)
         if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
         when (val result = withContext(platform.background) { reader.compileNow(source) }) {
             is ProgramResult.HasErrors -> {
@@ -127,6 +131,7 @@ internal class DocumentExports(
                         program.files.map {
                             KitFile(it.name, it.text)
                         },
+                        brick,
                     ),
                 )
             }
