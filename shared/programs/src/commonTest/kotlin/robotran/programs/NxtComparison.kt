@@ -19,8 +19,8 @@ import kotlin.math.abs
 import kotlin.math.hypot
 
 /**
- * Runs Robolang programs and their translations for leJOS NXJ, compiled and linked for the virtual machine, on the NXT of a
- * robot in a world. Both must make the same calls one after the other and leave the robot at the same place.
+ * Runs Robolang programs and their translations for leJOS NXJ, compiled and linked for the virtual machine, on the NXT
+ * of a robot in a world. Both must make the same calls one after the other and leave the robot at the same place.
  */
 internal class NxtComparison {
     private val reader = ProgramCompiler(nxtTestTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
@@ -45,7 +45,9 @@ internal class NxtComparison {
     private suspend fun compare(path: String, text: String, physics: PhysicsEngine) {
         val interpreted = (compileRobolang(path, text, nxtTestTarget) as? RobolangResult.Ready)?.program ?: return
         val translated = when (val result = reader.readTranslation(ProgramSource.Robolang(path, text))) {
-            is ProgramResult.Ready -> result.program
+            is ProgramResult.Ready -> {
+                result.program
+            }
 
             is ProgramResult.HasErrors -> {
                 differences += "$path: ${result.diagnostics.first().message}"
@@ -89,7 +91,8 @@ internal class NxtComparison {
         val other = translated.calls.take(max).map { it.callText }
         val same = one.zip(other).takeWhile { (left, right) -> left == right }.size
         if (same < one.size || same < other.size) {
-            return "after $same calls ${interpreted.calls.drop(same).take(3)}, translated ${translated.calls.drop(same).take(3)}"
+            val calls = listOf(interpreted, translated).map { it.calls.drop(same).take(3) }
+            return "after $same calls ${calls[0]}, translated ${calls[1]}"
         }
         // The interpreter takes a step for what the machine does in a few bytecodes, so it may not get to the end.
         if (!interpreted.isEnded) return null
@@ -123,7 +126,7 @@ internal class NxtComparison {
         const val MAX_DEGREES = 1.0
         const val FULL_TURN = 360.0
 
-        /** Two have conditions that hold for no time at all, and one shows the time, which may be a millisecond more. */
+        /** Two have conditions that hold for no time at all, and one shows a time, which may be a millisecond more. */
         val UNCERTAIN = setOf(
             "behaviours/interrupts-between-statements.robo",
             "behaviours/an-action-that-ends-its-own-condition.robo",

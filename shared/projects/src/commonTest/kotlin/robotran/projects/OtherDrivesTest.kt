@@ -70,13 +70,15 @@ class OtherDrivesTest {
     }
 
     private suspend fun check(brick: BrickKind) {
-        val text = "pen down\nforward 10 cm\npower 4\nforward for 0.5 seconds\nstart forward\nwait 0.5 seconds\nstop\n" +
-            "pen up\npower 3\nturn left 90"
+        val text = "pen down\nforward 10 cm\npower 4\nforward for 0.5 seconds\nstart forward\nwait 0.5 seconds\n" +
+            "stop\npen up\npower 3\nturn left 90"
         for (robot in robots(ReadyRobots.defaultOf(brick))) {
             val compiler = ProgramCompiler(robot.target, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
             val source = ProgramSource.Robolang("drive.robo", text)
-            val one = run(robot, assertIs<ProgramResult.Ready>(compiler.read(source)).program, "run")
-            val other = run(robot, assertIs<ProgramResult.Ready>(compiler.readTranslation(source)).program, "translation")
+            val program = assertIs<ProgramResult.Ready>(compiler.read(source)).program
+            val one = run(robot, program, "run")
+            val translation = assertIs<ProgramResult.Ready>(compiler.readTranslation(source)).program
+            val other = run(robot, translation, "translation")
             assertEquals(one.pose.x, other.pose.x, 0.2, "$robot")
             assertEquals(one.pose.y, other.pose.y, 0.2, "$robot")
             assertEquals(one.pose.heading, other.pose.heading, 1.0, "$robot")

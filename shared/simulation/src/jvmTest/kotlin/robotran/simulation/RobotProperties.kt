@@ -28,8 +28,8 @@ import robotran.world.geometry.Shape
 import robotran.world.robot.robotErrors
 
 /**
- * A robot described at random is refused in a sentence, or is the same after it has been written and read, and drives for a
- * minute among walls without harm.
+ * A robot described at random is refused in a sentence, or is the same after it has been written and read, and drives
+ * for a minute among walls without harm.
  */
 class RobotProperties :
     StringSpec({

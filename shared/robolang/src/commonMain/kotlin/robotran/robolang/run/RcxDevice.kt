@@ -20,14 +20,11 @@ import robotran.robolang.syntax.TurnDirection
 
 /**
  * A robot with an RCX. Converts commands to ROM calls: the same ones in the same order as the josx methods named below.
- * There `Motor.A` stands for the motor of the left wheel, `Motor.C` for the right one, `Motor.B` for the pen. Like josx, it
- * remembers the last command of each motor. Its motors know no distances, so drives take a time.
+ * There `Motor.A` stands for the motor of the left wheel, `Motor.C` for the right one, `Motor.B` for the pen. Like josx,
+ * it remembers the last command of each motor. Its motors know no distances, so drives take a time.
  */
-internal class RcxDevice(
-    private val rom: Rom,
-    private val robot: RobotTarget.Rcx,
-    private val durations: Durations,
-) : RobotDevice,
+internal class RcxDevice(private val rom: Rom, private val robot: RobotTarget.Rcx, private val durations: Durations) :
+    RobotDevice,
     RobotSenses by RcxSenses(rom) {
     private val sensors = RcxSensorSetup(rom)
     private val modes = MotorPort.entries.associateWith { MotorMode.FLOAT }.toMutableMap()

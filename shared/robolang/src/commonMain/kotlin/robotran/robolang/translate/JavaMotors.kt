@@ -3,7 +3,7 @@ package robotran.robolang.translate
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.thirdMotor
 
-/** Turns Java for the penbot, with its left wheel on motor A, its right one on C and its pen on B, into Java for [robot]. */
+/** Turns Java for the penbot, with its left wheel on motor A, its right one on C, its pen on B, into Java for [robot]. */
 internal class JavaMotors(private val robot: RobotTarget) {
     private val ports = mapOf("A" to robot.left, "B" to robot.thirdMotor, "C" to robot.right)
     private val isUsual = !robot.isReversed && ports.all { (usual, port) -> usual == port.name }

@@ -44,7 +44,8 @@ class NxtTranslatedRunTest {
         for (pen in listOf(MotorPort.A, null)) {
             val robot = testNxt.copy(left = MotorPort.C, right = MotorPort.B, pen = pen, isReversed = true)
             val programs = examplePrograms.mapNotNull { (path, text) ->
-                (compileRobolang(path, text, robot) as? RobolangResult.Ready)?.let { path to it.program as RobolangNxtProgram }
+                val result = compileRobolang(path, text, robot) as? RobolangResult.Ready
+                result?.let { path to it.program as RobolangNxtProgram }
             }.toMap()
             val nothing = Expectations("")
             val compared = compare(programs, robot) { nothing }
