@@ -22,7 +22,7 @@ internal suspend fun bytecodeSpeed(): Figure {
 }
 
 /** An endless loop without allocations, since the brick has no garbage collection. */
-private val MIXED =
+internal val MIXED =
     """
     public class Mixed {
         private int[] past = new int[16];

@@ -11,7 +11,7 @@ import robotran.rcxrom.program.RcxProgram
 internal suspend fun javaProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): RcxProgram =
     when (
         val result = ProgramCompiler(
-            ANY_CALIBRATION,
+            ANY_TARGET,
             settings,
         ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
     ) {

@@ -37,7 +37,7 @@ class NxjSessionsTest {
             NxjExpectations(source).inputs.none { it is NxjInput.Analog }
         }
         val differences = programs.flatMap { (path, source) -> differences(path, source) }
-        assertTrue(programs.size > 80, "${programs.size} programs")
+        assertTrue(programs.size > 145, "${programs.size} programs")
         assertEquals("", differences.joinToString("\n"))
     }
 

@@ -11,16 +11,23 @@ import robotran.world.robot.RobotFigures
 val RobotDescription.target: RobotTarget
     get() = when (brick) {
         BrickKind.RCX -> RobotFigures.of(this).let {
-            RobotTarget.Rcx(it.millisecondsPerCentimetre, it.millisecondsPerDegree)
+            RobotTarget.Rcx(
+                it.millisecondsPerCentimetre,
+                it.millisecondsPerDegree,
+                drive.left,
+                drive.right,
+                pen?.motor,
+                drive.reversed,
+            )
         }
 
-        // A motor turns as often as the gear says for one turn of the wheel; a reversed drive turns the other way.
         BrickKind.NXT -> RobotTarget.Nxt(
             drive.wheelDiameter / drive.gear,
             drive.track,
             drive.left,
             drive.right,
             pen?.motor,
+            drive.reversed,
         )
     }
 

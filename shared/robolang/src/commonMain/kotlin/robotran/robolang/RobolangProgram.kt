@@ -63,7 +63,7 @@ class RobolangRcxProgram internal constructor(
 
     override fun start(rom: Rom): DebuggableRun {
         val durations = Durations(robot)
-        return run(RcxDevice(rom, durations), durations)
+        return run(RcxDevice(rom, robot, durations), durations)
     }
 }
 

@@ -18,13 +18,19 @@ import robotran.world.Paper
 import robotran.world.RobotPlacement
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.file.RobotFileResult
 import robotran.world.file.arbitraryRobots
+import robotran.world.file.readRobot
+import robotran.world.file.writeRobot
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.robot.robotErrors
 
-/** A robot that is not refused drives for a minute among walls without harm. */
+/**
+ * A robot described at random is refused in a sentence, or is the same after it has been written and read, and drives
+ * for a minute among walls without harm.
+ */
 class RobotProperties :
     StringSpec({
         fun wall(fromX: Double, fromY: Double, toX: Double, toY: Double) =
@@ -71,7 +77,12 @@ class RobotProperties :
                 heading,
                 noise,
                 ->
-                if (robotErrors(robot).isNotEmpty()) return@checkAll
+                val read = readRobot(writeRobot(robot))
+                if (robotErrors(robot).isNotEmpty()) {
+                    (read as RobotFileResult.Rejected).message.trim().endsWith(".") shouldBe true
+                    return@checkAll
+                }
+                read shouldBe RobotFileResult.Loaded(robot)
                 driven++
                 val world = World(
                     "A pen",

@@ -4,15 +4,18 @@ import robotran.brick.controls.MotorPort
 import robotran.robolang.robot.RobotTarget
 
 /** Drives like the class `Pilot` of a translation, in the same 32-bit decimals. */
-internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
-    private val degreesPerCentimetre: Float = FULL_TURN / (PI * robot.wheelDiameter.toFloat())
-    private val degreesPerDegree: Float = robot.track.toFloat() / robot.wheelDiameter.toFloat()
+internal class NxtPilot(private val robot: RobotTarget.Nxt, private val motors: NxtMotors) {
+    private val degreesPerCentimetre: Float = sign * FULL_TURN / (PI * robot.wheelDiameter.toFloat())
+    private val degreesPerDegree: Float = sign * robot.track.toFloat() / robot.wheelDiameter.toFloat()
     private val left: MotorPort = robot.left
     private val right: MotorPort = robot.right
     private var leftGoal = 0f
     private var rightGoal = 0f
 
     val isMoving: Boolean get() = motors.isMoving(left) || motors.isMoving(right)
+
+    /** Of the degrees that a motor turns to drive its wheel forwards. */
+    private val sign: Int get() = if (robot.isReversed) -1 else 1
 
     fun travel(distance: Float, sourceLine: Int) =
         turnWheels(distance * degreesPerCentimetre, distance * degreesPerCentimetre, sourceLine)
@@ -22,8 +25,8 @@ internal class NxtPilot(robot: RobotTarget.Nxt, private val motors: NxtMotors) {
         turnWheels(-angle * degreesPerDegree, angle * degreesPerDegree, sourceLine)
 
     fun run(leftForward: Boolean, rightForward: Boolean, sourceLine: Int) {
-        motors.run(left, leftForward, sourceLine)
-        motors.run(right, rightForward, sourceLine)
+        motors.run(left, leftForward != robot.isReversed, sourceLine)
+        motors.run(right, rightForward != robot.isReversed, sourceLine)
     }
 
     fun stop(sourceLine: Int) {

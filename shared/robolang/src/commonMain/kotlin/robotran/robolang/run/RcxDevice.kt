@@ -9,7 +9,9 @@ import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.program.Rom
 import robotran.robolang.robot.Durations
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.SensorPorts
+import robotran.robolang.robot.thirdMotor
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
@@ -18,9 +20,10 @@ import robotran.robolang.syntax.TurnDirection
 
 /**
  * A robot with an RCX. Converts commands to ROM calls: the same ones in the same order as the josx methods named below.
- * Like josx, it remembers the last command of each motor. Its motors know no distances, so drives take a time.
+ * There `Motor.A` stands for the motor of the left wheel, `Motor.C` for the right one, `Motor.B` for the pen. Like josx,
+ * it remembers the last command of each motor. Its motors know no distances, so drives take a time.
  */
-internal class RcxDevice(private val rom: Rom, private val durations: Durations) :
+internal class RcxDevice(private val rom: Rom, private val robot: RobotTarget.Rcx, private val durations: Durations) :
     RobotDevice,
     RobotSenses by RcxSenses(rom) {
     private val sensors = RcxSensorSetup(rom)
@@ -62,8 +65,8 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
 
     /** `Motor.A.stop()` and `Motor.C.stop()`. */
     override fun stopDriving(sourceLine: Int) {
-        brake(LEFT_MOTOR, sourceLine)
-        brake(RIGHT_MOTOR, sourceLine)
+        brake(robot.left, sourceLine)
+        brake(robot.right, sourceLine)
     }
 
     override fun drive(direction: MoveDirection, distance: NumberValue, sourceLine: Int): Int {
@@ -83,15 +86,15 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
     /** `Motor.B.forward()` or `backward()`. */
     override fun startPen(position: PenPosition, sourceLine: Int): Int {
         when (position) {
-            PenPosition.DOWN -> run(PEN_MOTOR, MotorMode.FORWARD, sourceLine)
-            PenPosition.UP -> run(PEN_MOTOR, MotorMode.BACKWARD, sourceLine)
+            PenPosition.DOWN -> run(robot.thirdMotor, MotorMode.FORWARD, sourceLine)
+            PenPosition.UP -> run(robot.thirdMotor, MotorMode.BACKWARD, sourceLine)
         }
         return RobotConstants.PEN_MILLISECONDS
     }
 
     /** `Motor.B.stop()`. */
     override fun stopPen(sourceLine: Int) {
-        brake(PEN_MOTOR, sourceLine)
+        brake(robot.thirdMotor, sourceLine)
     }
 
     /** `Sound.beep()`. */
@@ -131,8 +134,8 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
 
     /** `Motor.A.setPower(power)`, and `Motor.C` for the right side, `A` before `C` for both. */
     override fun setPower(side: PowerSide, power: Int, sourceLine: Int) {
-        if (side != PowerSide.RIGHT) setPower(LEFT_MOTOR, power, sourceLine)
-        if (side != PowerSide.LEFT) setPower(RIGHT_MOTOR, power, sourceLine)
+        if (side != PowerSide.RIGHT) setPower(robot.left, power, sourceLine)
+        if (side != PowerSide.LEFT) setPower(robot.right, power, sourceLine)
     }
 
     /** `Motor.A.setPower(power)` and so on, which acts at once. */
@@ -162,8 +165,15 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
     override fun showColour(colour: Int, sourceLine: Int) = onlyOnNxt()
 
     private fun drive(left: MotorMode, right: MotorMode, sourceLine: Int) {
-        run(LEFT_MOTOR, left, sourceLine)
-        run(RIGHT_MOTOR, right, sourceLine)
+        run(robot.left, onWheel(left), sourceLine)
+        run(robot.right, onWheel(right), sourceLine)
+    }
+
+    private fun onWheel(mode: MotorMode): MotorMode = when {
+        !robot.isReversed -> mode
+        mode == MotorMode.FORWARD -> MotorMode.BACKWARD
+        mode == MotorMode.BACKWARD -> MotorMode.FORWARD
+        else -> mode
     }
 
     private fun control(motor: MotorPort, mode: MotorMode, power: Int, sourceLine: Int) {
@@ -175,9 +185,6 @@ internal class RcxDevice(private val rom: Rom, private val durations: Durations)
     }
 
     private companion object {
-        val LEFT_MOTOR = MotorPort.A
-        val RIGHT_MOTOR = MotorPort.C
-        val PEN_MOTOR = MotorPort.B
         const val UNSIGNED_SHORT = 0xFFFF
     }
 }

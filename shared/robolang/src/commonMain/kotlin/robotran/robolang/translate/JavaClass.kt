@@ -1,6 +1,5 @@
 package robotran.robolang.translate
 
-import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
 import robotran.robolang.robot.RobotTarget
@@ -139,13 +138,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun JavaWriter.helper(helper: JavaHelper) {
         blank()
-        val pen = (robot as? RobotTarget.Nxt)?.pen ?: MotorPort.B
-        lines(
-            helper.textIn(
-                helpers.isReacting,
-                robot.kind,
-            ).replace("PEN.", "Motor.${pen.name}.").replace("(PEN)", "(Motor.${pen.name})"),
-        )
+        lines(helpers.textOf(helper))
     }
 
     private fun JavaWriter.rcxImports(name: String) {

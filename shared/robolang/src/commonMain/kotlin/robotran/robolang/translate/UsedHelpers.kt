@@ -1,11 +1,15 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
 
 /** Collects the helpers that a translation uses; only those are written. */
 internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boolean) {
     private val used = mutableSetOf<JavaHelper>()
+
+    /** What the motors of the robot are called. */
+    val motors = JavaMotors(robot)
 
     /** For constants. */
     val durations = Durations(robot)
@@ -15,6 +19,17 @@ internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boole
 
     init {
         if (isReacting) listOf(JavaHelper.PAUSE, JavaHelper.PAUSE_IN_CONTROL).forEach(::use)
+    }
+
+    /** The Java of [helper] for the robot. */
+    fun textOf(helper: JavaHelper): String {
+        val text = helper.textIn(isReacting, robot.kind)
+        return when {
+            robot.kind == BrickKind.RCX -> motors.of(text)
+            helper == JavaHelper.PILOT -> motors.ofPilot(text)
+            helper == JavaHelper.PEN_DOWN || helper == JavaHelper.PEN_UP -> motors.ofPen(text, isReacting)
+            else -> text
+        }
     }
 
     /** The Java that waits for so many milliseconds. */

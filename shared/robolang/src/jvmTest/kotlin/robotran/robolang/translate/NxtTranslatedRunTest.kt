@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.controls.MotorPort
 import robotran.robolang.Expectations
 import robotran.robolang.RobolangNxtProgram
 import robotran.robolang.RobolangProgram
@@ -9,6 +10,7 @@ import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.fuzz.ProgramWriter
 import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.testNxt
 import robotran.robolang.testPrograms
 import kotlin.random.Random
@@ -37,11 +39,29 @@ class NxtTranslatedRunTest {
         assertTrue(compared >= RANDOM_PROGRAMS / 5, "only $compared programs were compared")
     }
 
+    @Test
+    fun `translations for motors elsewhere and the other way round make the calls of the interpreter`() {
+        for (pen in listOf(MotorPort.A, null)) {
+            val robot = testNxt.copy(left = MotorPort.C, right = MotorPort.B, pen = pen, isReversed = true)
+            val programs = examplePrograms.mapNotNull { (path, text) ->
+                val result = compileRobolang(path, text, robot) as? RobolangResult.Ready
+                result?.let { path to it.program as RobolangNxtProgram }
+            }.toMap()
+            val nothing = Expectations("")
+            val compared = compare(programs, robot) { nothing }
+            assertTrue(compared >= 15, "only $compared programs were compared")
+        }
+    }
+
     /** Compares the programs without behaviours; returns how many were comparable and equal. */
-    private fun compare(programs: Map<String, RobolangNxtProgram>, senses: (path: String) -> Expectations): Int {
+    private fun compare(
+        programs: Map<String, RobolangNxtProgram>,
+        robot: RobotTarget = testNxt,
+        senses: (path: String) -> Expectations,
+    ): Int {
         val chosen = programs.filterValues { !isReacting(it) }
         val translations = chosen.entries.mapIndexed { index, (path, program) ->
-            val named = RobolangProgram.of("P$index", program.checked, testNxt, EnglishRobolangMessages)
+            val named = RobolangProgram.of("P$index", program.checked, robot, EnglishRobolangMessages)
             path to translateRobolang(named)
         }.toMap()
         val classes = LejosCompiler.compileForNxt(translations.values)
