@@ -15,7 +15,9 @@ class Radar {
         for (int angle = -90; angle <= 90; angle += 15) {
             Motor.B.rotateTo(angle);
             Thread.sleep(150); // until it has heard
-            int distance = sonar.getDistance();
+            int first = sonar.getDistance();
+            Thread.sleep(100); // sometimes a sonar misses an echo
+            int distance = Math.min(first, sonar.getDistance());
             for (int row = 0; row < distance / 20 && row < 8; row++) {
                 LCD.drawString("#", column, 7 - row);
             }
