@@ -39,6 +39,7 @@ texts {
     )
     constant("jvmTest", "robotran.programs.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.programs.documentedPrograms", "docs", "lejos.md", "java")
+    blocks("jvmTest", "robotran.programs.documentedNxjPrograms", "docs", "nxj.md", "java")
     constant(
         "jvmTest",
         "robotran.programs.libraryPrograms",

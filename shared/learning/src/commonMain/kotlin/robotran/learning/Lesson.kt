@@ -18,12 +18,15 @@ import robotran.world.World
  * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
  * @property program the program that the pupil tries and changes.
  * @property solution the same program with the task done.
+ * @property javaSolution the task done in Java, for a pupil who writes Java where [program] is in Robolang; null if there
+ * is none.
  */
 class Lesson internal constructor(
     val name: String,
     val strand: String,
     val program: SourceFile,
     val solution: SourceFile,
+    val javaSolution: SourceFile?,
     private val plainWorld: World,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
@@ -42,19 +45,27 @@ class Lesson internal constructor(
     internal fun isIn(world: World): Boolean = plainWorld.isSameWorldAs(world)
 
     /** The language of [program]. */
-    val code: ProgramLanguage
-        get() = if (program.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+    val code: ProgramLanguage get() = languageOf(program)
+
+    /** [solution] and [javaSolution]. */
+    val solutions: List<SourceFile> get() = listOfNotNull(solution, javaSolution)
 
     /**
      * Creates a project for the lesson.
      *
-     * @param files the pupil's own version of [program], such as [solution]; the first file may have any name.
+     * @param files the pupil's own version of [program], such as [solution]; the first file may have any name, whose
+     * extension tells the language.
      */
     fun project(language: Language, files: List<SourceFile> = listOf(program)): Project {
         val world = world(language)
         return Project(
             world,
-            listOf(ProjectRobot(world.robots.first().name, listOf(ProjectProgram(files.first().name, code, files)))),
+            listOf(
+                ProjectRobot(
+                    world.robots.first().name,
+                    listOf(ProjectProgram(files.first().name, languageOf(files.first()), files)),
+                ),
+            ),
         )
     }
 
@@ -62,5 +73,8 @@ class Lesson internal constructor(
     fun attempt(program: String, run: SessionState): Attempt =
         Attempt(program, this.program.text, solution.text, plainWorld, run)
 }
+
+private fun languageOf(file: SourceFile): ProgramLanguage =
+    if (file.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
 
 internal const val JAVA_FILE = ".java"

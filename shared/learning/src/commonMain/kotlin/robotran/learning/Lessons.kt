@@ -42,6 +42,7 @@ object Lessons {
             folder.substringBefore('/'),
             SourceFile(program.key, program.value),
             SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
+            javaSolution = null,
             worldOf(files.getValue("world.world.json")),
         ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks) }
     }

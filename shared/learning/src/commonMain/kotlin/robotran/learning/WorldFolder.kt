@@ -2,12 +2,14 @@ package robotran.learning
 
 import robotran.language.Language
 import robotran.programs.SourceFile
+import robotran.world.World
 
 /**
  * What `learning/worlds/NAME` has about a world.
  *
  * @param files their texts by name: `text.en.md` and the others, the program to begin with, `solution` with its
- * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension.
+ * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension. Where
+ * the program to begin with is in Robolang, each solution may be there in Java, too.
  */
 internal class WorldFolder(
     private val name: String,
@@ -29,7 +31,7 @@ internal class WorldFolder(
             { titleIn(textIn(it)) },
             { plainWorld ->
                 start?.let {
-                    Lesson("world/$name", "", it, solution(SOLUTION, it), plainWorld) { language, inBlocks ->
+                    lesson("world/$name", it, SOLUTION, plainWorld) { language, inBlocks ->
                         LessonText.of(textIn(language), inBlocks)
                     }
                 }
@@ -49,19 +51,36 @@ internal class WorldFolder(
             emptyList(),
             files.getValue(worldFile),
             { language -> text(language, false).let { WorldTitle(it.title, withoutBackticks(it.task)) } },
-            { Lesson("world/$name/$stem", "", given, solution("$stem.", given), it, text) },
+            { lesson("world/$name/$stem", given, "$stem.", it, text) },
         )
     }
 
-    private fun solution(prefix: String, given: SourceFile): SourceFile = SourceFile(
-        given.name,
-        files.entries.single { it.key.startsWith(prefix) && isProgram(it.key) }.value,
-    )
+    /** The task called [name], whose solutions are the files that begin with [solution]. */
+    private fun lesson(
+        name: String,
+        given: SourceFile,
+        solution: String,
+        world: World,
+        read: (language: Language, inBlocks: Boolean) -> LessonText,
+    ): Lesson {
+        val language = given.name.substringAfterLast('.')
+        val inJava = if ("$solution$language".endsWith(JAVA_FILE)) null else files[solution + JAVA_FILE.drop(1)]
+        return Lesson(
+            name,
+            "",
+            given,
+            SourceFile(given.name, files.getValue(solution + language)),
+            inJava?.let { SourceFile(JAVA_SOLUTION, it) },
+            world,
+            read,
+        )
+    }
 
     private fun textIn(language: Language): String = files.getValue("text.${language.tag}.md")
 
     private companion object {
         const val HARDER = "harder-"
+        const val JAVA_SOLUTION = "Solution.java"
     }
 }
 

@@ -1,13 +1,12 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
-import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.projects.PENBOT_TARGET
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import kotlin.test.Test
@@ -28,13 +27,10 @@ class LessonProgramsTest {
     fun `no solution gets a warning`() = runTest {
         val compiler = ProgramCompiler(PENBOT_TARGET)
         for (lesson in Lessons.all + worldTasks) {
-            val ready = assertIs<ProgramResult.Ready>(compiler.read(sourceOf(lesson, lesson.solution)), lesson.name)
-            assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, lesson.name)
+            for (solution in lesson.solutions) {
+                val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(solution)), compiler)
+                assertEquals(emptyList(), assertIs<RobotLoads.Ready>(ready, lesson.name).warnings, lesson.name)
+            }
         }
-    }
-
-    private fun sourceOf(lesson: Lesson, file: SourceFile): ProgramSource = when (lesson.code) {
-        ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(file.name, file.text)
-        ProgramLanguage.JAVA -> ProgramSource.Java(file.name, listOf(file))
     }
 }

@@ -41,6 +41,16 @@ class NxjSessionsTest {
         assertEquals("", differences.joinToString("\n"))
     }
 
+    @Test
+    fun `every program of the page on Java for an NXT prints what its comments say`() {
+        val programs = documentedNxjPrograms.values.associateBy { source ->
+            checkNotNull(PUBLIC_CLASS.find(source)) { source }.groupValues[1] + ".java"
+        }
+        assertTrue(programs.size >= DOCUMENTED, "${programs.size} programs")
+        assertTrue(programs.values.all { NxjExpectations(it).printed.isNotEmpty() })
+        assertEquals("", programs.flatMap { (name, source) -> differences(name, source) }.joinToString("\n"))
+    }
+
     private fun differences(path: String, source: String): List<String> {
         val name = path.substringAfterLast('/')
         val result = runBlocking { compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, source)))) }
@@ -88,5 +98,7 @@ class NxjSessionsTest {
 
     private companion object {
         const val LONGEST = 120_000L
+        const val DOCUMENTED = 4
+        val PUBLIC_CLASS = Regex("""public class (\w+)""")
     }
 }
