@@ -79,7 +79,7 @@ class BrickStateTest {
         brick.tick()
         assertEquals(RunState.Ended(stopped = false), brick.state.run)
         assertEquals(listOf("Hello"), brick.state.leftByProgram?.texts)
-        assertTrue(brick.state.display.shows("NXT"))
+        assertEquals("NXT", brick.state.menu?.title)
         brick.tick(1_000)
         assertEquals(listOf("Hello"), brick.state.leftByProgram?.texts)
         brick.runNow(checkNotNull(scriptedProgram("endless")))
