@@ -20,7 +20,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.programs.brickOf
+import robotran.programs.likelyBrickOf
 import robotran.projects.penbotTarget
 
 /** The result of checking one file. */
@@ -130,7 +130,7 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
 
 /** This compiler for the penbot with [brick], or if null, with the one that [source] names, otherwise with an RCX. */
 private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?): ProgramCompiler =
-    forTarget((brick ?: brickOf(source) ?: BrickKind.RCX).penbotTarget)
+    forTarget((brick ?: likelyBrickOf(source) ?: BrickKind.RCX).penbotTarget)
 
 private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language

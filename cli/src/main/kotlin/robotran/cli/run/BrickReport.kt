@@ -22,8 +22,8 @@ import robotran.simulation.Session
  * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`,
  * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the displayed `text` and the lit `icons`, its
  * `explanation`, `motors`, `sensors`, `batteryMillivolts`, the latest `sounds` with their times in milliseconds, and
- * the `inputs` that reproduce the run, in the format of project files. An NXT has the lines of its `screen` instead of
- * `lcd`, and the `degrees` of its motors; a sound has a `volume` if it is not full.
+ * the `inputs` that reproduce the run, in the format of project files. An NXT has the lines of its `screen`, after the end as
+ * the program left them, instead of `lcd`, and the `degrees` of its motors; a sound has a `volume` if it is not full.
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick
@@ -35,7 +35,7 @@ internal fun brickReport(session: Session): String {
             put("line", lineOf(brick.run))
             when (brick) {
                 is RcxState -> put("lcd", json(brick.glass))
-                else -> put("screen", JsonArray(brick.screen.lines.map(::JsonPrimitive)))
+                else -> put("screen", JsonArray((brick.leftByProgram ?: brick.screen).lines.map(::JsonPrimitive)))
             }
             put("explanation", brick.explanation)
             val degrees = (brick as? NxtState)?.motorDegrees

@@ -24,7 +24,7 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.programs.brickOf
+import robotran.programs.likelyBrickOf
 import robotran.projects.penbotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
@@ -69,7 +69,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Read -> read.programs.single()
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
-        val kind = brick ?: brickOf(files.source) ?: BrickKind.RCX
+        val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.RCX
         val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {

@@ -1,11 +1,14 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.Diagnosis
+import robotran.javacompiler.diagnose.Diamonds
 import robotran.javacompiler.diagnose.JavaSeverity
 import robotran.javacompiler.diagnose.MissingMembers
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
+import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.EnglishJavaMessages
 import robotran.javacompiler.messages.JavaMessages
 import robotran.lejoslibrary.LejosDifference
@@ -33,7 +36,7 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
     ): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
         val gaps = MissingMembers(missing)
-        val compilation = ecj.compile(texts, library, gaps.keys, target)
+        val compilation = compile(texts, library, gaps, target)
         val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
         val diagnostics = diagnosis.diagnostics()
         val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
@@ -47,6 +50,28 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
         } else {
             CompilationResult.Rejected(errors)
         }
+    }
+
+    private fun compile(
+        texts: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: MissingMembers,
+        target: BrickTarget,
+    ): EcjCompilation {
+        val first = ecj.compile(texts, library, gaps.keys, target)
+        if (target != BrickTarget.LEJOS_NXJ || first.problems.none { it.isError }) return first
+        val diamonds = Diamonds(texts)
+        if (diamonds.isEmpty) return first
+        val second = ecj.compile(diamonds.blanked(), library, gaps.keys, target)
+        val syntaxErrors = second.problems.filter { it.isSyntax }
+        if (syntaxErrors.isEmpty() && first.problems.none { it.isSyntax }) return first
+        val others = first.problems.filterNot { it.isSyntax || it.number == ProblemId.DIAMOND }
+        return EcjCompilation(
+            first.classes,
+            first.mainClasses,
+            diamonds.problems() + syntaxErrors + others,
+            first.completed,
+        )
     }
 
     private companion object {

@@ -11,6 +11,7 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
+import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 /** What an NXT lacks is told with what to use instead. */
@@ -100,6 +101,37 @@ class NxjGapsTest {
             assertEquals(EnglishJavaMessages.newerJava(feature), told.message, statements)
             assertEquals(EnglishJavaMessages.insteadOf(feature), told.hint, statements)
         }
+    }
+
+    private suspend fun toldOf(statements: String): List<Pair<Int, String>> =
+        assertIs<CompilationResult.Rejected>(compileForNxt(nxtProgram(statements))).diagnostics
+            .map { it.range.line to it.message }
+
+    @Test
+    fun `a missing semicolon is told beside an empty diamond`() = runTest {
+        val diamond = EnglishJavaMessages.newerJava(NewerJava.DIAMOND)
+        val before = "LCD.drawInt(1, 0, 0)\nMap<String, Integer> map = new HashMap<>();\nmap.put(null, null);"
+        val (semicolon, told) = toldOf(before)
+        assertEquals(8, semicolon.first)
+        assertContains(semicolon.second, "\";\"")
+        assertEquals(9 to diamond, told)
+        val after = toldOf("List<String> list = new ArrayList<>();\nlist.add(null)\nint x = 3;")
+        assertEquals(listOf(8 to diamond, 9 to semicolon.second), after)
+        // One sentence a line: the other one follows when this one is mended.
+        assertEquals(listOf(8 to diamond), toldOf("List<String> list = new ArrayList < > ()\nlist.add(null);"))
+    }
+
+    @Test
+    fun `an unequal of another language is told beside a missing semicolon`() = runTest {
+        val told = toldOf("int x = 3\nif (x <> 4) x = 2;\nList<String> list = new ArrayList<>();")
+        assertEquals(listOf(8, 9, 10), told.map { it.first })
+        assertEquals(EnglishJavaMessages.foreignWord("<>", "!="), told[1].second)
+    }
+
+    @Test
+    fun `a diamond in a text or comment is none`() = runTest {
+        val told = toldOf("// new ArrayList<>()\nLCD.drawString(\"new ArrayList<>\", 0, 0)\nint x = 3;")
+        assertEquals(listOf(9), told.map { it.first })
     }
 
     @Test

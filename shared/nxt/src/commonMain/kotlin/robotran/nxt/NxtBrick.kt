@@ -88,6 +88,7 @@ class NxtBrick(
             menu = shell.menuView,
             exception = shell.exceptionView,
             bluetooth = parts.links,
+            leftByProgram = shell.leftByProgram,
         )
 
     override val log: CallLog get() = hardware.log
@@ -140,6 +141,9 @@ class NxtBrick(
 
     /** Sets what a colour sensor at [port], 0..3, sees from now on; taken every 3 milliseconds. */
     fun setColour(port: Int, colour: NxtColour) = hardware.sensors[port].measure(colour)
+
+    /** Takes at once what the analog pins and colour sensors measure, as a brick has that is switched on. */
+    fun samplePins() = hardware.sensors.forEach { it.sample() }
 
     /** Plugs [device] into [port], 0..3, or nothing that sends bytes. */
     fun connect(port: Int, device: I2cDevice?) {

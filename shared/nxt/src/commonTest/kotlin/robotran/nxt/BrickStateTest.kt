@@ -26,6 +26,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
 import kotlin.test.assertFalse
 import kotlin.test.assertNotEquals
+import kotlin.test.assertNull
 import kotlin.test.assertSame
 import kotlin.test.assertTrue
 
@@ -63,6 +64,47 @@ class BrickStateTest {
         assertEquals(BrickKind.NXT, brick.state.kind)
         assertEquals(listOf(1, 2, 3, 4), brick.state.inputs.map { it.port })
         assertSame(brick.state.display, brick.state.screen)
+    }
+
+    @Test
+    fun `what a program has drawn is known until the next one starts`() {
+        var status: ProgramStatus = ProgramStatus.Running
+        val drawing = CountingProgram(mutableListOf()) { status }
+        val brick = NxtBrick(listOf(drawing, scriptedProgram("endless")))
+        assertNull(brick.state.leftByProgram)
+        brick.push(BrickButton.ENTER)
+        brick.nxt.call(NxtCall.drawString("Hello", 0, 2), TEST_LINE)
+        assertNull(brick.state.leftByProgram)
+        status = ProgramStatus.Ended
+        brick.tick()
+        assertEquals(RunState.Ended(stopped = false), brick.state.run)
+        assertEquals(listOf("Hello"), brick.state.leftByProgram?.texts)
+        assertEquals("NXT", brick.state.menu?.title)
+        brick.tick(1_000)
+        assertEquals(listOf("Hello"), brick.state.leftByProgram?.texts)
+        brick.runNow(checkNotNull(scriptedProgram("endless")))
+        assertNull(brick.state.leftByProgram)
+        brick.stopProgram()
+        assertEquals(true, brick.state.leftByProgram?.isBlank)
+    }
+
+    @Test
+    fun `what a program has not refreshed is not left`() {
+        val brick = NxtBrick(listOf(scriptedProgram("endless")))
+        brick.push(BrickButton.ENTER)
+        brick.nxt.call(NxtCall.of(NxtNative.SET_AUTO_REFRESH_PERIOD, 0), TEST_LINE)
+        brick.nxt.call(NxtCall.drawString("Hidden", 0, 2), TEST_LINE)
+        brick.tick(1_000)
+        brick.stopProgram()
+        assertEquals(true, brick.state.leftByProgram?.isBlank)
+    }
+
+    @Test
+    fun `pins can be sampled before time passes`() {
+        brick.setAnalog(2, 300)
+        assertEquals(1_023, brick.sensorPort(2).raw)
+        brick.samplePins()
+        assertEquals(300, brick.sensorPort(2).raw)
     }
 
     @Test

@@ -171,6 +171,21 @@ class RegulatorTest {
         assertEquals(0f, regulator.velocity)
     }
 
+    @Test
+    fun `a program that ends while its motors stop is not told that they would have gone on`() {
+        start(720f, MotorRegulator.FORWARD)
+        pass(500)
+        assertTrue(regulator.isDriving)
+        start(0f, MotorRegulator.FORWARD)
+        pass(20)
+        assertTrue(regulator.isMoving)
+        assertFalse(regulator.isDriving)
+        start(720f, -100)
+        assertTrue(regulator.isDriving)
+        await()
+        assertFalse(regulator.isDriving)
+    }
+
     private fun start(speed: Float, limit: Int, acceleration: Int = 6_000, hold: Boolean = true) {
         brick.nxt.call(NxtCall.regulate(0, speed, acceleration, limit, hold), TEST_LINE)
     }

@@ -41,7 +41,7 @@ private fun ByteArray.contains(part: ByteArray): Boolean =
 
 private fun mentionsIn(file: SourceFile): List<BrickMention> {
     val code = withoutCommentsAndTexts(file.text)
-    return NAME.findAll(code).mapNotNull { name ->
+    return BRICK_NAME.findAll(code).mapNotNull { name ->
         PACKAGES[name.groupValues[1]]?.let { BrickMention(it, file.name, rangeOf(code, name.range)) }
     }.toList()
 }
@@ -53,7 +53,7 @@ private fun rangeOf(code: String, name: IntRange): SourceRange {
 }
 
 /** [source] with blanks for its comments and its constants of texts and characters. */
-private fun withoutCommentsAndTexts(source: String): String {
+internal fun withoutCommentsAndTexts(source: String): String {
     val code = StringBuilder()
     while (code.length < source.length) {
         val start = code.length
@@ -93,4 +93,4 @@ private fun endOfText(source: String, start: Int): Int {
 private val PACKAGES = mapOf("lejos" to BrickKind.NXT, "josx" to BrickKind.RCX)
 
 /** A qualified name that is no part of a longer one. */
-private val NAME = Regex("""(?<![\w.$])(lejos|josx)(?:\.(?:\w+|\*))+""")
+internal val BRICK_NAME = Regex("""(?<![\w.$])(lejos|josx)(?:\.(?:\w+|\*))+""")

@@ -28,6 +28,21 @@ class BrickOfProgramTest {
         assertNull(brickOf("import my.lejos.Robot; class A { int lejosx.y; }"))
     }
 
+    private fun likely(text: String) =
+        likelyBrickOf(ProgramSource.Java("Robot.java", listOf(SourceFile("Robot.java", text))))
+
+    @Test
+    fun `Java that an RCX cannot run is likely for an NXT`() {
+        assertEquals(BrickKind.NXT, likely("class Robot { void say() { System.out.println(1); } }"))
+        assertEquals(BrickKind.NXT, likely("import java.util.*; class Robot { List<String> names; }"))
+        assertEquals(BrickKind.NXT, likely("class Robot { java.util.HashMap map; }"))
+        assertEquals(BrickKind.RCX, likely("import josx.util.*; class Robot { String s = \"\" + System.out; }"))
+        assertNull(likely("import java.util.*; class Robot { Vector v; Random r; String s = \"System.out\"; }"))
+        assertNull(likely("class List { Map map; }"))
+        assertNull(likely("import lejos.nxt.*; import josx.util.*; class Robot { void f() { System.out.println(); } }"))
+        assertNull(likelyBrickOf(ProgramSource.Robolang("x.robo", "forward 3")))
+    }
+
     @Test
     fun `comments and texts do not count`() {
         assertNull(brickOf("// import lejos.nxt.*;\nclass Robot { String s = \"lejos.nxt\"; /* josx.rcx */ }"))

@@ -26,7 +26,7 @@ class NxtTranslatedPoseTest {
         val physics = loadPhysicsEngine()
         val differences = mutableListOf<String>()
         var compared = 0
-        for ((path, text) in (robolangExamples + robolangPrograms) - HASTY) {
+        for ((path, text) in robolangExamples + robolangPrograms) {
             val source = ProgramSource.Robolang(path.substringAfterLast('/'), text)
             val program = (reader.read(source) as? ProgramResult.Ready)?.program ?: continue
             val java = (reader.readTranslation(source) as? ProgramResult.Ready)?.program
@@ -72,8 +72,5 @@ class NxtTranslatedPoseTest {
         const val MAX_DEGREES = 2.0
         const val FULL_TURN = 360.0
         const val MIN_COMPARED = 100
-
-        /** Reads its light sensor before the brick has measured with the lamp on. */
-        val HASTY = setOf("sensing/light.robo")
     }
 }

@@ -20,12 +20,12 @@ import robotran.world.roundToThousandths
  * The result of a run, for people and programs. Lengths are in centimetres; numbers are rounded to thousandths.
  *
  * @property seconds virtual time since the session began.
- * @property lcd the display's content in plain text.
+ * @property lcd the display's content in plain text; of an NXT whose program has ended, as the program left it.
  * @property traceHash a hash of the robot's pose in every tick and of every logged call; the same on every platform.
  * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
  * @property goals the results of the world's goals.
  * @property missingSensors what the program expects at the ports, but the robot does not have there; omitted if nothing.
- * @property screen the lines of the display of an NXT; omitted for an RCX.
+ * @property screen the lines of the display of an NXT, as for [lcd]; omitted for an RCX.
  */
 @Serializable
 data class RunReport(
@@ -155,6 +155,7 @@ enum class GoalReportStatus {
 fun Session.report(): RunReport {
     val now = state
     val run = now.brick.run
+    val shown = now.brick.leftByProgram ?: now.brick.screen
     return RunReport(
         status = statusOf(run),
         seconds = roundToThousandths(now.milliseconds / MILLISECONDS_PER_SECOND),
@@ -163,7 +164,7 @@ fun Session.report(): RunReport {
         },
         inkCentimetres = roundToThousandths(now.ink.lengthCentimetres),
         bumps = now.bumps,
-        lcd = now.brick.screen.text,
+        lcd = shown.text,
         romCalls = now.romCalls,
         traceHash = traceHash,
         error = (run as? RunState.Failed)?.failure?.let {
@@ -173,7 +174,7 @@ fun Session.report(): RunReport {
         missingSensors = now.missingSensors?.sensors.orEmpty().map {
             ReportedSensor(it.port, reported(it.kind), it.remark.message)
         },
-        screen = if (now.brick.kind == BrickKind.NXT) now.brick.screen.lines else emptyList(),
+        screen = if (now.brick.kind == BrickKind.NXT) shown.lines else emptyList(),
     )
 }
 

@@ -56,6 +56,7 @@ internal class SessionEngine(
 
     init {
         simulation.scene.loudness = robots.map { robot -> Loudness { robot.loudness } }
+        for (each in ports) each.begin()
         // The initial state, such as the volts on the display, counts for no goal.
         if (world.goals.isNotEmpty()) judgeGoals()
     }

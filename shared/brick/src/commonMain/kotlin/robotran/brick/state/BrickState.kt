@@ -20,6 +20,8 @@ import robotran.brick.kind.BrickKind
  * @property motors the output ports A, B and C, in this order.
  * @property inputs the last readings of the input ports, in their order; as many as the [kind] has.
  * @property motorDegrees what the counters of the motors A, B and C say; empty for a kind of brick without counters.
+ * @property leftByProgram what a program left on the display when it ended or was stopped, until the next one starts.
+ * Null if none has, and for a kind of brick whose display is explained by [screen] alone.
  * @property isSending whether the brick sends a message by light or radio.
  */
 interface BrickState {
@@ -38,6 +40,7 @@ interface BrickState {
     val inputs: List<InputReading>
     val isSending: Boolean
     val motorDegrees: List<Int> get() = emptyList()
+    val leftByProgram: Screen? get() = null
 
     /** This state with other [modes] of the motors A, B and C, and another [run]. */
     fun withRun(modes: List<MotorMode>, run: RunState): BrickState

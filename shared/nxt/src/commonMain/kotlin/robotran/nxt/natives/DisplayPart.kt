@@ -69,6 +69,15 @@ internal class DisplayPart(private val clock: Clock) {
         }
     }
 
+    /**
+     * What can be seen as soon as a refresh that the brick makes by itself or that has begun is complete. Ask it while
+     * the memory is still the program's.
+     */
+    fun drawn(): NxtDisplay {
+        val bytes = if (autoRefreshPeriod > 0 || isRequestedAgain) copyOf(memory) else copied ?: return glass
+        return if (glass.hasBytes(bytes)) glass else NxtDisplay(bytes)
+    }
+
     /** Shows at once what [draw] makes of a clear display, with the brick's own memory and settings. */
     fun showOwn(draw: (DisplayMemory) -> Unit) {
         Drawing.clear(own)

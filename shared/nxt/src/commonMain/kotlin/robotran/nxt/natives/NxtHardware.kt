@@ -86,7 +86,7 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
     val isDriving: Boolean
         get() = regulators.indices.any { port ->
             val mode = motors.commanded(port).mode
-            if (regulators[port].isActive) regulators[port].isMoving else mode in DRIVING
+            if (regulators[port].isActive) regulators[port].isDriving else mode in DRIVING
         }
 
     /** Makes everything but the display as a program finds it when it starts; motors roll. */

@@ -32,6 +32,9 @@ class MotorRegulator(private val motor: RegulatedMotor) {
     /** Whether the motor is on its way, or settling at its end. */
     val isMoving: Boolean get() = state == State.MOVING || state == State.SETTLING || state == State.ROLLING
 
+    /** Whether the motor goes on, rather than stopping or settling where it should be. */
+    val isDriving: Boolean get() = state == State.MOVING && (hasNext || nextSpeed != 0f)
+
     /** Where the motor should be, in degrees. */
     val position: Float get() = if (isActive) plan.position else motor.tachoCount.toFloat()
 

@@ -10,6 +10,7 @@ import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
 import robotran.nxt.display.DisplayMemory
 import robotran.nxt.display.Drawing
+import robotran.nxt.display.NxtDisplay
 import robotran.nxt.hardware.MotorPorts
 import robotran.nxt.log.CallOrigin
 import robotran.nxt.messages.NxtMessages
@@ -50,6 +51,10 @@ internal class NxtShell(
 
     /** Whether the current or last run is of a program that [runNow] got. */
     var isImmediate = false
+        private set
+
+    /** What the last program had drawn when it ended or was stopped; null after a failure or while one runs. */
+    var leftByProgram: NxtDisplay? = null
         private set
 
     var poweredOn = false
@@ -169,6 +174,7 @@ internal class NxtShell(
     private fun start(program: NxtProgram, isImmediate: Boolean) {
         this.isImmediate = isImmediate
         ending.forget()
+        leftByProgram = null
         resetHardware()
         hardware.display.clearForProgram()
         hardware.buttons.hidePressed()
@@ -179,10 +185,16 @@ internal class NxtShell(
     }
 
     private fun endProgram(stopped: Boolean) {
+        keepDisplay()
         leaveRun()
         ending.ended(stopped, hardware.isDriving)
         resetHardware()
         showMenu()
+    }
+
+    private fun keepDisplay() {
+        if (exceptionScreen != null) memoryOfRun?.let { hardware.display.memory = it }
+        leftByProgram = hardware.display.drawn()
     }
 
     private fun showFailure(failure: ProgramFailure) {
@@ -255,6 +267,7 @@ internal class NxtShell(
     }
 
     private fun powerDown() {
+        if (run != null) keepDisplay()
         leaveRun()
         ending.clear()
         resetHardware()

@@ -23,6 +23,8 @@ import robotran.nxt.hardware.SensorPortState
  * @property volume of the menu's setting, 0..10.
  * @property menu the menu that is shown; null if there is none.
  * @property exception the exception that is shown; null if there is none.
+ * @property leftByProgram what the last program had drawn when it ended or was stopped, while the glass shows the menu
+ * again; null while a program runs, and after a failure.
  * @property bluetooth the links of the running program, by their numbers.
  */
 data class NxtState(
@@ -45,6 +47,7 @@ data class NxtState(
     val menu: MenuView? = null,
     val exception: ExceptionView? = null,
     val bluetooth: List<LinkView> = emptyList(),
+    override val leftByProgram: NxtDisplay? = null,
 ) : BrickState {
     override val kind: BrickKind get() = BrickKind.NXT
     override val screen: Screen get() = display

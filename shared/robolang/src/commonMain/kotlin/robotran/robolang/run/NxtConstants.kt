@@ -20,6 +20,9 @@ internal object NxtConstants {
     /** The default acceleration of leJOS NXJ's motors, in degrees a second squared. */
     const val ACCELERATION = 6000
 
+    /** How long a program waits until the brick has measured with the lamp of a light sensor on: it takes at most 6. */
+    const val LAMP_MILLISECONDS = 10
+
     /** The tones of `beep` and `buzz`, in hertz and milliseconds. */
     const val BEEP_FREQUENCY = 600
     const val BEEP_MILLISECONDS = 200

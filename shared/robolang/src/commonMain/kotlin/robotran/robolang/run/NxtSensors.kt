@@ -18,6 +18,7 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
     private val toSetUp = ArrayDeque<SensorPorts.NxtUse>()
     private var isLampOff = false
     private var isBegun = false
+    private var isLampNew = false
     private var readyAt = 0L
 
     fun begin(ports: SensorPorts) {
@@ -39,13 +40,16 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
             isBegun = false
         }
         at(null)
-        return true
+        if (isLampNew) readyAt = nxt.milliseconds + NxtConstants.LAMP_MILLISECONDS
+        isLampNew = false
+        return nxt.milliseconds >= readyAt
     }
 
     private fun begin(use: SensorPorts.NxtUse) {
         when (use.sense) {
             Sense.Light -> {
                 setType(use, if (isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
+                isLampNew = !isLampOff
             }
 
             Sense.Loudness -> {

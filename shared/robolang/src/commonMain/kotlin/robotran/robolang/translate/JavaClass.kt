@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.SensorPorts
+import robotran.robolang.run.NxtConstants
 import robotran.robolang.run.stopsAtEnd
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
@@ -52,12 +53,16 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun main() {
         body.blank()
-        val throws = throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))
+        val throws =
+            throwsClause(helpers.isReacting || nxtSensors?.hasLamp == true || throwing.mayWait(tree.statements))
         body.open("public static void main(String[] arguments)$throws")
         if (robot.kind == BrickKind.RCX) {
             tree.robot?.let { body.takeComments(comments.of(it.range)) }
             JavaSensors(ports).setUp(body)
             tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
+        }
+        if (nxtSensors?.hasLamp == true) {
+            body.line("Thread.sleep(${NxtConstants.LAMP_MILLISECONDS}); // Until it has measured with its lamp on.")
         }
         body.blank()
         mainStatements()

@@ -18,6 +18,9 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
         }
     }
 
+    /** Whether a light sensor's lamp is switched on, which the brick must have measured with before its value counts. */
+    val hasLamp: Boolean = !ports.isLampOff && ports.nxtSensors.any { it.sense == Sense.Light }
+
     /** The value that [sense] reads. */
     fun valueOf(sense: Sense): String {
         val port = checkNotNull(ports.portOf(sense))

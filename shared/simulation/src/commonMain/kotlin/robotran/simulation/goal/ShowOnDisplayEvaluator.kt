@@ -29,6 +29,7 @@ internal class ShowOnDisplayEvaluator(
         when {
             brick.run !is RunState.Running || brick.explanation != null -> {
                 leftByFirmware = charactersOf(screen)
+                brick.leftByProgram?.let { lookAt(it, scene) }
             }
 
             leftByFirmware == charactersOf(screen) -> {
@@ -37,11 +38,15 @@ internal class ShowOnDisplayEvaluator(
 
             else -> {
                 leftByFirmware = null
-                if (screen == last) return
-                if (screen.shows(goal.text)) return tell(scene, GoalStatus.MET)
-                remember(screen, scene)
+                lookAt(screen, scene)
             }
         }
+    }
+
+    private fun lookAt(screen: Screen, scene: Scene) {
+        if (screen == last) return
+        if (screen.shows(goal.text)) return tell(scene, GoalStatus.MET)
+        remember(screen, scene)
     }
 
     override fun shortfall(scene: Scene): GoalShortfall = ProgramShortfall.DisplayDiffered(

@@ -58,6 +58,11 @@ internal class NxtPorts(
         if (port in this.pressed.indices) this.pressed[port] = pressed
     }
 
+    override fun begin() {
+        sense(0)
+        brick.samplePins()
+    }
+
     override fun sense(tick: Long) {
         for (port in MOTORS) brick.setHubDegrees(port, floor(machine.motorDegrees(port) + HALF).toInt())
         if (tick % SAMPLE_MILLISECONDS != 0L) return
@@ -87,11 +92,17 @@ internal class NxtPorts(
             NxtSensor { brick.setAnalog(port, touchRaw(bumper.isClosed)) }
         }
 
-        is FingerTouchPart -> NxtSensor { brick.setAnalog(port, touchRaw(pressed[port])) }
+        is FingerTouchPart -> {
+            NxtSensor { brick.setAnalog(port, touchRaw(pressed[port])) }
+        }
 
-        is SensorPart -> plugIn(part, port, SensorPlace(machine, part, facing))
+        is SensorPart -> {
+            plugIn(part, port, SensorPlace(machine, part, facing))
+        }
 
-        else -> null
+        else -> {
+            null
+        }
     }
 
     private fun plugIn(part: SensorPart, port: Int, place: SensorPlace): NxtSensor? = when (part.sensor) {
@@ -136,7 +147,9 @@ internal class NxtPorts(
             null
         }
 
-        else -> null
+        else -> {
+            null
+        }
     }
 
     /** The name of the streams of a sensor: [name], or with its number if it is not the robot's first of its kind. */

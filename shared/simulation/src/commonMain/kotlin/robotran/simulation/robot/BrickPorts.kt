@@ -9,6 +9,9 @@ internal interface BrickPorts {
     /** The errors of the sensors that are plugged in. */
     val sensorErrors: SensorErrors
 
+    /** Lets the sensors of a brick that has been on for a while measure; call it once, before time passes. */
+    fun begin() = Unit
+
     /** Lets the sensors measure what the brick reads in the millisecond number [tick]; call it before [Brick.tick]. */
     fun sense(tick: Long)
 

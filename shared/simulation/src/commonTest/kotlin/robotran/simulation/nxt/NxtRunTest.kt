@@ -2,13 +2,17 @@ package robotran.simulation.nxt
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.nxt.hardware.SensorPortState
 import robotran.nxt.program.NxtCall
 import robotran.nxt.state.NxtState
 import robotran.simulation.ScriptedProgram
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
 import robotran.simulation.explain.Cause
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
 import robotran.simulation.runUnattended
 import robotran.simulation.state.GoalStatus
 import robotran.world.Barrier
@@ -120,7 +124,8 @@ class NxtRunTest {
 
     @Test
     fun `play between motor and wheel is told`() = runTest {
-        val session = nxtSession(openWorld().copy(realism = 1.0), robolangNxt("repeat 3 times\nforward 5\nbackward 5\nend"))
+        val session =
+            nxtSession(openWorld().copy(realism = 1.0), robolangNxt("repeat 3 times\nforward 5\nbackward 5\nend"))
         session.toEnd()
         assertTrue(Cause.MOTOR_PLAY in session.explain().map { it.cause })
     }
@@ -149,7 +154,9 @@ class NxtRunTest {
 
     @Test
     fun `an NXT follows a line all the way round`() = runTest(timeout = 5.minutes) {
-        val loop = assertIs<WorldFileResult.Loaded>(readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json"))).world
+        val loop = assertIs<WorldFileResult.Loaded>(
+            readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json")),
+        ).world
         val robots = loop.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) }
         val session = nxtSession(loop.copy(robots = robots), nxj("FollowLine"))
         while (session.milliseconds < 90_000 && session.state.goals.single().status == GoalStatus.PENDING) {
@@ -205,6 +212,34 @@ class NxtRunTest {
         assertEquals(listOf(GoalStatus.PENDING, GoalStatus.PENDING), session.state.goals.map { it.status })
         session.advance(3_000)
         assertEquals(listOf(GoalStatus.MET, GoalStatus.PENDING), session.state.goals.map { it.status })
+    }
+
+    @Test
+    fun `the report and goals see what a program leaves`() = runTest {
+        val showing = ScriptedNxt { call(NxtCall.drawString("Bye", 0, 3)) }
+        val wanted = listOf("Bye", "Run Default").map { Goal(GoalCondition.ShowOnDisplay(it)) }
+        val session = nxtSession(nxtPlain.copy(goals = wanted), showing)
+        session.advance(500)
+        assertEquals(RunState.Ended(stopped = false), session.state.brick.run)
+        assertTrue(session.state.brick.screen.shows("Run Default"))
+        assertEquals(listOf("", "", "", "Bye", "", "", "", ""), session.report().screen)
+        assertEquals("Bye", session.report().lcd.trim())
+        assertEquals(listOf(GoalStatus.MET, GoalStatus.PENDING), session.state.goals.map { it.status })
+    }
+
+    @Test
+    fun `sensors have measured before a program starts`() = runTest {
+        val session = Session(nxtPlain, emptyList<BrickProgram>(), loadPhysicsEngine())
+        val raws = session.state.brick.inputs.map { (it as SensorPortState).raw }
+        assertEquals(listOf(1_023, 1_023), raws.take(2))
+        assertTrue(raws[2] in 100..1_000, "$raws")
+        session.close()
+    }
+
+    @Test
+    fun `Robolang waits for the lamp of a light sensor`() = runTest {
+        val session = nxtSession(nxtPlain, robolangNxt("if light < 40\nforward 10\nend")).toEnd()
+        assertEquals(nxtPlain.start, session.state.robot.pose)
     }
 
     @Test
