@@ -38,7 +38,8 @@ internal class ProgramOnJvm(private val path: String, private val source: String
 
     private fun compile(folder: File, library: File) {
         val file = folder.resolve("$name.java").apply { writeText(source) }
-        val options = listOf("-nowarn", "-Xlint:none", "--release", "8", "-cp", library.path, "-d", folder.path, file.path)
+        val options =
+            listOf("-nowarn", "-Xlint:none", "--release", "8", "-cp", library.path, "-d", folder.path, file.path)
         val problems = ByteArrayOutputStream()
         val result = ToolProvider.getSystemJavaCompiler().run(null, problems, problems, *options.toTypedArray())
         check(result == 0) { "$path: $problems" }

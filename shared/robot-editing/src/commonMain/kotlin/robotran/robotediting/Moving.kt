@@ -21,26 +21,38 @@ internal fun Point.movedBy(x: Double, y: Double) = Point(this.x + x, this.y + y)
 
 /** null if the element cannot move so. */
 internal fun RobotDescription.moved(element: RobotElement, x: Double, y: Double): RobotDescription? = when (element) {
-    is RobotElement.Part -> withThing(element.number) { (it.movedBy(x, y) ?: it).inRange() }
+    is RobotElement.Part -> {
+        withThing(element.number) { (it.movedBy(x, y) ?: it).inRange() }
+    }
 
-    is RobotElement.Caster -> copy(
-        casters = casters.mapIndexed { number, at -> if (number == element.number) at.movedBy(x, y) else at },
-    )
+    is RobotElement.Caster -> {
+        copy(
+            casters = casters.mapIndexed { number, at -> if (number == element.number) at.movedBy(x, y) else at },
+        )
+    }
 
-    is RobotElement.Corner -> copy(
-        chassis = chassis.copy(
-            outline = chassis.outline.mapIndexed { number, at ->
-                if (number == element.number) at.movedBy(x, y) else at
-            },
-        ),
-    )
+    is RobotElement.Corner -> {
+        copy(
+            chassis = chassis.copy(
+                outline = chassis.outline.mapIndexed { number, at ->
+                    if (number == element.number) at.movedBy(x, y) else at
+                },
+            ),
+        )
+    }
 
-    RobotElement.Wheels -> copy(drive = drive.copy(track = drive.track + 2 * y))
+    RobotElement.Wheels -> {
+        copy(drive = drive.copy(track = drive.track + 2 * y))
+    }
 
-    RobotElement.Brick -> copy(brickAt = brickAt.copy(at = brickAt.at.movedBy(x, y)))
+    RobotElement.Brick -> {
+        copy(brickAt = brickAt.copy(at = brickAt.at.movedBy(x, y)))
+    }
 
     // A mass beside the middle line is impossible.
-    RobotElement.Mass -> copy(chassis = chassis.copy(massAt = chassis.massAt.movedBy(x, 0.0)))
+    RobotElement.Mass -> {
+        copy(chassis = chassis.copy(massAt = chassis.massAt.movedBy(x, 0.0)))
+    }
 
     RobotElement.Chassis -> {
         val moved = chassis.outline.map { it.movedBy(x, y) }
@@ -48,7 +60,9 @@ internal fun RobotDescription.moved(element: RobotElement, x: Double, y: Double)
         copy(chassis = chassis.copy(outline = moved)).takeIf { fits }
     }
 
-    RobotElement.Pen -> null
+    RobotElement.Pen -> {
+        null
+    }
 }
 
 /** null if the element has no direction. */
@@ -58,9 +72,13 @@ internal fun RobotDescription.turned(element: RobotElement, degrees: Double): Ro
         directionOf(part)?.let { now -> withThing(element.number) { it.turnedTo(now + degrees).inRange() } }
     }
 
-    RobotElement.Brick -> copy(brickAt = brickAt.copy(turned = !brickAt.turned))
+    RobotElement.Brick -> {
+        copy(brickAt = brickAt.copy(turned = !brickAt.turned))
+    }
 
-    else -> null
+    else -> {
+        null
+    }
 }
 
 /** The direction of a bumper or of a sensor that looks ahead; null for other parts. */
@@ -80,26 +98,38 @@ private fun RobotPart.turnedTo(direction: Double): RobotPart = when (this) {
 internal fun RobotGesture.dragged(to: Point): RobotDescription? {
     val robot = before.robot
     return when (val handle = handle) {
-        is RobotHandle.Body -> dragBody(robot, handle.element, to)
-
-        is RobotHandle.Corner -> dragBody(robot, RobotElement.Corner(handle.number), to)
-
-        is RobotHandle.Direction -> robot.withThing(handle.number) { part ->
-            val at = part.place ?: return@withThing part
-            val angle = RobotSnapping.angleTowards(to.x - at.x, to.y - at.y)
-            part.turnedTo(angle).inRange()
+        is RobotHandle.Body -> {
+            dragBody(robot, handle.element, to)
         }
 
-        is RobotHandle.BumperEnd -> robot.withThing(handle.number) { part ->
-            if (part !is BumperPart) return@withThing part
-            val facing = Direction(part.direction)
-            val across = -(to.x - part.at.x) * facing.sine + (to.y - part.at.y) * facing.cosine
-            part.copy(width = 2 * RobotSnapping.length(abs(across), RobotSnapping.CENTIMETRES / 2)).inRange()
+        is RobotHandle.Corner -> {
+            dragBody(robot, RobotElement.Corner(handle.number), to)
         }
 
-        RobotHandle.Track -> robot.copy(drive = robot.drive.copy(track = 2 * snappedHalf(abs(to.y))))
+        is RobotHandle.Direction -> {
+            robot.withThing(handle.number) { part ->
+                val at = part.place ?: return@withThing part
+                val angle = RobotSnapping.angleTowards(to.x - at.x, to.y - at.y)
+                part.turnedTo(angle).inRange()
+            }
+        }
 
-        RobotHandle.WheelDiameter -> robot.copy(drive = robot.drive.copy(wheelDiameter = 2 * snappedHalf(abs(to.x))))
+        is RobotHandle.BumperEnd -> {
+            robot.withThing(handle.number) { part ->
+                if (part !is BumperPart) return@withThing part
+                val facing = Direction(part.direction)
+                val across = -(to.x - part.at.x) * facing.sine + (to.y - part.at.y) * facing.cosine
+                part.copy(width = 2 * RobotSnapping.length(abs(across), RobotSnapping.CENTIMETRES / 2)).inRange()
+            }
+        }
+
+        RobotHandle.Track -> {
+            robot.copy(drive = robot.drive.copy(track = 2 * snappedHalf(abs(to.y))))
+        }
+
+        RobotHandle.WheelDiameter -> {
+            robot.copy(drive = robot.drive.copy(wheelDiameter = 2 * snappedHalf(abs(to.x))))
+        }
 
         RobotHandle.WheelWidth -> {
             val half = abs(abs(to.y) - robot.drive.track / 2)

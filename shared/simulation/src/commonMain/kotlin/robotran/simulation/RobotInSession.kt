@@ -72,8 +72,12 @@ internal class RobotInSession(
         }
 
     /** The causes of its deviation so far. */
-    fun deviationCauses(): List<DeviationCause> =
-        Explanation(world.robots[number], machine, ports.sensorErrors, SimulationMessages.of(language)).deviationCauses()
+    fun deviationCauses(): List<DeviationCause> = Explanation(
+        world.robots[number],
+        machine,
+        ports.sensorErrors,
+        SimulationMessages.of(language),
+    ).deviationCauses()
 
     /** Adds the logged calls since the last call of this function. */
     fun addCallsTo(hash: TraceHash) {

@@ -28,7 +28,8 @@ internal sealed interface MarkLayer {
     }
 
     /** @property pieces the line segments that reach into the square. */
-    class Along(private val pieces: List<Capsule>, private val reflectance: Double, private val tint: Tint) : MarkLayer {
+    class Along(private val pieces: List<Capsule>, private val reflectance: Double, private val tint: Tint) :
+        MarkLayer {
         override fun reflectanceAt(x: Double, y: Double): Double {
             for (number in pieces.indices) if (pieces[number].contains(x, y)) return reflectance
             return BARE
@@ -57,11 +58,7 @@ internal sealed interface MarkLayer {
 }
 
 /** A figure prepared for clipping to the squares of the paper. */
-internal class PreparedMark(
-    private val figure: MarkFigure,
-    private val outline: Outline?,
-    shade: Shade,
-) {
+internal class PreparedMark(private val figure: MarkFigure, private val outline: Outline?, shade: Shade) {
     private val reflectance = shade.reflectance
     private val tint = Tint.of(shade)
     private val pieces = (figure as? MarkFigure.Line)?.let { line ->

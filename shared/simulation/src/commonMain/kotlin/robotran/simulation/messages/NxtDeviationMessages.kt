@@ -21,11 +21,10 @@ internal object EnglishNxtDeviationMessages : NxtDeviationMessages {
             "$centimetres cm together."
 
     override fun sonarBias(centimetres: String, far: Boolean) =
-        "The ultrasonic sensor measures $centimetres cm too ${if (far) "much" else "little"}, so everything seems to be " +
-            "${if (far) "farther away" else "nearer"} than it is."
+        "The ultrasonic sensor measures $centimetres cm too ${if (far) "much" else "little"}, so everything seems to " +
+            "be ${if (far) "farther away" else "nearer"} than it is."
 
-    override fun sonarNoise(centimetres: String) =
-        "The ultrasonic sensor's readings flicker by about $centimetres cm."
+    override fun sonarNoise(centimetres: String) = "The ultrasonic sensor's readings flicker by about $centimetres cm."
 
     override fun colourNoise(parts: String) = "The colour sensor's readings flicker by about $parts of 255."
 }
@@ -50,9 +49,9 @@ internal object SpanishNxtDeviationMessages : NxtDeviationMessages {
         "Hay holgura entre los motores y las ruedas: cuando un motor cambió de sentido, su rueda lo siguió más tarde, " +
             "en total ${withComma(centimetres)} cm."
 
-    override fun sonarBias(centimetres: String, far: Boolean) =
-        "El sensor de ultrasonidos mide ${withComma(centimetres)} cm ${if (far) "de más" else "de menos"}: todo parece " +
-            "estar más ${if (far) "lejos" else "cerca"} de lo que está."
+    override fun sonarBias(centimetres: String, far: Boolean) = "El sensor de ultrasonidos mide " +
+        "${withComma(centimetres)} cm ${if (far) "de más" else "de menos"}: todo parece " +
+        "estar más ${if (far) "lejos" else "cerca"} de lo que está."
 
     override fun sonarNoise(centimetres: String) =
         "Lo que mide el sensor de ultrasonidos tiembla en unos ${withComma(centimetres)} cm."
@@ -60,4 +59,3 @@ internal object SpanishNxtDeviationMessages : NxtDeviationMessages {
     override fun colourNoise(parts: String) =
         "Lo que mide el sensor de color tiembla en unas ${withComma(parts)} unidades de 255."
 }
-

@@ -91,13 +91,7 @@ interface PhysicsWorld {
  * @property isRound whether it is a circle.
  * @property body its index.
  */
-data class RayHit(
-    val distance: Double,
-    val normalX: Double,
-    val normalY: Double,
-    val isRound: Boolean,
-    val body: Int,
-)
+data class RayHit(val distance: Double, val normalX: Double, val normalY: Double, val isRound: Boolean, val body: Int)
 
 /**
  * The pose and velocity of a body.

@@ -14,11 +14,8 @@ import robotran.world.robot.RobotFigures
  * @param stallForce what stalls it then.
  * @param rollingDeceleration the speed that it loses in a second while it rolls.
  */
-internal class NxtMotor(
-    private val topSpeed: Double,
-    private val stallForce: Double,
-    rollingDeceleration: Double,
-) : MotorModel() {
+internal class NxtMotor(private val topSpeed: Double, private val stallForce: Double, rollingDeceleration: Double) :
+    MotorModel() {
     constructor(f: RobotFigures) : this(
         f.topSpeed,
         f.stallForce * (NxtMotorFigures.VOLTS / NxtMotorFigures.STALL_VOLTS),
@@ -35,7 +32,9 @@ internal class NxtMotor(
     override fun tick(told: MotorState, supply: Double, load: Double) {
         current = 0.0
         when (told.mode) {
-            MotorMode.FORWARD -> drive(told, supply, load)
+            MotorMode.FORWARD -> {
+                drive(told, supply, load)
+            }
 
             MotorMode.BACKWARD -> {
                 speed = -speed
@@ -43,9 +42,13 @@ internal class NxtMotor(
                 speed = -speed
             }
 
-            MotorMode.BRAKE -> brake()
+            MotorMode.BRAKE -> {
+                brake()
+            }
 
-            MotorMode.FLOAT -> coast()
+            MotorMode.FLOAT -> {
+                coast()
+            }
         }
     }
 

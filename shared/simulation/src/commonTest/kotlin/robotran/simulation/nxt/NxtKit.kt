@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
+import robotran.nxjlibrary.NxjLibrary
 import robotran.nxt.hardware.I2cMode
 import robotran.nxt.hardware.SensorType
 import robotran.nxt.program.Nxt
@@ -12,7 +13,6 @@ import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
 import robotran.nxt.program.SensorSetup
 import robotran.nxt.regulator.MotorRegulator
-import robotran.nxjlibrary.NxjLibrary
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -55,8 +55,11 @@ class ScriptedNxt(build: ScriptedNxt.() -> Unit) : NxtProgram {
         call(NxtCall.controlMotor(A, left, brakes), NxtCall.controlMotor(C, right, brakes))
 
     /** Runs regulated motors on. */
-    fun regulate(vararg motors: Int, speed: Float = 360f) =
-        call(*motors.map { NxtCall.regulate(it, speed, ACCELERATION, MotorRegulator.FORWARD, hold = true) }.toTypedArray())
+    fun regulate(vararg motors: Int, speed: Float = 360f) = call(
+        *motors.map {
+            NxtCall.regulate(it, speed, ACCELERATION, MotorRegulator.FORWARD, hold = true)
+        }.toTypedArray(),
+    )
 
     fun sensor(port: Int, type: Int) = call(*SensorSetup.callsFor(port - 1, type).toTypedArray())
 

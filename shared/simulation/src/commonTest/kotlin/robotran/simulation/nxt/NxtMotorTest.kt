@@ -18,8 +18,18 @@ class NxtMotorTest {
         NxtMotorFigures.ROLLING_DECELERATION,
     )
 
-    private fun told(power: Int, brakes: Boolean = true) =
-        MotorState(MotorPort.A, if (power < 0) MotorMode.BACKWARD else MotorMode.FORWARD, if (power < 0) -power else power, brakes)
+    private fun told(power: Int, brakes: Boolean = true) = MotorState(
+        MotorPort.A,
+        if (power <
+            0
+        ) {
+            MotorMode.BACKWARD
+        } else {
+            MotorMode.FORWARD
+        },
+        if (power < 0) -power else power,
+        brakes,
+    )
 
     /** The speed after a second at 9 volts. */
     private fun speed(power: Int, load: Double = 0.0, brakes: Boolean = true): Double = motor().apply {

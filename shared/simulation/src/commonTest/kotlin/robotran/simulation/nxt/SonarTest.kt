@@ -89,7 +89,9 @@ class SonarTest {
     @Test
     fun `soft things are heard from near only`() = runTest {
         fun soft(distance: Double, friction: Double) = openWorld().copy(
-            blocks = listOf(Block(Shape.Rectangle(Point(front + distance + 10, 300.0), 20.0, 20.0), friction = friction)),
+            blocks = listOf(
+                Block(Shape.Rectangle(Point(front + distance + 10, 300.0), 20.0, 20.0), friction = friction),
+            ),
         )
         assertEquals(100, reading(soft(100.0, 0.9)))
         assertEquals(255, reading(soft(170.0, 0.9)))

@@ -51,7 +51,10 @@ internal fun readDescription(place: JsonCursor, mayBeImpossible: Boolean = false
         base = base?.base,
         unknown = unknownOf(place),
     )
-    val errors = robotErrors(robot).filter { !mayBeImpossible || it is RobotError.OutOfRange || it == RobotError.NoWheels }
+    val errors = robotErrors(robot).filter {
+        !mayBeImpossible || it is RobotError.OutOfRange ||
+            it == RobotError.NoWheels
+    }
     errors.firstOrNull()?.let { error -> placeOf(error, place).refuseInSentence { error.sentence(it) } }
     return robot
 }
