@@ -24,6 +24,8 @@ async function grade(page) {
   await press(page, 'hand-ins-choose');
   const names = (await readdir(path.join(grades, 'class'))).sort();
   await (await chooser).setFiles(await Promise.all(names.map((name) => file(path.join('class', name)))));
+  // Until then, hand-ins that cannot be used may be there alone.
+  await appears(page, 'hand-ins-cancel');
 }
 
 /** The table that the page saves. */
@@ -38,7 +40,7 @@ const isGraded = (page) =>
   page.waitForFunction(
     () => {
       const screen = document.querySelector('#robotran-words');
-      const isAtWork = /Waiting/.test(screen.textContent) || screen.querySelector('[data-tag="hand-ins-progress"]');
+      const isAtWork = /Waiting/.test(screen.textContent) || screen.querySelector('[data-tag="hand-ins-cancel"]');
       return /Cannot be used/.test(screen.textContent) && !isAtWork;
     },
     null,
