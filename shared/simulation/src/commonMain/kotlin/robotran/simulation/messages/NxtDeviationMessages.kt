@@ -46,8 +46,8 @@ internal object GermanNxtDeviationMessages : NxtDeviationMessages {
 
 internal object SpanishNxtDeviationMessages : NxtDeviationMessages {
     override fun motorPlay(centimetres: String) =
-        "Hay holgura entre los motores y las ruedas: cuando un motor cambió de sentido, su rueda lo siguió más tarde, " +
-            "en total ${withComma(centimetres)} cm."
+        "Hay holgura entre los motores y las ruedas: cuando un motor cambió de sentido, su rueda lo siguió " +
+            "más tarde, en total ${withComma(centimetres)} cm."
 
     override fun sonarBias(centimetres: String, far: Boolean) = "El sensor de ultrasonidos mide " +
         "${withComma(centimetres)} cm ${if (far) "de más" else "de menos"}: todo parece " +
