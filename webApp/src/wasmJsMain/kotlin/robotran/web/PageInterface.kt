@@ -27,9 +27,9 @@ import kotlin.js.Promise
 /**
  * Adds the object `robotran` to the page:
  * - `report()` returns the report of the workshop's run so far, as JSON;
- * - `run(program, milliseconds, name)` returns a promise of `{ report, romLog }` of a run of a program text on the
+ * - `run(program, milliseconds, name, brick)` returns a promise of `{ report, romLog }` of a run of a program text on the
  *   empty sheet, like `robotran run`; it is rejected with the first error of the text. A name that ends in `.java`
- *   selects Java, otherwise the program is Robolang;
+ *   selects Java, otherwise the program is Robolang. `brick` is `nxt` for a Robolang program that runs on an NXT;
  * - `runProject(project, milliseconds)` returns a promise of `{ report }` of a run of a project file's text with its
  *   recorded inputs; it is rejected with the project's error.
  *
@@ -37,21 +37,18 @@ import kotlin.js.Promise
  */
 internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publish(
     report = { workshop.report().toJson() },
-    run = { program, milliseconds, name -> scope.promise { runOf(program, milliseconds, name) } },
+    run = { program, milliseconds, name, brick -> scope.promise { runOf(program, milliseconds, name, brick) } },
     runProject = { text, milliseconds -> scope.promise { projectRunOf(text, milliseconds) } },
 )
 
-private suspend fun runOf(program: String, milliseconds: Int, name: String): JsAny? {
-    val source =
-        if (name.endsWith(
-                JAVA,
-            )
-        ) {
-            ProgramSource.Java(name, listOf(SourceFile(name, program)))
-        } else {
-            ProgramSource.Robolang(name, program)
-        }
-    val world = BuiltInWorlds.plainFor(brickOf(source) ?: BrickKind.RCX)
+private suspend fun runOf(program: String, milliseconds: Int, name: String, brick: String?): JsAny? {
+    val source = if (name.endsWith(JAVA)) {
+        ProgramSource.Java(name, listOf(SourceFile(name, program)))
+    } else {
+        ProgramSource.Robolang(name, program)
+    }
+    val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
+    val world = BuiltInWorlds.plainFor(kind ?: brickOf(source) ?: BrickKind.RCX)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(
@@ -103,11 +100,11 @@ private fun runResult(report: String, romLog: String): JsAny = js("({ report, ro
 
 private fun publish(
     report: () -> String,
-    run: (String, Int, String) -> Promise<JsAny?>,
+    run: (String, Int, String, String?) -> Promise<JsAny?>,
     runProject: (String, Int) -> Promise<JsAny?>,
 ): Unit = js(
-    "{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, " +
-        "name) }; }",
+    "{ globalThis.robotran = { report, runProject, " +
+        "run: (program, time, name = 'program', brick = null) => run(program, time, name, brick) }; }",
 )
 
 /** Shared by all runs, so that the Java compiler is loaded once. */
