@@ -61,6 +61,12 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     val robot = piece.robot
     val atOnce = { changed: RobotPlacement -> making.changeAtOnce(thing, Element.OfRobot(changed)) }
     if (thing.number == 0) Remark(stringResource(Res.string.worldedit_own_robot))
+    WordButton(
+        stringResource(Res.string.robot_build),
+        "build-robot",
+        { making.build(thing.number) },
+        Modifier.fillMaxWidth().padding(top = 8.dp),
+    )
     NameField(making, thing, piece)
     val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), stringResource(colourWord(it))) }
     Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") {
@@ -77,12 +83,6 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
             Wrong(stringResource(Res.string.robot_impossible, draft.title, error.sentence(LocalLanguage.current)))
         }
     }
-    WordButton(
-        stringResource(Res.string.robot_build),
-        "build-robot",
-        { making.build(thing.number) },
-        Modifier.fillMaxWidth().padding(top = 8.dp),
-    )
     when (robot.description.brick) {
         BrickKind.RCX -> RcxFields(robot, atOnce)
         BrickKind.NXT -> NxtParts(robot.description)
