@@ -95,7 +95,7 @@ internal class BlockCompiler(
             }
 
             Operation.RETURN, Operation.RETURN_VALUE, Operation.RETURN_WIDE -> {
-                leave(operation)
+                if (isExact && operation == Operation.RETURN_WIDE) plain() else leave(operation)
             }
 
             Operation.SWITCH -> {
@@ -136,9 +136,10 @@ internal class BlockCompiler(
         val index = code[position + 1]
         val register = operands.popRegister()
         operands.complete()
-        val successors = switches[index].targets
-        instructions +=
-            RegisterInstruction(RegisterOperation.SWITCH, register, words = intArrayOf(index), successors = successors)
+        instructions += RegisterInstruction(RegisterOperation.SWITCH, register, words = intArrayOf(index))
+        for (target in switches[index].targets) {
+            instructions += RegisterInstruction(RegisterOperation.JUMP, successors = intArrayOf(target))
+        }
         position = END
     }
 
@@ -192,16 +193,17 @@ internal class BlockCompiler(
     }
 
     private fun call(operation: Int, argumentWords: Int, next: Int) {
+        val exit = if (operation == Operation.CALL_STATIC) null else exit()
         val first = operands.end - argumentWords
         val receiver = if (operation == Operation.CALL_STATIC) 0 else operands.leaveReceiver(argumentWords)
         operands.complete()
         val method = code[position + 1]
         instructions += if (operation != Operation.CALL_VIRTUAL && method !in RegisterInstruction.REGISTERS) {
             val far = RegisterOperation.CALL_STATIC_FAR + operation - Operation.CALL_STATIC
-            RegisterInstruction(far, first, 0, receiver, words = intArrayOf(next, method))
+            RegisterInstruction(far, first, 0, receiver, exit, intArrayOf(next, method))
         } else {
             val near = RegisterOperation.CALL_STATIC + operation - Operation.CALL_STATIC
-            RegisterInstruction(near, first, method, receiver, words = intArrayOf(next))
+            RegisterInstruction(near, first, method, receiver, exit, intArrayOf(next))
         }
         continuations = listOf(next)
         position = END
@@ -209,11 +211,6 @@ internal class BlockCompiler(
 
     private fun leave(operation: Int) {
         val exit = exit()
-        if (isExact && operation == Operation.RETURN_WIDE) {
-            instructions += RegisterInstruction(RegisterOperation.RETURN_LONG, operands.popPair(), exit = exit)
-            position = END
-            return
-        }
         if (operation == Operation.RETURN_WIDE) operands.pop()
         val register = if (operation == Operation.RETURN) 0 else operands.popRegister()
         val first = RegisterOperation.RETURN - Operation.RETURN
@@ -226,7 +223,7 @@ internal class BlockCompiler(
         operands.complete()
         instructions += RegisterInstruction(RegisterOperation.PLAIN, operands.end, words = intArrayOf(position))
         continuations = when (code[position]) {
-            Operation.THROW -> emptyList()
+            Operation.THROW, Operation.RETURN_WIDE -> emptyList()
             else -> listOf(position + lengthOf(code[position]))
         }
         position = END

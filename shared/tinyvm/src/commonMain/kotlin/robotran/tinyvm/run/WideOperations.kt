@@ -5,8 +5,8 @@ import robotran.tinyvm.link.Operation
 import robotran.tinyvm.link.RegisterOperation
 
 /**
- * The instructions of register code that only an exact machine has and that neither jump nor call. They are not in the
- * interpreter's loop, which would become too large to be compiled well.
+ * The instructions of register code that a program for an RCX has seldom or never and that do not call. They are not in
+ * the interpreter's loop, which would become too large to be compiled well.
  */
 internal class WideOperations(private val machine: VirtualMachine) {
     private val words = machine.heap.words
@@ -17,10 +17,11 @@ internal class WideOperations(private val machine: VirtualMachine) {
     private val relations = arrayOfNulls<ByteArray>(types.size)
 
     /**
-     * Executes the instruction at [at] of [code] with the registers of [stack] from [base] on; returns the place of its last
-     * word, or -1 if the stack code must do it.
+     * Executes the instruction at [at] of [code], which belongs to [frame] and has its registers in [stack]; returns the
+     * place of the last word before the next instruction, or -1 if the stack code must do it.
      */
-    fun execute(code: IntArray, at: Int, stack: IntArray, base: Int): Int {
+    fun execute(frame: Frame, code: IntArray, at: Int, stack: IntArray): Int {
+        val base = frame.base
         val word = code[at]
         val a = base + (word ushr SHIFT_A and BYTE)
         val b = base + (word ushr SHIFT_B and BYTE)
@@ -160,6 +161,20 @@ internal class WideOperations(private val machine: VirtualMachine) {
                 words[place + 1] = stack[c + 1]
             }
 
+            RegisterOperation.STATIC_FAR -> {
+                stack[a] = statics[code[at + 1]]
+                return at + 1
+            }
+
+            RegisterOperation.SET_STATIC_FAR -> {
+                statics[code[at + 1]] = stack[a]
+                return at + 1
+            }
+
+            RegisterOperation.SWITCH -> {
+                return at + 1 + JUMP_WORDS * frame.body.switches[code[at + 1]].indexOf(stack[a])
+            }
+
             RegisterOperation.STATIC_LONG -> {
                 val slot = code[at + 1]
                 stack[a] = statics[slot]
@@ -242,6 +257,9 @@ internal class WideOperations(private val machine: VirtualMachine) {
         const val SHIFT_A = 8
         const val SHIFT_B = 16
         const val SHIFT_C = 24
+
+        /** Words of a jump. */
+        const val JUMP_WORDS = 2
         const val UNKNOWN: Byte = 0
         const val YES: Byte = 1
         const val NO: Byte = 2
