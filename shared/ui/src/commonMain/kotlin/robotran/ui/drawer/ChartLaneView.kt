@@ -57,17 +57,19 @@ internal fun Lane(
 ) {
     val colours = LocalRobotranColours.current
     val value = valueText(line, brick, at)
+    val unit = line.unit.sign
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-            contentDescription = "$name: $value"
+            contentDescription = "$name: $value $unit".trimEnd()
         },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
         Column(Modifier.width(76.dp * LocalDensity.current.fontScale)) {
-            Text(name, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+            val title = if (unit.isEmpty()) name else "$name\n$unit"
+            Text(title, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
         }
         Canvas(
             Modifier
@@ -92,7 +94,7 @@ internal fun Lane(
         ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
             value,
-            Modifier.widthIn(min = 48.dp).testTag("value-${line.lane.name.lowercase()}"),
+            Modifier.widthIn(min = if (brick == BrickKind.NXT) WIDE_VALUE else VALUE).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
@@ -134,7 +136,7 @@ private fun DrawScope.drawLane(
     fun y(value: Int) = size.height - PAD.toPx() -
         (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
-    drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
+    if (0 in range) drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)
     val x = window.shareOf(now) * size.width
     val dashes = PathEffect.dashPathEffect(floatArrayOf(6f, 4f))
@@ -177,4 +179,8 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
 }
 
 private val LANE_HEIGHT = 44.dp
+
+/** Room for the value, so that the lanes begin and end at the same places: "+7", or "-100–+100". */
+private val VALUE = 48.dp
+private val WIDE_VALUE = 76.dp
 private val PAD = 4.dp
