@@ -84,9 +84,13 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         /** The value of [lane] for [robot], in the unit of a sensor of this [kind]; null for that of the program. */
         fun valueOf(robot: RobotSnapshot, lane: ChartLane, kind: SensorKind?): Int = when {
             lane.isMotor -> signedPower(robot.brick.motors[lane.port], robot.brick.kind)
+
             lane.isDegrees -> robot.brick.motorDegrees.getOrElse(lane.port) { 0 }
+
             lane == ChartLane.BATTERY -> robot.brick.batteryMillivolts
-            else -> robot.brick.inputs.getOrNull(lane.port)?.let { if (kind == null) it.value else it.measured(kind) } ?: 0
+
+            else -> robot.brick.inputs.getOrNull(lane.port)?.let { if (kind == null) it.value else it.measured(kind) }
+                ?: 0
         }
 
         private fun signedPower(motor: MotorState, kind: BrickKind): Int {

@@ -134,7 +134,8 @@ private fun DrawScope.drawLane(
     colours: RobotranColours,
 ) {
     fun y(value: Int) = size.height - PAD.toPx() -
-        (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+        (size.height - 2 * PAD.toPx()) * (value.coerceIn(range) - range.first) /
+        (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
     if (0 in range) drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)

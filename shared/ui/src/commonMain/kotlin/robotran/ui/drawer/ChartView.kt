@@ -146,7 +146,7 @@ internal data class ChartWindow(val from: Long, val until: Long) {
 
 /**
  * What the lane of [line] shows from bottom to top, always a range of some width: all values and, except for those of a
- * battery, 0.
+ * battery, 0. Where a sonar hears nothing, its line is at the top: 255 would make all distances look small.
  */
 internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
     if (line.lane.isMotor) return if (brick == BrickKind.RCX) -MAX_POWER..MAX_POWER else -PERCENT..PERCENT
@@ -154,9 +154,11 @@ internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
     val isBattery = line.unit == ChartUnit.MILLIVOLTS
     var min = if (isBattery) LOW_MILLIVOLTS else 0
     var greatest = if (isBattery) FULL_MILLIVOLTS else 1
+    val nothing = if (line.unit == ChartUnit.CENTIMETRES) NOTHING_HEARD else Int.MAX_VALUE
     for (piece in 0..<line.size) {
         min = minOf(min, line.min(piece))
-        greatest = maxOf(greatest, line.greatest(piece))
+        val high = line.greatest(piece)
+        greatest = maxOf(greatest, if (high < nothing) high else line.min(piece).takeIf { it < nothing } ?: 0)
     }
     return min..greatest
 }
@@ -164,6 +166,9 @@ internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
 private const val MAX_ZOOM = 8
 private const val MAX_POWER = 8
 private const val PERCENT = 100
+
+/** What a sonar says that hears nothing. */
+private const val NOTHING_HEARD = 255
 
 /** What the battery of a driving NXT seldom leaves: a full one has 8 V. */
 private const val LOW_MILLIVOLTS = 7_000

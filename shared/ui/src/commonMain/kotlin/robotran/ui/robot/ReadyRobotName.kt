@@ -15,13 +15,12 @@ import robotran.world.ReadyRobots
 /** The name of the ready robot with the key [base] of [ReadyRobots.all]; tells its brick. */
 @Composable
 internal fun readyRobotName(base: String): String {
-    val robot = ReadyRobots.all.getValue(base)
-    val name = READY_WORDS[base]?.let { stringResource(it) } ?: robot.title
-    val brick = robot.brick.name
+    val name = stringResource(READY_ROBOT_WORDS.getValue(base))
+    val brick = ReadyRobots.all.getValue(base).brick.name
     return if (brick in name) name else stringResource(Res.string.robot_ready_with_brick, name, brick)
 }
 
-private val READY_WORDS: Map<String, StringResource> = mapOf(
+internal val READY_ROBOT_WORDS: Map<String, StringResource> = mapOf(
     "rcx-penbot" to Res.string.robot_ready_rcx_penbot,
     "nxt-penbot" to Res.string.robot_ready_nxt_penbot,
     "line-follower" to Res.string.robot_ready_line_follower,
