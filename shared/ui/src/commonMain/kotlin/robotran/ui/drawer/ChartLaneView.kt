@@ -31,6 +31,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
@@ -94,7 +95,7 @@ internal fun Lane(
         ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
             value,
-            Modifier.widthIn(min = if (brick == BrickKind.NXT) WIDE_VALUE else VALUE).testTag("value-${line.lane.name.lowercase()}"),
+            Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
@@ -179,9 +180,11 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
     drawPath(path, colour, style = Stroke(1.5.dp.toPx()))
 }
 
-private val LANE_HEIGHT = 44.dp
+/** Room for a value, so that the lanes end at the same place: "+7" of an RCX, "-100–+100" of an NXT. */
+private fun valueWidth(brick: BrickKind): Dp = when (brick) {
+    BrickKind.RCX -> 48.dp
+    BrickKind.NXT -> 76.dp
+}
 
-/** Room for the value, so that the lanes begin and end at the same places: "+7", or "-100–+100". */
-private val VALUE = 48.dp
-private val WIDE_VALUE = 76.dp
+private val LANE_HEIGHT = 44.dp
 private val PAD = 4.dp

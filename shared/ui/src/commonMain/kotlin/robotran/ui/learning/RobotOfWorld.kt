@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_own
-import robotran.ui.robot.readyRobotName
+import robotran.ui.robot.readyRobotWithBrick
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.World
@@ -13,7 +13,7 @@ import robotran.world.World
 @Composable
 internal fun robotOf(world: World): String {
     val robot = world.robots.first().description
-    return readyBase(robot)?.let { readyRobotName(it) } ?: stringResource(Res.string.robot_own, robot.brick.name)
+    return readyBase(robot)?.let { readyRobotWithBrick(it) } ?: stringResource(Res.string.robot_own, robot.brick.name)
 }
 
 /** The ready robot that [robot] is, whatever is plugged into a penbot with an RCX; null for any other. */

@@ -12,10 +12,14 @@ import robotran.ui.resources.robot_ready_sumo
 import robotran.ui.resources.robot_ready_with_brick
 import robotran.world.ReadyRobots
 
-/** The name of the ready robot with the key [base] of [ReadyRobots.all]; tells its brick. */
+/** The name of the ready robot with the key [base] of [ReadyRobots.all]. */
 @Composable
-internal fun readyRobotName(base: String): String {
-    val name = stringResource(READY_ROBOT_WORDS.getValue(base))
+internal fun readyRobotName(base: String): String = stringResource(READY_ROBOT_WORDS.getValue(base))
+
+/** The same; where the name does not tell the brick, it is added. */
+@Composable
+internal fun readyRobotWithBrick(base: String): String {
+    val name = readyRobotName(base)
     val brick = ReadyRobots.all.getValue(base).brick.name
     return if (brick in name) name else stringResource(Res.string.robot_ready_with_brick, name, brick)
 }

@@ -221,7 +221,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
     Remark(stringResource(Res.string.robot_ready_help))
     for ((name, ready) in ReadyRobots.all) {
         WordButton(
-            readyRobotName(name),
+            readyRobotWithBrick(name),
             "robot-ready-$name",
             { scope.make(RobotEdit.Replace(ready)) },
             Modifier.fillMaxWidth(),

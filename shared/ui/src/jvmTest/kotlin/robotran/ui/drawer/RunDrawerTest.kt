@@ -160,7 +160,7 @@ class RunDrawerTest {
         workshop.handle(RunEvent.RunPressed)
         pass(3_000)
         // What is not shown leaves room for the last lanes.
-        for (lane in ChartLane.entries.filter { it.isMotor || it.port < 3 && it.isSensor }) {
+        for (lane in ChartLane.entries.filter { it.isMotor || (it.isSensor && it.port < 3) }) {
             workshop.handle(RunEvent.LaneSwitched(lane))
         }
         pass(300)

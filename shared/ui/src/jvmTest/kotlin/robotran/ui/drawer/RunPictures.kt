@@ -42,27 +42,25 @@ class RunPictures {
         paused(null).use("laptop", 1440, 900)
     }
 
-    private fun paused(
-        tab: DrawerTab?,
-        settings: Settings = Settings(),
-        on: World = BuiltInWorlds.plain,
-    ): Workshop = runBlocking {
-        openWorkshop()
-    }.apply {
-        val goals = listOf(Goal(InkLength(40.0, null)), Goal(NeverTouch()), Goal(InkLength(400.0, null)))
-        val world = on.copy(goals = goals, realism = 0.6)
-        val program = PupilProgram("rounds.robo", if (on.robots.first().description.brick == BrickKind.NXT) SENSING + SOURCE else SOURCE).asProject()
-        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
-        handle(SettingsEvent.SettingsChanged(settings))
-        handle(RunEvent.RunPressed)
-        advance(14_000)
-        handle(RunEvent.DrawerChosen(tab))
-        handle(RunEvent.Scrubbed(9_300))
-        repeat(30) { frame(it * 16_000_000L) }
-        repeat(2) {
-            handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } }
+    private fun paused(tab: DrawerTab?, settings: Settings = Settings(), on: World = BuiltInWorlds.plain): Workshop =
+        runBlocking { openWorkshop() }.apply {
+            val goals = listOf(Goal(InkLength(40.0, null)), Goal(NeverTouch()), Goal(InkLength(400.0, null)))
+            val world = on.copy(goals = goals, realism = 0.6)
+            val isNxt = on.robots.first().description.brick == BrickKind.NXT
+            val program = PupilProgram("rounds.robo", if (isNxt) SENSING + SOURCE else SOURCE).asProject()
+            openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
+            handle(SettingsEvent.SettingsChanged(settings))
+            handle(RunEvent.RunPressed)
+            advance(14_000)
+            handle(RunEvent.DrawerChosen(tab))
+            handle(RunEvent.Scrubbed(9_300))
+            repeat(30) { frame(it * 16_000_000L) }
+            repeat(2) {
+                handle(RunEvent.StepPressed(StepKind.INTO)).also {
+                    repeat(60) { frame(1_000_000_000L + it * 16_000_000L) }
+                }
+            }
         }
-    }
 
     private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) {
         photograph(this, width, height, dark).keepAs("run/$name")

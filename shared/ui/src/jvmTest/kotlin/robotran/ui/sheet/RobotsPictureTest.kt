@@ -107,7 +107,8 @@ class RobotsPictureTest {
         val colours = SheetColours.of(RobotranColours.LIGHT)
         val layers = SheetLayer.DEFAULT + SheetLayer.SENSORS
         GoldenPicture.check("robots-turret", picture(room, turned, colours, layers))
-        val seen = renderSpace(room, turned, WIDTH, 1_000) { it.around(room.paper, Point(30.0, 20.0), 200.0, 40.0, 1.5) }
+        val seen =
+            renderSpace(room, turned, WIDTH, 1_000) { it.around(room.paper, Point(30.0, 20.0), 200.0, 40.0, 1.5) }
         GoldenPicture.check("robots-turret-space", image(seen))
     }
 
