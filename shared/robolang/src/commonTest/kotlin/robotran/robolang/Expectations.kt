@@ -51,8 +51,8 @@ internal class Expectations(text: String) {
         SENSOR.matchEntire(comment)?.destructured?.let { (port, milliseconds, raw) ->
             sensors += SensorEvent(port.toInt(), milliseconds.toLong(), raw.toInt())
         }
-        SENSE.matchEntire(comment)?.destructured?.let { (what, milliseconds, value) ->
-            senses += NxtSense(what, milliseconds.toLong(), value)
+        SENSE.matchEntire(comment)?.destructured?.let { (what, port, milliseconds, value) ->
+            senses += NxtSense(what, port.toIntOrNull(), milliseconds.toLong(), value)
         }
         NXT.matchEntire(comment)?.let { nxtCalls[line] = it.groupValues[1].split(" | ") }
         ERROR.matchEntire(comment)?.let { errors += it.groupValues[1] }
@@ -76,14 +76,14 @@ internal class Expectations(text: String) {
         val SHOWS = Regex("""shows: (.+)""")
         val FAILS = Regex("""fails (\d+ .+)""")
         val SENSOR = Regex("""sensor (\d) at (\d+): raw (\d+)""")
-        val SENSE = Regex("""(distance|colour|button) at (\d+): (\w+)""")
+        val SENSE = Regex("""(distance|colour|button)(?: on (\d))? at (\d+): (\w+)""")
         val NXT = Regex("""nxt: (.+)""")
         val LOG = Regex("""log: (\d+) (.+) ; (\d+)""")
     }
 }
 
-/** From [milliseconds] on, [what] has a [value]. */
-internal data class NxtSense(val what: String, val milliseconds: Long, val value: String)
+/** From [milliseconds] on, [what] on the [port] 1..4, or on all if it is null, has a [value]. */
+internal data class NxtSense(val what: String, val port: Int?, val milliseconds: Long, val value: String)
 
 private fun callOf(text: String): RomCall {
     val words = text.trim().split(" ").map(::wordOf)

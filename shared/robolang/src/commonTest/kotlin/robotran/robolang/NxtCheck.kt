@@ -56,7 +56,7 @@ internal class Senses(private val expected: Expectations) {
         nxt.held = 0
         for (sense in expected.senses.filter { it.milliseconds <= nxt.milliseconds }) {
             when (sense.what) {
-                "distance" -> for (port in nxt.answers.indices) {
+                "distance" -> for (port in sense.port?.let { listOf(it - 1) } ?: nxt.answers.indices.toList()) {
                     nxt.answers[port] = { message ->
                         if (message.size == 1) byteArrayOf(sense.value.toInt().toByte()) else ByteArray(0)
                     }

@@ -1,10 +1,13 @@
 package robotran.scene3d
 
+import robotran.brick.controls.MotorPort
+import robotran.brick.sensors.SensorKind
 import robotran.scene3d.geometry.Vector3
 import robotran.scene3d.model.Heights
 import robotran.scene3d.model.SceneNode
 import robotran.world.Barrier
 import robotran.world.Block
+import robotran.world.Facing
 import robotran.world.Lamp
 import robotran.world.Paper
 import robotran.world.ReadyRobots
@@ -16,7 +19,11 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.penbotPorts
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
 import kotlin.test.Test
+import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 /** The order of drawing needs convex bodies that stand where their footprints say. */
@@ -121,6 +128,26 @@ class BodyTest {
         }
     }
 
+    @Test
+    fun `a turret turns its sensor, which has room wherever it looks`() {
+        val sonar = SensorPart(4, SensorKind.ULTRASONIC, Point(0.0, 0.0), 10.0, Facing.Ahead(0.0), MotorPort.B)
+        val robot = ReadyRobots.NXT_PENBOT.copy(pen = null, parts = listOf(sonar), base = null)
+        val place = RobotPlacement(Pose(40.0, 40.0, 30.0), description = robot, beacon = 0.0)
+        val one = World("Turret", Paper(100.0, 80.0), listOf(place))
+        val looks = listOf(0.0, 45.0, 90.0, 130.0, 180.0, -100.0).map { turret ->
+            val state = restingState(one).let { state ->
+                state.copy(robots = state.robots.map { it.copy(robot = it.robot.copy(turret = turret)) })
+            }
+            val root = SceneBuilder(one, TEST_COLOURS, TestTrigonometry).scene(state).root
+            checkGroups(root)
+            solidsOf(root).single { it.body.bottom == ON_BRICK && it.body.faces.any { face -> face.decals.size == 4 } }
+        }
+        for ((solid, degrees) in looks.zip(listOf(30.0, 75.0, 120.0, 160.0, 210.0, -70.0))) {
+            assertEquals(cos(degrees * PI / 180), solid.place.cosine, 1e-6)
+            assertEquals(sin(degrees * PI / 180), solid.place.sine, 1e-6)
+        }
+    }
+
     private fun checkGroups(node: SceneNode) {
         when (node) {
             is SceneNode.Solid -> {
@@ -162,7 +189,9 @@ class BodyTest {
     }
 
     private companion object {
+        const val ON_BRICK = 8.0
+
         /** Of a low sensor, one on the chassis and one on the brick. */
-        val SENSOR_BOTTOMS = listOf(0.35, 4.6, 8.0)
+        val SENSOR_BOTTOMS = listOf(0.35, 4.6, ON_BRICK)
     }
 }

@@ -1,5 +1,7 @@
 package robotran.brick.state
 
+import robotran.brick.sensors.SensorKind
+
 /**
  * What a brick last read at an input port.
  *
@@ -13,4 +15,10 @@ interface InputReading {
     val value: Int
     val isActive: Boolean
     val isPressed: Boolean
+
+    /**
+     * The reading in the unit of a sensor of this [kind], whatever the program chose, where the brick knows it: percent,
+     * centimetres, degrees, 0 or 1; otherwise [value].
+     */
+    fun measured(kind: SensorKind): Int = value
 }

@@ -1,5 +1,6 @@
 package robotran.nxt.hardware
 
+import robotran.brick.sensors.SensorKind
 import robotran.brick.state.InputReading
 
 /**
@@ -32,7 +33,7 @@ data class SensorPortState(
     override val value: Int
         get() = when {
             type == SensorType.SWITCH -> if (isPressed) 1 else 0
-            SensorType.isPercent(type) -> (HIGHEST_RAW - raw) * PERCENT / HIGHEST_RAW
+            SensorType.isPercent(type) -> percent
             colour != null -> colour.kind.code
             distance != null -> distance
             else -> raw
@@ -43,8 +44,20 @@ data class SensorPortState(
 
     override val isPressed: Boolean get() = raw < PRESSED_BELOW
 
+    private val percent: Int get() = (HIGHEST_RAW - raw) * PERCENT / HIGHEST_RAW
+
+    /** Of a colour sensor the mean of its three colours, 0 while no program uses it. */
+    override fun measured(kind: SensorKind): Int = when (kind) {
+        SensorKind.TOUCH -> if (isPressed) 1 else 0
+        SensorKind.LIGHT, SensorKind.SOUND -> percent
+        SensorKind.COLOUR -> if (colour == null) 0 else with(colour) { red + green + blue } * PERCENT / HIGHEST_SUM
+        SensorKind.ULTRASONIC, SensorKind.COMPASS -> distance ?: value
+        else -> value
+    }
+
     private companion object {
         const val HIGHEST_RAW = 1023
+        const val HIGHEST_SUM = 3 * HIGHEST_RAW
         const val PERCENT = 100
         const val PRESSED_BELOW = 600
     }

@@ -86,7 +86,7 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
 
     override fun sensorType(port: Int, type: Int) = "Anschluss $port hat " + when (type) {
         SensorType.NO_SENSOR -> "keinen Sensor"
-        SensorType.SWITCH -> "einen Berührungssensor"
+        SensorType.SWITCH -> "einen Tastsensor"
         SensorType.TEMPERATURE -> "einen Temperatursensor eines RCX"
         SensorType.REFLECTION -> "einen Lichtsensor eines RCX"
         SensorType.ANGLE -> "einen Drehsensor eines RCX"

@@ -94,22 +94,30 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     /** An NXT has one sensor on a port. */
     private fun checkPorts() {
         val ports = SensorPorts(context.tree, BrickKind.NXT)
-        val senses = allExpressions(context.tree).filterIsInstance<Expression.Sense>()
-            .filter { it.sense !is Sense.Sensor && ports.portOf(it.sense) != null }
+        val uses = allExpressions(context.tree).filterIsInstance<Expression.Sense>()
+            .mapNotNull { useOf(it, ports) }
             .sortedWith(compareBy({ it.range.line }, { it.range.column }))
-        val first = mutableMapOf<Int, Expression.Sense>()
-        val taken = senses.mapNotNull { ports.portOf(it.sense) }.toSet()
-        for (sense in senses) {
-            val port = checkNotNull(ports.portOf(sense.sense))
-            val earlier = first.getOrPut(port) { sense }
-            if (earlier.sense != sense.sense) {
-                val free = (1..BrickKind.NXT.inputPorts).firstOrNull { it !in taken } ?: port
-                val example = settingOf(sense.sense, free) ?: settingOf(earlier.sense, free).orEmpty()
+        val first = mutableMapOf<Int, PortUse>()
+        val taken = uses.map { it.port }.toSet()
+        for (use in uses) {
+            val earlier = first.getOrPut(use.port) { use }
+            if (earlier.sense != use.sense) {
+                val free = (1..BrickKind.NXT.inputPorts).firstOrNull { it !in taken } ?: use.port
+                val example = settingOf(use.sense, free) ?: settingOf(earlier.sense, free).orEmpty()
                 val one = context.textOf(earlier.range)
-                val message = messages.portShared(one, context.textOf(sense.range), port, example)
-                return context.report(DiagnosticCode.PORT_SHARED, sense.range, message)
+                val message = messages.portShared(one, context.textOf(use.range), use.port, example)
+                return context.report(DiagnosticCode.PORT_SHARED, use.range, message)
             }
         }
+    }
+
+    /** What the program expects on a port where it says so, or where it reads what the header has there. */
+    private class PortUse(val range: SourceRange, val port: Int, val sense: Sense)
+
+    private fun useOf(expression: Expression.Sense, ports: SensorPorts): PortUse? {
+        val port = ports.portOf(expression.sense) ?: return null
+        val sense = if (expression.sense is Sense.Sensor) ports.settingAt(port) else expression.sense
+        return sense?.let { PortUse(expression.range, port, it) }
     }
 
     /** The line of the header that puts the sensor of [sense] on [port]; null for a bumper, which has its place. */

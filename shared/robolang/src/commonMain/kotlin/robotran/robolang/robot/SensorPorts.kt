@@ -3,8 +3,10 @@ package robotran.robolang.robot
 import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Facing
+import robotran.robolang.syntax.LightSensorSetting
 import robotran.robolang.syntax.NxtSensor
 import robotran.robolang.syntax.Sense
+import robotran.robolang.syntax.SensorSetting
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.allExpressions
 
@@ -15,6 +17,7 @@ import robotran.robolang.syntax.allExpressions
 internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
     private val header = tree.robot
     private val setting = header?.lightSensor
+    private val settings = header?.let { it.lightSensors.map(::useOf) + it.nxtSensors.map(::useOf) }.orEmpty()
     private val uses = allExpressions(tree).filterIsInstance<Expression.Sense>()
     private val lightUse = uses.filter { it.sense == Sense.Light }.minByOrNull { it.range.line }
 
@@ -30,9 +33,6 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
         BrickKind.RCX -> RCX_LIGHT_PORT
         BrickKind.NXT -> NXT_LIGHT_PORT
     }
-
-    /** Whether the light sensor's lamp is off, since it looks ahead. */
-    val isLampOff: Boolean get() = setting?.facing == Facing.FORWARD
 
     /** Whether the program uses `light`, so that its port needs power. */
     val usesLight: Boolean get() = lightUse != null
@@ -61,13 +61,14 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
         Sense.LeftBumper, Sense.RightBumper -> bumperPort(sense)
         Sense.Light -> lightPort
         is Sense.Sensor -> sense.port
-        Sense.Distance -> portOf(NxtSensor.SONAR)
-        Sense.Colour -> portOf(NxtSensor.COLOUR)
-        Sense.Loudness -> portOf(NxtSensor.SOUND)
+        Sense.Distance -> portOf(sense, NxtSensor.SONAR)
+        Sense.Colour -> portOf(sense, NxtSensor.COLOUR)
+        Sense.Loudness -> portOf(sense, NxtSensor.SOUND)
         is Sense.Button, Sense.Timer, Sense.Battery, is Sense.Turned -> null
     }
 
-    private fun portOf(sensor: NxtSensor): Int = header?.setting(sensor)?.port ?: sensor.port
+    private fun portOf(sense: Sense, sensor: NxtSensor): Int =
+        settings.firstOrNull { it.sense == sense }?.port ?: sensor.port
 
     /**
      * What `sensor 1` and so on read on an NXT: the sensor that the program or its header has on that port, otherwise
@@ -75,37 +76,58 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
      */
     fun senseAt(port: Int): Sense {
         val used = uses.map { it.sense }.filter { it !is Sense.Sensor }
-        val settings = listOfNotNull(
-            Sense.Light.takeIf { setting != null },
-            Sense.Distance.takeIf { header?.setting(NxtSensor.SONAR) != null },
-            Sense.Colour.takeIf { header?.setting(NxtSensor.COLOUR) != null },
-            Sense.Loudness.takeIf { header?.setting(NxtSensor.SOUND) != null },
-        )
         val usual = listOf(Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Distance)
-        return (used + settings + usual).firstOrNull { portOf(it) == port } ?: usual[port - 1]
+        return used.firstOrNull { portOf(it) == port }
+            ?: settingAt(port)
+            ?: usual.firstOrNull { portOf(it) == port }
+            ?: usual[port - 1]
     }
 
     /** The sensors of an NXT that the program uses, in the order in which it names them first. */
     val nxtSensors: List<NxtUse> by lazy(LazyThreadSafetyMode.PUBLICATION) {
         uses.mapNotNull { use ->
             val sense = (use.sense as? Sense.Sensor)?.let { senseAt(it.port) } ?: use.sense
-            portOf(sense)?.let { NxtUse(sense, (use.sense as? Sense.Sensor)?.port ?: it, lineOf(sense, use)) }
+            val port = portOf(use.sense)
+            port?.let { settingOf(sense, port) ?: NxtUse(sense, port, use.range.line) }
         }.sortedWith(compareBy({ it.line }, { it.port })).distinctBy { it.port }
     }
 
-    /** The sensor on [port], from 1, that [sense] reads, and the line that its set-up belongs to. */
-    class NxtUse(val sense: Sense, val port: Int, val line: Int)
+    /**
+     * The sensor on [port], from 1, that [sense] reads, and the line that its set-up belongs to.
+     *
+     * @property isLampOff whether it is a light sensor whose lamp is off, since it looks ahead.
+     * @property isSetting whether [line] is one of the header.
+     */
+    class NxtUse(
+        val sense: Sense,
+        val port: Int,
+        val line: Int,
+        val isLampOff: Boolean = false,
+        val isSetting: Boolean = false,
+    )
 
-    private fun lineOf(sense: Sense, use: Expression.Sense): Int = settingLineOf(sense) ?: use.range.line
+    /** What the header has on [port]; null if nothing. */
+    fun settingAt(port: Int): Sense? = settings.firstOrNull { it.port == port }?.sense
 
-    /** The line of the header's setting of the sensor that [sense] reads; null if there is none. */
-    fun settingLineOf(sense: Sense): Int? = when (sense) {
-        Sense.Light -> setting?.range
-        Sense.Distance -> header?.setting(NxtSensor.SONAR)?.range
-        Sense.Colour -> header?.setting(NxtSensor.COLOUR)?.range
-        Sense.Loudness -> header?.setting(NxtSensor.SOUND)?.range
-        else -> null
-    }?.line
+    private fun settingOf(sense: Sense, port: Int): NxtUse? =
+        settings.firstOrNull { it.sense == sense && it.port == port }
+
+    private fun useOf(setting: LightSensorSetting) = NxtUse(
+        Sense.Light,
+        setting.port,
+        setting.range.line,
+        isLampOff = setting.facing == Facing.FORWARD,
+        isSetting = true,
+    )
+
+    private fun useOf(setting: SensorSetting): NxtUse {
+        val sense = when (setting.sensor) {
+            NxtSensor.SONAR -> Sense.Distance
+            NxtSensor.COLOUR -> Sense.Colour
+            NxtSensor.SOUND -> Sense.Loudness
+        }
+        return NxtUse(sense, setting.port, setting.range.line, isSetting = true)
+    }
 
     private fun bumperPort(sense: Sense): Int? = when (sense) {
         Sense.LeftBumper -> leftBumperPort

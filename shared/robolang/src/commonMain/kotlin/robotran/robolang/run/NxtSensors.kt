@@ -16,14 +16,12 @@ import robotran.robolang.syntax.Sense
 internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
     private val sonars = mutableMapOf<Int, NxtSonar>()
     private val toSetUp = ArrayDeque<SensorPorts.NxtUse>()
-    private var isLampOff = false
     private var isBegun = false
     private var isLampNew = false
     private var readyAt = 0L
 
     fun begin(ports: SensorPorts) {
         toSetUp += ports.nxtSensors
-        isLampOff = ports.isLampOff
     }
 
     /** Goes on with setting up the sensors, one after the other; returns whether all are ready. */
@@ -48,8 +46,8 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
     private fun begin(use: SensorPorts.NxtUse) {
         when (use.sense) {
             Sense.Light -> {
-                setType(use, if (isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
-                isLampNew = !isLampOff
+                setType(use, if (use.isLampOff) SensorType.LIGHT_INACTIVE else SensorType.LIGHT_ACTIVE)
+                if (!use.isLampOff) isLampNew = true
             }
 
             Sense.Loudness -> {

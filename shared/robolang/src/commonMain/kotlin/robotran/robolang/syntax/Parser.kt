@@ -1,5 +1,6 @@
 package robotran.robolang.syntax
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
@@ -190,12 +191,12 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             return
         }
         val setting = HeaderParser(reader, diagnostics).setting() ?: return
-        val isFirst = settings.none { it::class == setting::class && it.sensor == setting.sensor }
+        val isFirst = settings.none { it.excludes(setting, severalOfAKind = diagnostics.brick == BrickKind.NXT) }
         if (!isFirst && robot == null) {
-            val message = if (setting is LightSensorSetting) {
-                messages.secondSetting()
-            } else {
-                messages.settingTwice(lowercaseKeyword(reader.first.text))
+            val message = when (setting) {
+                is LightSensorSetting -> messages.secondSetting()
+                is SensorSetting -> messages.settingTwice(setting.sensor.settingOn(setting.port))
+                is BrickSetting -> messages.settingTwice(Keyword.BRICK.text)
             }
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, message)
         }
@@ -233,8 +234,6 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val OUTERMOST = setOf(Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.WHENEVER, Keyword.ROBOT)
     }
 }
-
-private val RobotSetting.sensor: NxtSensor? get() = (this as? SensorSetting)?.sensor
 
 /** The names of all routines, to recognise a call without brackets. */
 private fun routineNamesIn(lines: List<ScannedLine>): Set<String> = lines

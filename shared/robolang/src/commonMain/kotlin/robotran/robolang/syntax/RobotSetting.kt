@@ -6,10 +6,19 @@ import robotran.robolang.diagnostic.SourceRange
 /** A line of the header. */
 internal sealed interface RobotSetting {
     val range: SourceRange
+
+    /**
+     * Whether a header cannot have both this line and [other].
+     *
+     * @param severalOfAKind whether there can be sensors of the same kind on different ports.
+     */
+    fun excludes(other: RobotSetting, severalOfAKind: Boolean): Boolean
 }
 
 /** `brick nxt`. */
-internal data class BrickSetting(override val range: SourceRange, val kind: BrickKind) : RobotSetting
+internal data class BrickSetting(override val range: SourceRange, val kind: BrickKind) : RobotSetting {
+    override fun excludes(other: RobotSetting, severalOfAKind: Boolean): Boolean = other is BrickSetting
+}
 
 /**
  * `light sensor on 2 facing down`.
@@ -17,7 +26,10 @@ internal data class BrickSetting(override val range: SourceRange, val kind: Bric
  * @property port 1..4, as it is printed on the brick.
  */
 internal data class LightSensorSetting(override val range: SourceRange, val port: Int, val facing: Facing) :
-    RobotSetting
+    RobotSetting {
+    override fun excludes(other: RobotSetting, severalOfAKind: Boolean): Boolean =
+        other is LightSensorSetting && (!severalOfAKind || other.port == port)
+}
 
 /**
  * `sonar on 4`, `colour sensor on 3` and `sound sensor on 2`.
@@ -25,7 +37,10 @@ internal data class LightSensorSetting(override val range: SourceRange, val port
  * @property port 1..4, as it is printed on the brick.
  */
 internal data class SensorSetting(override val range: SourceRange, val sensor: NxtSensor, val port: Int) :
-    RobotSetting
+    RobotSetting {
+    override fun excludes(other: RobotSetting, severalOfAKind: Boolean): Boolean =
+        other is SensorSetting && other.sensor == sensor && (!severalOfAKind || other.port == port)
+}
 
 internal enum class Facing { DOWN, FORWARD }
 

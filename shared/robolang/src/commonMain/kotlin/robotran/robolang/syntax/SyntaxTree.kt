@@ -21,13 +21,15 @@ internal data class SyntaxTree(
 
 /** `robot` .. `end`. */
 internal data class RobotHeader(val range: SourceRange, val endRange: SourceRange, val settings: List<RobotSetting>) {
-    val lightSensor: LightSensorSetting? get() = settings.filterIsInstance<LightSensorSetting>().lastOrNull()
+    /** The settings of light sensors; `light` reads the first. */
+    val lightSensors: List<LightSensorSetting> get() = settings.filterIsInstance<LightSensorSetting>()
+    val lightSensor: LightSensorSetting? get() = lightSensors.firstOrNull()
 
     /** The setting of the brick; null if the header does not name it. */
     val brick: BrickSetting? get() = settings.filterIsInstance<BrickSetting>().lastOrNull()
 
-    fun setting(sensor: NxtSensor): SensorSetting? =
-        settings.filterIsInstance<SensorSetting>().lastOrNull { it.sensor == sensor }
+    /** The settings of the sensors that only an NXT has; the word of a kind reads the first of its kind. */
+    val nxtSensors: List<SensorSetting> get() = settings.filterIsInstance<SensorSetting>()
 }
 
 /** A name as typed. */

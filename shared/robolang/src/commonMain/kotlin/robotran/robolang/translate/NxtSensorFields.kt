@@ -12,14 +12,14 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
         writer.blank()
         for (use in ports.nxtSensors) {
             val type = typeOf(use.sense)
-            val lamp = if (use.sense == Sense.Light && ports.isLampOff) ", false" else ""
+            val lamp = if (use.isLampOff) ", false" else ""
             val line = "static final $type ${nameAt(use.port)} = new $type(SensorPort.S${use.port}$lamp);"
-            writer.line(line, use.line.takeIf { it == settingLineOf(use) } ?: LineMap.NO_LINE)
+            writer.line(line, if (use.isSetting) use.line else LineMap.NO_LINE)
         }
     }
 
     /** Whether a light sensor's lamp is switched on, which the brick must have measured with before its value counts. */
-    val hasLamp: Boolean = !ports.isLampOff && ports.nxtSensors.any { it.sense == Sense.Light }
+    val hasLamp: Boolean = ports.nxtSensors.any { it.sense == Sense.Light && !it.isLampOff }
 
     /** The value that [sense] reads. */
     fun valueOf(sense: Sense): String {
@@ -36,8 +36,6 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
 
     /** Whether the sensor that [sense] reads is a touch sensor. */
     fun isTouch(sense: Sense): Boolean = typeOf(byPort.getValue(checkNotNull(ports.portOf(sense))).sense) == TOUCH
-
-    private fun settingLineOf(use: SensorPorts.NxtUse): Int? = ports.settingLineOf(use.sense)
 
     private fun nameAt(port: Int): String {
         val name = NAMES.getValue(byPort.getValue(port).sense)

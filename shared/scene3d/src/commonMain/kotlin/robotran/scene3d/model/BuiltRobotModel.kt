@@ -48,13 +48,13 @@ internal class BuiltRobotModel(
         val wheels = listOf(true to state.leftWheelTurn, false to state.rightWheelTurn).map { (left, turn) ->
             solid(moving.wheel(left, turn), place)
         }
-        return wheels + body(place, face, state) + bumperNodes + sensorsOn(SensorLevel.OUTSIDE, place)
+        return wheels + body(place, face, state) + bumperNodes + sensorsOn(SensorLevel.OUTSIDE, place, state)
     }
 
     private fun body(place: Placement, face: RobotFace, state: RobotState): SceneNode {
         val footprint = hull.placed(place.x, place.y, place.cosine, place.sine)
         val lift = (1 - state.penDepth / Penbot.PEN_CONTACT).coerceAtLeast(0.0) * RobotPlan3D.PEN_LIFT
-        val low = casters.map { solid(it, place) } + sensorsOn(SensorLevel.BELOW_CHASSIS, place) +
+        val low = casters.map { solid(it, place) } + sensorsOn(SensorLevel.BELOW_CHASSIS, place, state) +
             listOfNotNull(tip?.let { solid(it, place.raised(lift)) })
         val pen = holder?.let {
             val stand = solid(it, place)
@@ -64,8 +64,8 @@ internal class BuiltRobotModel(
                 listOf(RobotPlan3D.HOLDER_TOP),
             )
         }
-        val high = brick.motors.map { solid(it, place) } + listOfNotNull(pen) + brickColumn(place, face) +
-            sensorsOn(SensorLevel.ON_CHASSIS, place)
+        val high = brick.motors.map { solid(it, place) } + listOfNotNull(pen) + brickColumn(place, face, state) +
+            sensorsOn(SensorLevel.ON_CHASSIS, place, state)
         return SceneNode.Stack(
             footprint,
             listOf(SceneNode.Group(footprint, low), solid(chassis, place), SceneNode.Group(footprint, high)),
@@ -73,16 +73,21 @@ internal class BuiltRobotModel(
         )
     }
 
-    private fun brickColumn(place: Placement, face: RobotFace): SceneNode {
+    private fun brickColumn(place: Placement, face: RobotFace, state: RobotState): SceneNode {
         val solid = solid(brick.body, brick.placeOn(place))
-        val onTop = brick.eyes.of(face).map { solid(it, place) } + sensorsOn(SensorLevel.ON_BRICK, place) +
+        val onTop = brick.eyes.of(face).map { solid(it, place) } + sensorsOn(SensorLevel.ON_BRICK, place, state) +
             listOfNotNull(brick.beacon?.let { solid(it, place) })
         val levels = listOf(solid, SceneNode.Group(solid.footprint, onTop))
         return SceneNode.Stack(solid.footprint, levels, listOf(RobotPlan3D.BRICK_TOP))
     }
 
-    private fun sensorsOn(level: SensorLevel, place: Placement): List<SceneNode> =
-        sensors.filter { it.level == level }.map { solid(it.body, it.place.on(place)) }
+    private fun sensorsOn(level: SensorLevel, place: Placement, state: RobotState): List<SceneNode> {
+        val turn = state.turret * RADIANS_PER_DEGREE
+        val turret = Placement(cosine = round.cosine(turn), sine = round.sine(turn))
+        return sensors.filter { it.level == level }.map {
+            solid(it.body, (if (it.isTurning) turret.on(it.place) else it.place).on(place))
+        }
+    }
 
     /** A caster, behind a sensor that is in its place. */
     private fun caster(at: Point): Body? {

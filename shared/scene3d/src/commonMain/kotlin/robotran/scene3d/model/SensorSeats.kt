@@ -7,6 +7,7 @@ import robotran.world.RobotDescription
 import robotran.world.SensorPart
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.robot.things
+import kotlin.math.sqrt
 
 /** Where a sensor is mounted in perspective. */
 internal enum class SensorLevel { BELOW_CHASSIS, ON_CHASSIS, ON_BRICK, OUTSIDE }
@@ -16,8 +17,14 @@ internal enum class SensorLevel { BELOW_CHASSIS, ON_CHASSIS, ON_BRICK, OUTSIDE }
  *
  * @property body looks ahead, around its eye.
  * @property place of the eye on the robot.
+ * @property isTurning whether the turret turns it, which it has room for.
  */
-internal class SeatedSensor(val level: SensorLevel, val body: Body, val place: Placement)
+internal class SeatedSensor(
+    val level: SensorLevel,
+    val body: Body,
+    val place: Placement,
+    val isTurning: Boolean = false,
+)
 
 /**
  * Finds a place for each sensor where it overlaps with nothing: below the chassis, on it, on the brick or outside. That
@@ -48,6 +55,7 @@ internal class SensorSeats(
         when {
             part.sensor == SensorKind.TEMPERATURE -> null
             part.height < HIGH -> low(part)
+            part.turret != null -> turning(part)
             else -> high(part)
         }
     }
@@ -95,6 +103,25 @@ internal class SensorSeats(
         return SeatedSensor(SensorLevel.ON_BRICK, body, placeOf(x, y, direction))
     }
 
+    /** Small enough to turn around its eye wherever it stands, on the chassis or the brick. */
+    private fun turning(part: SensorPart): SeatedSensor? {
+        val back = maxOf(bodies.backOf(part.sensor), TURNING_BACK)
+        val half = minOf(bodies.halfOf(part.sensor), TURNING_HALF)
+        val reach = sqrt(back * back + half * half)
+        val direction = (part.facing as? Facing.Ahead)?.direction ?: 0.0
+        val swept = Box(part.at.x - reach, part.at.y - reach, part.at.x + reach, part.at.y + reach)
+        if (swept.isApartFrom(brick)) {
+            if (!swept.isIn(hull)) return null
+            val body = bodies.high(part.sensor, back, half, RobotPlan3D.CHASSIS_TOP)
+            return SeatedSensor(SensorLevel.ON_CHASSIS, body, placeOf(part.at.x, part.at.y, direction), true)
+        }
+        if (brick.right - brick.left < 2 * reach || brick.top - brick.bottom < 2 * reach) return null
+        val x = part.at.x.coerceIn(brick.left + reach, brick.right - reach)
+        val y = part.at.y.coerceIn(brick.bottom + reach, brick.top - reach)
+        val body = bodies.high(part.sensor, back, half, RobotPlan3D.BRICK_TOP)
+        return SeatedSensor(SensorLevel.ON_BRICK, body, placeOf(x, y, direction), true)
+    }
+
     private fun placeOf(x: Double, y: Double, degrees: Double): Placement {
         val angle = degrees * RADIANS_PER_DEGREE
         return Placement(x, y, 0.0, round.cosine(angle), round.sine(angle))
@@ -106,6 +133,10 @@ internal class SensorSeats(
         /** In centimetres over the floor: a sensor from there on is above the chassis. */
         const val HIGH = 5.0
         private const val GAP = 0.02
+
+        /** The farthest back, and the most of half of the width, of what turns. */
+        private const val TURNING_BACK = -1.2
+        private const val TURNING_HALF = 1.8
         private const val THINNEST = 0.4
         private const val QUARTER_TURN = 90.0
     }

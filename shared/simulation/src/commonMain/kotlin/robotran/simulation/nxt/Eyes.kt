@@ -130,9 +130,10 @@ internal class Ear(
     private val scene: NxtScene,
     private val place: SensorPlace,
     streams: NoiseStreams,
+    name: String,
     private val realism: Double,
 ) {
-    private val noise = streams.named("sound sensor: noise")
+    private val noise = streams.named("$name: noise")
 
     fun raw(): Int {
         var percent = SILENCE

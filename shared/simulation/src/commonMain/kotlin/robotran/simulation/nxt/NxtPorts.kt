@@ -125,7 +125,7 @@ internal class NxtPorts(
         }
 
         SensorKind.SOUND -> {
-            val ear = Ear(scene, place, streams, realism)
+            val ear = Ear(scene, place, streams, nameOf(part, "sound sensor"), realism)
             NxtSensor { brick.setAnalog(port, ear.raw()) }
         }
 

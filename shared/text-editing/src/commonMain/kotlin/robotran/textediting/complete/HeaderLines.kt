@@ -47,4 +47,4 @@ private val KINDS = BrickKind.entries.associateBy { it.name.lowercase() }
 private const val MAX_LINES = 500
 
 /** The lines of a header that has no `end` yet. */
-private const val LONGEST = 4
+private const val LONGEST = 6

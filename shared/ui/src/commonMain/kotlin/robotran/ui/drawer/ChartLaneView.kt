@@ -31,6 +31,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
@@ -57,17 +58,19 @@ internal fun Lane(
 ) {
     val colours = LocalRobotranColours.current
     val value = valueText(line, brick, at)
+    val unit = line.unit.sign
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-            contentDescription = "$name: $value"
+            contentDescription = "$name: $value $unit".trimEnd()
         },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
         Column(Modifier.width(76.dp * LocalDensity.current.fontScale)) {
-            Text(name, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+            val title = if (unit.isEmpty()) name else "$name\n$unit"
+            Text(title, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
         }
         Canvas(
             Modifier
@@ -92,7 +95,7 @@ internal fun Lane(
         ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
             value,
-            Modifier.widthIn(min = 48.dp).testTag("value-${line.lane.name.lowercase()}"),
+            Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
@@ -132,9 +135,10 @@ private fun DrawScope.drawLane(
     colours: RobotranColours,
 ) {
     fun y(value: Int) = size.height - PAD.toPx() -
-        (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+        (size.height - 2 * PAD.toPx()) * (value.coerceIn(range) - range.first) /
+        (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
-    drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
+    if (0 in range) drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)
     val x = window.shareOf(now) * size.width
     val dashes = PathEffect.dashPathEffect(floatArrayOf(6f, 4f))
@@ -174,6 +178,12 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
         piece += stride
     }
     drawPath(path, colour, style = Stroke(1.5.dp.toPx()))
+}
+
+/** Room for a value, so that the lanes end at the same place: "+7" of an RCX, "-100–+100" of an NXT. */
+private fun valueWidth(brick: BrickKind): Dp = when (brick) {
+    BrickKind.RCX -> 48.dp
+    BrickKind.NXT -> 76.dp
 }
 
 private val LANE_HEIGHT = 44.dp

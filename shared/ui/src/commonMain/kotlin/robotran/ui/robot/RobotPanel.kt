@@ -47,12 +47,7 @@ import robotran.ui.resources.robot_choose_first
 import robotran.ui.resources.robot_open
 import robotran.ui.resources.robot_parts_help
 import robotran.ui.resources.robot_ready
-import robotran.ui.resources.robot_ready_both_sides
 import robotran.ui.resources.robot_ready_help
-import robotran.ui.resources.robot_ready_line_follower
-import robotran.ui.resources.robot_ready_nxt
-import robotran.ui.resources.robot_ready_rcx
-import robotran.ui.resources.robot_ready_sumo
 import robotran.ui.resources.robot_save
 import robotran.ui.resources.robot_tab_chosen
 import robotran.ui.resources.robot_tab_parts
@@ -226,7 +221,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
     Remark(stringResource(Res.string.robot_ready_help))
     for ((name, ready) in ReadyRobots.all) {
         WordButton(
-            READY_WORDS[name]?.let { stringResource(it) } ?: ready.title,
+            readyRobotWithBrick(name),
             "robot-ready-$name",
             { scope.make(RobotEdit.Replace(ready)) },
             Modifier.fillMaxWidth(),
@@ -246,11 +241,3 @@ private fun WholeRobotPanel(scope: RobotScope) {
         Modifier.fillMaxWidth(),
     )
 }
-
-private val READY_WORDS = mapOf(
-    "rcx-penbot" to Res.string.robot_ready_rcx,
-    "nxt-penbot" to Res.string.robot_ready_nxt,
-    "line-follower" to Res.string.robot_ready_line_follower,
-    "sumo" to Res.string.robot_ready_sumo,
-    "both-sides" to Res.string.robot_ready_both_sides,
-)

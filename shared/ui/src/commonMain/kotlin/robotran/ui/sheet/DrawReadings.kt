@@ -77,10 +77,9 @@ private fun placeOf(part: RobotPart, robot: RobotState, box: Bounds): Point = wh
     }
 
     is SensorPart -> {
-        val facing = part.facing
         when {
             part.sensor == SensorKind.TEMPERATURE -> robot.ahead(box.left - BEHIND, BEHIND)
-            facing is Facing.Ahead -> outside(part, facing.direction, robot, box)
+            part.facing is Facing.Ahead -> outside(part, robot.direction(part), robot, box)
             part.at.x < 0 -> robot.ahead(box.left - AWAY, part.at.y * SPREAD)
             else -> robot.ahead(box.right + AWAY, part.at.y * SPREAD)
         }

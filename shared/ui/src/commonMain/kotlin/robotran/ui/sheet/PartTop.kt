@@ -62,7 +62,7 @@ internal class SensorTop(val part: SensorPart, brick: BrickKind) {
     val kind: SensorKind = part.sensor
     val at: Offset = part.at.toPlan()
 
-    /** Clockwise from ahead; of one that looks down, as if it looked ahead. */
+    /** Clockwise from ahead while its turret is not turned; of one that looks down, as if it looked ahead. */
     val degrees: Float = -((part.facing as? Facing.Ahead)?.direction ?: 0.0).toFloat()
 
     /** Its body relative to [at], looking ahead. */
@@ -82,6 +82,16 @@ internal fun sensorTops(robot: RobotDescription): List<SensorTop> = robot.things
     .filter { it.sensor != SensorKind.TEMPERATURE }
     .sortedBy { it.height }
     .map { SensorTop(it, robot.brick) }
+
+/**
+ * The direction in which [part] looks now, in degrees counter-clockwise from ahead; a turret turns it. 0 if it looks
+ * down.
+ */
+internal fun RobotState.direction(part: SensorPart): Double =
+    ((part.facing as? Facing.Ahead)?.direction ?: 0.0) + turn(part)
+
+/** By how many degrees a turret has turned [part] to the left; 0 without one. */
+internal fun RobotState.turn(part: SensorPart): Double = if (part.turret == null) 0.0 else turret
 
 /** Whether [bumper] is pressed, the robot's with this [index] among its bumpers. */
 internal fun RobotState.isPressed(bumper: BumperPart, index: Int): Boolean = index in pressed || when (bumper.side) {

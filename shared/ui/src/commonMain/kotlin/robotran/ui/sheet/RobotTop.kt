@@ -36,7 +36,10 @@ internal fun RobotBrush.drawBody(plan: RobotPlan, build: RobotPlacement, robot: 
         BrickKind.RCX -> drawRcx(plan.brick, build.colour)
         BrickKind.NXT -> drawNxt(plan.brick, build.colour)
     }
-    for (sensor in plan.sensors) turned(sensor.at, sensor.degrees) { drawSensor(sensor, plan.brick.kind) }
+    for (sensor in plan.sensors) {
+        val degrees = sensor.degrees - robot.turn(sensor.part).toFloat()
+        turned(sensor.at, degrees) { drawSensor(sensor, plan.brick.kind) }
+    }
 }
 
 private fun RobotBrush.drawBumper(bumper: BumperTop, isPressed: Boolean) {

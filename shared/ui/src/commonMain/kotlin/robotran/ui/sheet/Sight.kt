@@ -49,13 +49,14 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
     val eye = robot.ahead(part.at.x, part.at.y)
     return when (part.sensor) {
         SensorKind.LIGHT, SensorKind.COLOUR -> {
-            when (val facing = part.facing) {
+            when (part.facing) {
                 Facing.Down -> {
                     Sight.Spot(eye)
                 }
 
                 is Facing.Ahead -> {
-                    Sight.Cone(eye, robot.pose.heading + facing.direction, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
+                    val direction = robot.pose.heading + robot.direction(part)
+                    Sight.Cone(eye, direction, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
                 }
 
                 // A penbot's looks ahead between its bumpers.
@@ -71,10 +72,10 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
         }
 
         SensorKind.ULTRASONIC -> {
-            val direction = (part.facing as? Facing.Ahead)?.direction ?: 0.0
             val heard = heard(part, snapshot)
             val reach = heard?.plus(BEHIND_ECHO) ?: FARTHEST
-            Sight.Cone(eye, robot.pose.heading + direction, SOUND_DEGREES, reach, isSound = true, heard)
+            val direction = robot.pose.heading + robot.direction(part)
+            Sight.Cone(eye, direction, SOUND_DEGREES, reach, isSound = true, heard)
         }
 
         else -> {

@@ -11,13 +11,8 @@ import robotran.brick.kind.BrickKind
 import robotran.ui.brick.nxt.words
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
-import robotran.ui.resources.robot_both_sides
 import robotran.ui.resources.robot_build
 import robotran.ui.resources.robot_impossible
-import robotran.ui.resources.robot_line_follower
-import robotran.ui.resources.robot_nxt_penbot
-import robotran.ui.resources.robot_rcx_penbot
-import robotran.ui.resources.robot_sumo
 import robotran.ui.resources.sensor
 import robotran.ui.resources.worldedit_beacon
 import robotran.ui.resources.worldedit_colour
@@ -40,6 +35,7 @@ import robotran.ui.resources.worldedit_sensor_right_bumper
 import robotran.ui.resources.worldedit_sensor_right_rotation
 import robotran.ui.resources.worldedit_sensor_temperature
 import robotran.ui.resources.worldedit_sensor_touch
+import robotran.ui.robot.readyRobotName
 import robotran.ui.settings.SwitchRow
 import robotran.ui.sheet.RobotColours
 import robotran.world.LightFacing
@@ -73,7 +69,7 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         atOnce(robot.copy(colour = it))
     }
     FormFields(making, thing, piece)
-    val kinds = ReadyRobots.all.map { (name, ready) -> ready to stringResource(robotWord(name)) }
+    val kinds = ReadyRobots.all.map { (name, ready) -> ready to readyRobotName(name) }
     ChipRow(stringResource(Res.string.worldedit_robot_kind), kinds, readyOf(robot.description), "robot-kind") { ready ->
         // Its ports are kept if the pupil touches what it already is.
         if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready, draft = null))
@@ -126,14 +122,6 @@ private fun NxtParts(description: RobotDescription) {
 
 /** The ready robot that [description] was made from; null for one of its own. */
 private fun readyOf(description: RobotDescription): RobotDescription? = ReadyRobots.all[description.base]
-
-private fun robotWord(name: String): StringResource = when (name) {
-    "rcx-penbot" -> Res.string.robot_rcx_penbot
-    "nxt-penbot" -> Res.string.robot_nxt_penbot
-    "line-follower" -> Res.string.robot_line_follower
-    "sumo" -> Res.string.robot_sumo
-    else -> Res.string.robot_both_sides
-}
 
 /** Two sensors can share a port. */
 @Composable

@@ -18,6 +18,7 @@ import androidx.compose.ui.test.withKeyDown
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
+import robotran.ui.program.blocks.scrollAndTouch
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
@@ -45,7 +46,7 @@ class RobotBenchTest {
         workshop.handle(WorldEditEvent.EditorOpened)
         workshop.handle(WorldEditEvent.Edited(Edit.Select(ElementRef(ElementKind.ROBOT, 0))))
         pass(200)
-        onNodeWithTag("build-robot").performClick()
+        scrollAndTouch("build-robot")
         pass(200)
         onNodeWithTag("robot-done").performClick()
         pass(200)

@@ -3,6 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.asSkiaBitmap
 import org.jetbrains.skia.Image
+import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.state.NxtState
 import robotran.simulation.state.SessionState
@@ -14,11 +15,13 @@ import robotran.ui.sheet3d.renderSpace
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.SheetLayer
 import robotran.world.BumperPart
+import robotran.world.Facing
 import robotran.world.Paper
 import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
+import robotran.world.SensorPart
 import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
@@ -88,11 +91,35 @@ class RobotsPictureTest {
         }
     }
 
-    private fun picture(colours: SheetColours, shown: Set<SheetLayer>): Image = image(
-        renderOn(world, WIDTH, density = 1f) {
-            drawSheet(it, state, colours, labelsWith(checkNotNull(pictureFonts())), shown)
-        },
-    )
+    @Test
+    fun `a turret with its sensor looks where its motor has turned it`() {
+        val sonar = SensorPart(4, SensorKind.ULTRASONIC, Point(0.0, 0.0), 10.0, Facing.Ahead(0.0), MotorPort.B)
+        val robot = ReadyRobots.NXT_PENBOT.copy(title = "Radar", pen = null, parts = listOf(sonar), base = null)
+        val place = RobotPlacement(Pose(30.0, 20.0, 0.0), "yellow", RobotColour.YELLOW, robot)
+        val room = World("Turret", Paper(60.0, 50.0), listOf(place))
+        val turned = SheetScenes.state(room).let { resting ->
+            val brick = NxtScenes.running.let { state ->
+                state.copy(sensorPorts = state.sensorPorts.map { it.copy(distance = if (it.port == 4) 20 else null) })
+            }
+            val snapshot = resting.robots.single()
+            resting.copy(robots = listOf(snapshot.copy(brick = brick, robot = snapshot.robot.copy(turret = 70.0))))
+        }
+        val colours = SheetColours.of(RobotranColours.LIGHT)
+        val layers = SheetLayer.DEFAULT + SheetLayer.SENSORS
+        GoldenPicture.check("robots-turret", picture(room, turned, colours, layers))
+        val seen =
+            renderSpace(room, turned, WIDTH, 1_000) { it.around(room.paper, Point(30.0, 20.0), 200.0, 40.0, 1.5) }
+        GoldenPicture.check("robots-turret-space", image(seen))
+    }
+
+    private fun picture(colours: SheetColours, shown: Set<SheetLayer>) = picture(world, state, colours, shown)
+
+    private fun picture(world: World, state: SessionState, colours: SheetColours, shown: Set<SheetLayer>): Image =
+        image(
+            renderOn(world, WIDTH, density = 1f) {
+                drawSheet(it, state, colours, labelsWith(checkNotNull(pictureFonts())), shown)
+            },
+        )
 
     private fun image(bitmap: ImageBitmap): Image = Image.makeFromBitmap(bitmap.asSkiaBitmap())
 

@@ -1,16 +1,21 @@
 package robotran.ui.sheet
 
+import robotran.brick.controls.MotorPort
 import robotran.nxt.state.NxtState
 import robotran.simulation.state.RobotSnapshot
 import robotran.ui.brick.nxt.NxtScenes
+import robotran.world.Facing
 import robotran.world.LightFacing
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
+import robotran.world.SensorPart
+import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class SightTest {
     private val snapshot: RobotSnapshot = SheetScenes.state(SheetScenes.everything).robots.first().let {
@@ -55,6 +60,23 @@ class SightTest {
         assertEquals(listOf(180.0, 0.0), sides)
         val bare = ReadyRobots.NXT_PENBOT.let { robot -> robot.copy(parts = robot.parts.map { it.on(null) }) }
         assertEquals(emptyList(), sights(bare))
+    }
+
+    @Test
+    fun `a turret turns its ultrasonic sensor, the beam and the plate of its reading`() {
+        val sonar = ReadyRobots.NXT_PENBOT.parts.filterIsInstance<SensorPart>().single { it.port == 4 }
+        val turning = sonar.copy(at = Point(0.0, 0.0), facing = Facing.Ahead(20.0), turret = MotorPort.B)
+        val robot = ReadyRobots.NXT_PENBOT.copy(pen = null, parts = listOf(turning))
+        val place = RobotPlacement(Pose(0.0, 0.0, 0.0), description = robot)
+        val now = snapshot.copy(robot = snapshot.robot.copy(turret = 70.0), brick = heard(30))
+        val cone = assertIs<Sight.Cone>(sightsOf(place, now).single())
+        assertEquals(180.0, cone.direction)
+        assertEquals(30.0, cone.heard)
+        val fixed = robot.copy(parts = listOf(turning.copy(turret = null)))
+        assertEquals(110.0, assertIs<Sight.Cone>(sightsOf(place.copy(description = fixed), now).single()).direction)
+        val state = SheetScenes.state(SheetScenes.everything).copy(robots = listOf(now))
+        val reading = readings(SheetScenes.everything.copy(robots = listOf(place)), state).last()
+        assertTrue(reading.place.x < 40.0, "${reading.place}")
     }
 
     private companion object {

@@ -97,7 +97,7 @@ internal object SpanishRobotMessages : RobotMessages {
         SensorKind.TEMPERATURE -> "sensor de temperatura"
         SensorKind.LIGHT -> "sensor de luz"
         SensorKind.ROTATION -> "sensor de giro"
-        SensorKind.ULTRASONIC -> "sensor ultrasónico"
+        SensorKind.ULTRASONIC -> "sensor de ultrasonidos"
         SensorKind.SOUND -> "sensor de sonido"
         SensorKind.COLOUR -> "sensor de color"
         SensorKind.COMPASS -> "brújula"

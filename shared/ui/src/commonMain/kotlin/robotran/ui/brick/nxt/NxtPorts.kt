@@ -92,7 +92,7 @@ internal fun SensorPlug(
                 }
             }
         }
-        if (showsValue) PlugLabel(valueText(state), label, unit, VALUE_SIZE)
+        if (showsValue) PlugLabel(valueText(state, plugged?.kind), label, unit, VALUE_SIZE)
     }
 }
 
@@ -109,10 +109,12 @@ private fun descriptionOf(state: SensorPortState, plugged: RobotPart?, showsValu
     return if (showsValue) stringResource(Res.string.sensor_value, port, state.value) else port
 }
 
-/** With its unit, if it has one. */
-internal fun valueText(state: SensorPortState): String = when {
+/** With its unit, if it has one; [kind] is that of the sensor, null if there is none. */
+internal fun valueText(state: SensorPortState, kind: SensorKind?): String = when {
     state.type in PERCENT_TYPES -> "${state.value} %"
-    state.colour == null && state.distance != null && state.value < NOTHING_HEARD -> "${state.value} cm"
+    state.colour != null || state.distance == null -> "${state.value}"
+    kind == SensorKind.COMPASS -> "${state.value}°"
+    state.value < NOTHING_HEARD -> "${state.value} cm"
     else -> "${state.value}"
 }
 
