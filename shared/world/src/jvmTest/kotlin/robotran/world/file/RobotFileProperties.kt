@@ -69,9 +69,6 @@ class RobotFileProperties :
             Arb.constant("9".repeat(1000)),
         )
 
-        fun valuesIn(text: String) =
-            Regex("-?[0-9.]+|\"[^\"]*\"(?!:)|true|false|null").findAll(text).map { it.range }.toList()
-
         "a robot file with any of its values replaced gives a result" {
             val values = valuesIn(FULL_ROBOT)
             checkAll(2_000, Arb.element(values), others) { range, other ->
