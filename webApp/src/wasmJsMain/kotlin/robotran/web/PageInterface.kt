@@ -8,7 +8,7 @@ import robotran.brick.kind.BrickKind
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.programs.brickOf
+import robotran.programs.likelyBrickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -51,7 +51,7 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String): JsA
         } else {
             ProgramSource.Robolang(name, program)
         }
-    val world = BuiltInWorlds.plainFor(brickOf(source) ?: BrickKind.RCX)
+    val world = BuiltInWorlds.plainFor(likelyBrickOf(source) ?: BrickKind.RCX)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(

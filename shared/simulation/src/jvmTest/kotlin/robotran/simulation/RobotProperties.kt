@@ -49,7 +49,7 @@ class RobotProperties :
             val physics = loadPhysicsEngine()
             var driven = 0
             var moved = 0
-            checkAll(times, arbitraryRobots(brick), Arb.double(-180.0, 180.0), Arb.int(0..3), Arb.boolean()) {
+            checkAll(times, arbitraryRobots(brick), Arb.int(-180..180), Arb.int(0..3), Arb.boolean()) {
                 robot,
                 heading,
                 noise,
@@ -63,18 +63,18 @@ class RobotProperties :
                 read shouldBe RobotFileResult.Loaded(robot)
                 driven++
                 val program = if (isScripted) scripted else programFor(robot)
-                if (DriveInPen(robot, heading, noise / 3.0, program, physics).letDrive(MINUTE) > 1) moved++
+                if (DriveInPen(robot, heading.toDouble(), noise / 3.0, program, physics).letDrive(MINUTE) > 1) moved++
             }
             driven shouldBeGreaterThan times / 5
             moved shouldBeGreaterThan driven * 9 / 10
         }
 
         "a random robot with an RCX is refused, or drives for a minute without leaving its pen" {
-            check(BrickKind.RCX, scriptedRcx, times = 240)
+            check(BrickKind.RCX, scriptedRcx, times = 180)
         }
 
         "so is or does one with an NXT" {
-            check(BrickKind.NXT, scriptedNxt, times = 200)
+            check(BrickKind.NXT, scriptedNxt, times = 150)
         }
 
         "a robot whose file was damaged is refused, or drives" {
