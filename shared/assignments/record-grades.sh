@@ -3,14 +3,15 @@
 set -euo pipefail
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 grades=$here/src/commonTest/resources/grades
-recorded=$(mktemp -d)
+recorded=$(mktemp -d) # a file in the tree would make robotran build itself again
 trap 'rm -rf "$recorded"' EXIT
 
-# record FOLDER ASSIGNMENT: grades its class. The status says that not all hand-ins are solved and not all can be used, as
+# record FOLDER ASSIGNMENT NAME: grades a class. The status says that not all hand-ins are solved and not all can be used, as
 # it should be in these classes.
 record() {
-  "$here/../../robotran" grade "$1/$2" "$1/class" --language en --csv "$recorded/grades.csv" || [ $? -eq 2 ]
-  cp "$recorded/grades.csv" "$1/grades.csv"
+  "$here/../../robotran" grade "$1/$2" "$1/class" --language en --csv "$recorded/$3.csv" || [ $? -eq 2 ]
 }
-record "$grades" parking.robotran
-record "$grades/nxt" wall.robotran
+record "$grades" parking.robotran rcx
+record "$grades/nxt" wall.robotran nxt
+cp "$recorded/rcx.csv" "$grades/grades.csv"
+cp "$recorded/nxt.csv" "$grades/nxt/grades.csv"
