@@ -81,7 +81,19 @@ class RobotProperties :
             val physics = loadPhysicsEngine()
             val robots = Arb.element(ReadyRobots.all.values.toList())
             val factors = Arb.choice(Arb.double(0.5, 1.5), Arb.double(-3.0, 3.0))
-            val others = Arb.element("null", "0", "1", "3", "12", "\"A\"", "\"B\"", "\"down\"", "\"light\"", "true", "[]")
+            val others = Arb.element(
+                "null",
+                "0",
+                "1",
+                "3",
+                "12",
+                "\"A\"",
+                "\"B\"",
+                "\"down\"",
+                "\"light\"",
+                "true",
+                "[]",
+            )
             var driven = 0
             checkAll(600, robots, Arb.int(0..10_000), factors, others) { ready, place, factor, other ->
                 val whole = writeRobot(ready.copy(base = null))
@@ -145,8 +157,9 @@ private class DriveInPen(
 private fun programFor(robot: RobotDescription): BrickProgram {
     val nxt = if (robot.brick == BrickKind.NXT) "  show distance\n  show turned A\n" else ""
     val pen = if (robot.pen == null) "" else "pen down\n"
-    val text = "${pen}repeat 5 times\n  forward 40\n  turn left 100\n  show light\n${nxt}  backward 25\n  turn right 30\n" +
-        "  power 7\n  start forward\n  wait 2 seconds\n  stop\n  power 3\nend\n"
+    val text =
+        "${pen}repeat 5 times\n  forward 40\n  turn left 100\n  show light\n$nxt  backward 25\n  turn right 30\n" +
+            "  power 7\n  start forward\n  wait 2 seconds\n  stop\n  power 3\nend\n"
     return (compileRobolang("random", text, targetOf(robot)) as RobolangResult.Ready).program
 }
 
