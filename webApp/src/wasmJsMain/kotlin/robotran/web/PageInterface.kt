@@ -8,7 +8,7 @@ import robotran.brick.kind.BrickKind
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.programs.brickOf
+import robotran.programs.likelyBrickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -48,7 +48,7 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String, bric
         ProgramSource.Robolang(name, program)
     }
     val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
-    val world = BuiltInWorlds.plainFor(kind ?: brickOf(source) ?: BrickKind.RCX)
+    val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.RCX)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(

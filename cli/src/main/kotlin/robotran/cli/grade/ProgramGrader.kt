@@ -13,6 +13,7 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.loadWorld
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
+import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
@@ -30,6 +31,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
             ?: return ExitCode.BAD_INPUT
         val place = read.copy(world = built)
         val world = place.world
+        if (!robotsAreFinished(world, console)) return ExitCode.BAD_INPUT
         if (world.goals.isEmpty()) {
             console.complain(console.messages.noGoals(if (isLink(request.world)) world.title else request.world))
             return ExitCode.BAD_INPUT

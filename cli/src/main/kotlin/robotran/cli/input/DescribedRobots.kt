@@ -5,6 +5,7 @@ import robotran.cli.console.messages
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
 import robotran.projects.messages.ProjectMessages
+import robotran.projects.unfinishedRobot
 import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.RobotFileResult
@@ -43,6 +44,13 @@ internal fun readDescribedRobot(name: String, console: Console): DescribedRobot 
         }
     }
 
+/** Whether all robots of [world] are finished. Prints an error if not. */
+internal fun robotsAreFinished(world: World, console: Console): Boolean {
+    val unfinished = unfinishedRobot(world, console.language) ?: return true
+    unfinished.diagnostics.forEach { console.complain(it.message) }
+    return false
+}
+
 /**
  * [world] with robots built as [files] say, which name them by robot; an empty name is the first robot. On error prints
  * it and returns null.
@@ -63,7 +71,7 @@ internal fun withDescribedRobots(world: World, files: List<RobotFile>, console: 
 
                 is DescribedRobot.Read -> {
                     val robots = changed.robots.toMutableList()
-                    robots[number] = robots[number].copy(description = read.robot)
+                    robots[number] = robots[number].copy(description = read.robot, draft = null)
                     changed = changed.copy(robots = robots)
                     if (hasRoomAtStart(changed, number)) null else console.messages.standsIn(name, file.file)
                 }

@@ -22,7 +22,10 @@ internal data class WorldChanges(
     fun of(world: World): World = world.copy(
         seed = seed ?: world.seed,
         realism = realism ?: world.realism,
-        robots = world.robots.map { robot -> built[robot.name]?.let { robot.copy(description = it) } ?: robot },
+        robots = world.robots.map { robot ->
+            built[robot.name]?.let { robot.copy(description = it, draft = null) }
+                ?: robot
+        },
     )
 }
 

@@ -19,6 +19,7 @@ import robotran.cli.input.plainSheetFor
 import robotran.cli.input.projectOf
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
+import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
@@ -111,7 +112,8 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
 
     /** [world] with its robots as the command line builds them. Prints an error and returns null if it cannot be run. */
     private fun readyWorld(world: World, request: RunRequest, outputs: RunOutputs): World? {
-        val ready = withDescribedRobots(world, request.robotFiles, console) ?: return null
+        val ready = withDescribedRobots(world, request.robotFiles, console)?.takeIf { robotsAreFinished(it, console) }
+            ?: return null
         val brick = ready.robots.first().description.brick
         val missing = missingOnBrick(brick, request.presses, outputs, console.messages) ?: return ready
         console.complain(missing)

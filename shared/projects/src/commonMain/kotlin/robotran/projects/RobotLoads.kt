@@ -1,6 +1,7 @@
 package robotran.projects
 
 import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
@@ -13,6 +14,8 @@ import robotran.simulation.RobotLoad
 import robotran.world.LightFacing
 import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.messages.sentence
+import robotran.world.robot.robotErrors
 
 /** The result of compiling the programs of all robots of a world. */
 sealed interface RobotLoads {
@@ -34,7 +37,8 @@ sealed interface RobotLoads {
 
 /**
  * Compiles the programs of all robots of [world] for the slots of their bricks, in order; each for its robot. A robot
- * without a program in [given] uses the world's default program, if any.
+ * without a program in [given] uses the world's default program, if any. None can run as long as a robot is unfinished,
+ * see [unfinishedRobot].
  *
  * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
  * @throws Throwable like [ProgramCompiler.read].
@@ -42,6 +46,7 @@ sealed interface RobotLoads {
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
     val messages = ProjectMessages.of(reader.language)
     assignmentError(world, given, messages)?.let { return it }
+    unfinishedRobot(world, reader.language)?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
@@ -58,7 +63,21 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
     return RobotLoads.Ready(loads, warnings)
 }
 
-/** The same for [project], in its [Project.worldToRun] and with the configurations of its robots. */
+/**
+ * The error of the first robot of [world] that is still being built and is impossible so far ([RobotPlacement.draft]);
+ * null if there is none.
+ */
+fun unfinishedRobot(world: World, language: Language): RobotLoads.HasErrors? {
+    val messages = ProjectMessages.of(language)
+    return world.robots.firstNotNullOfOrNull { robot ->
+        val draft = robot.draft ?: return@firstNotNullOfOrNull null
+        val error = robotErrors(draft).firstOrNull() ?: return@firstNotNullOfOrNull null
+        val message = messages.robotUnfinished(robot.name, draft.title, error.sentence(language))
+        RobotLoads.HasErrors(robot.name, listOf(ProgramDiagnostic("", null, message)))
+    }
+}
+
+/** As [readRobotLoads] of a world, for [project], in its [Project.worldToRun] and with the configurations of its robots. */
 suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.HasErrors -> result

@@ -3,6 +3,7 @@ package robotran.robolang
 import robotran.brick.kind.BrickKind
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.syntax.Keyword
+import robotran.robolang.syntax.lowercaseKeyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */
 object RobolangWords {
@@ -14,6 +15,9 @@ object RobolangWords {
 
     /** Whether [text] is a word that is a name instead in a program that declares it. */
     fun isNewerWord(text: String): Boolean = Keyword.of(text)?.yields == true
+
+    /** The usual spelling of a word of the language, such as `colour` for `Color`; null for any other [text]. */
+    fun spellingOf(text: String): String? = Keyword.of(text)?.text ?: BuiltIn.of(lowercaseKeyword(text))?.text
 
     /** All words of the language that a program for [brick] can have. */
     fun keywordsOn(brick: BrickKind): List<String> =

@@ -66,6 +66,7 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedNxtRuns: DirectoryProperty
 
+        /** Those of Java for an NXT. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedNxjRuns: DirectoryProperty
@@ -75,7 +76,7 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedProjectRuns: DirectoryProperty
 
-        /** A class of hand-ins, and the grades that the page should give them. */
+        /** Classes of hand-ins, and the grades that the page should give them. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedGrades: DirectoryProperty

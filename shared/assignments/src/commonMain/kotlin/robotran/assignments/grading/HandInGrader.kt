@@ -12,6 +12,7 @@ import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
 import robotran.projects.target
+import robotran.projects.unfinishedRobot
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.grade.GoalRun
@@ -46,6 +47,11 @@ class HandInGrader(
     }
 
     private suspend fun prepareUnguarded(submission: Submission.Usable): Preparation {
+        for (graded in plan.worlds) {
+            val unfinished = unfinishedRobot(graded.world, language) ?: continue
+            // That is no mistake of the pupil's.
+            return Preparation.Failed(submission, unfinished.diagnostics.map { it.message })
+        }
         val first = assignment.world.robots.first().name
         val robots = listOf(submission.robot.copy(name = first)) + assignment.robots.filter { it.name != first }
         val sources = robots.associate { robot -> robot.name to robot.programs.map { it.source } }

@@ -8,6 +8,7 @@ import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.exampleTexts
+import robotran.simulation.grade.runForGoals
 import robotran.simulation.nxtRuns
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.report
@@ -37,7 +38,12 @@ class NxtRecordedRunsTest {
         facing: LightFacing? = null,
     ): String? {
         val session = Session(world, listOf(RobotLoad(listOf(program), lightFacing = facing)), loadPhysicsEngine())
-        session.runUnattended(60_000)
+        // As the command line does, which records them: goals are evaluated once nothing moves any more.
+        if (world.goals.isEmpty()) {
+            session.runUnattended(60_000)
+        } else {
+            session.runForGoals(60_000, endsWhenDecided = false)
+        }
         val report = session.report().toJson() + "\n"
         session.close()
         return "$name: $report".takeIf { nxtRuns["$name.report.json"] != report }
