@@ -22,6 +22,10 @@ internal fun robotOf(world: World): String {
     return stringResource(name)
 }
 
+/** The name of [robot] for people; in the pupil's language, if it is a ready one. */
+@Composable
+internal fun robotTitle(robot: RobotDescription): String = readyName(robot)?.let { stringResource(it) } ?: robot.title
+
 /** The name of the ready robot that [robot] is, whatever is plugged into a penbot with an RCX; null for any other. */
 private fun readyName(robot: RobotDescription): StringResource? = when (robot.copy(parts = emptyList())) {
     ReadyRobots.RCX_PENBOT.copy(parts = emptyList()) -> Res.string.learning_robot_rcx_penbot
