@@ -16,6 +16,7 @@ import robotran.workshop.examples.examplesFor
 import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test
+import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNotNull
@@ -75,6 +76,19 @@ class FollowsBrickTest {
             listOf("light-meter.robo", "light-seeker.robo"),
             told[BrickKind.NXT].orEmpty().toList(),
         )
+    }
+
+    @Test
+    fun `the examples in Robolang name the ports and buttons of the robot`() {
+        for (brick in BrickKind.entries) {
+            begin(brick)
+            openExample(ProgramLanguage.ROBOLANG, "line-follower.robo", BrickKind.RCX)
+            assertContains(workshop.state.programText, if (brick == BrickKind.NXT) "sensor on 3" else "sensor on 2")
+            openExample(ProgramLanguage.ROBOLANG, "counter.robo", BrickKind.RCX)
+            val text = workshop.state.programText
+            assertContains(text, if (brick == BrickKind.NXT) "press RIGHT" else "press View")
+            assertEquals(brick == BrickKind.RCX, "view" in text.lowercase())
+        }
     }
 
     @Test

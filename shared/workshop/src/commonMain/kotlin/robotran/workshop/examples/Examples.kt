@@ -22,9 +22,19 @@ fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (t
     }
 }
 
-/** The light sensor of the NXT penbot is on another port than that of an RCX, and it cannot be turned ahead. */
-private fun forNxtPenbot(text: String): String = if ("facing forward" in text) {
-    text.replaceFirst("\nrobot\n", "\nrobot\n  brick rcx\n")
-} else {
-    text.replace("light sensor on 2", "light sensor on 3")
+/**
+ * A program in Robolang with the ports and buttons of the NXT penbot. Its light sensor cannot be turned ahead, so what
+ * needs that is for an RCX.
+ */
+private fun forNxtPenbot(text: String): String {
+    if ("facing forward" in text) return text.replaceFirst("\nrobot\n", "\nrobot\n  brick rcx\n")
+    return NXT_WORDS.fold(text) { changed, (rcx, nxt) -> changed.replace(rcx, nxt) }
 }
+
+private val NXT_WORDS = listOf(
+    "light sensor on 2" to "light sensor on 3",
+    "button view" to "button right",
+    "button prgm" to "button left",
+    "View" to "RIGHT",
+    "Prgm" to "LEFT",
+)
