@@ -9,12 +9,7 @@ import robotran.world.SensorPart
 import robotran.world.World
 
 /** What a lesson has for one kind of brick. */
-internal class LessonVersion(
-    val brick: BrickKind,
-    val program: SourceFile,
-    val solution: SourceFile,
-    val world: World,
-)
+internal class LessonVersion(val brick: BrickKind, val program: SourceFile, val solution: SourceFile, val world: World)
 
 /** The lesson in [files] as it is written: for a robot with an RCX. */
 internal fun versionForRcx(files: Map<String, String>): LessonVersion {

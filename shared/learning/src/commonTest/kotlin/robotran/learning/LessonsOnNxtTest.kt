@@ -62,7 +62,8 @@ class LessonsOnNxtTest {
     @Test
     fun `nothing that a lesson says or gives is for the other brick`() {
         for (lesson in lessons) {
-            val said = Language.entries.flatMap { partsOf(lesson.text(it)) } + lesson.program.text + lesson.solution.text
+            val said =
+                Language.entries.flatMap { partsOf(lesson.text(it)) } + lesson.program.text + lesson.solution.text
             val java = said.joinToString("\n")
             assertFalse("josx" in java || "Sensor.S" in java || "RCX" in java || "on 2 facing" in java, lesson.name)
             if (lesson.code == ProgramLanguage.JAVA) assertTrue("import lejos.nxt" in lesson.program.text, lesson.name)

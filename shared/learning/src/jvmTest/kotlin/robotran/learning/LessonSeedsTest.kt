@@ -21,7 +21,10 @@ class LessonSeedsTest {
             if (lesson.world(Language.ENGLISH).realism == 0.0) continue
             for (seed in 2..SEEDS) {
                 val solved = runIn(lesson, lesson.solution.text, seed)
-                if (!solved.isSolved) failed += "${lesson.name}, seed $seed: ${solved.run.goals}, ${solved.run.robot.pose}"
+                if (!solved.isSolved) {
+                    failed +=
+                        "${lesson.name}, seed $seed: ${solved.run.goals}, ${solved.run.robot.pose}"
+                }
             }
         }
         assertTrue(failed.isEmpty(), failed.joinToString("\n"))

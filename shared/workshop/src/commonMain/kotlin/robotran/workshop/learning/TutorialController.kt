@@ -37,8 +37,7 @@ internal class TutorialController(
     private val progress: LearningProgress get() = store.progress
 
     /** The initial state of the tutorial, at the last step shown. */
-    fun first() =
-        TutorialState(Lessons.all.indexOfFirst { it.name == progress.step }.coerceAtLeast(0), brick = brick)
+    fun first() = TutorialState(Lessons.all.indexOfFirst { it.name == progress.step }.coerceAtLeast(0), brick = brick)
 
     /** The brick that the pupil works with: that of the loaded step, otherwise that of the open project. */
     val brick: BrickKind get() = loadedStep()?.brick ?: current.shownRobot.description.brick
@@ -51,7 +50,11 @@ internal class TutorialController(
         store.update { it.copy(step = step.name, tutorialShown = true) }
         val text = loadedProgram(step)
         isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
-        return TutorialState(Lessons.indexOf(step), help = TaskHelp(solutionShown = isSolutionLoaded), brick = step.brick)
+        return TutorialState(
+            Lessons.indexOf(step),
+            help = TaskHelp(solutionShown = isSolutionLoaded),
+            brick = step.brick,
+        )
     }
 
     /** Shows the step with the index [index]. If a step is loaded, also loads the new step's program and world. */

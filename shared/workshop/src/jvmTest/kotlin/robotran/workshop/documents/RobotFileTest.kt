@@ -139,7 +139,13 @@ class RobotFileTest {
         workshop.write("forward 7")
         val before = workshop.project
         val sumo = writeRobot(ReadyRobots.SUMO)
-        for (text in listOf("", "{}", "[".repeat(50_000), sumo.dropLast(3), sumo.replace("\"version\": 1", "\"version\": 9"))) {
+        for (text in listOf(
+            "",
+            "{}",
+            "[".repeat(50_000),
+            sumo.dropLast(3),
+            sumo.replace("\"version\": 1", "\"version\": 9"),
+        )) {
             bring(OpenedFile("sumo.robot.json", text.encodeToByteArray()))
             val error = assertIs<DocumentDialog.Rejected>(workshop.state.document.dialog).error
             assertTrue(assertIs<OpenFilesError.InFile>(error).message.isNotBlank())
@@ -147,7 +153,10 @@ class RobotFileTest {
             assertEquals(before, workshop.project)
         }
         bring(file(), file(name = "b.robot.json"))
-        assertEquals(OpenFilesError.SeveralRobots, assertIs<DocumentDialog.Rejected>(workshop.state.document.dialog).error)
+        assertEquals(
+            OpenFilesError.SeveralRobots,
+            assertIs<DocumentDialog.Rejected>(workshop.state.document.dialog).error,
+        )
         assertEquals(before, workshop.project)
     }
 }
