@@ -526,6 +526,7 @@ class Workshop(
         programs.setLanguage(language)
         run.programsCompiled(programs.state.compileStatus)
         run.setLanguage(language)
+        learning.refresh()
     }
 
     private fun takeNotice() {

@@ -9,6 +9,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
@@ -103,6 +104,14 @@ class TutorialOnNxtTest {
         workshop.handle(DocumentEvent.NewWithBrick(BrickKind.NXT))
         workshop.handle(LearningEvent.StepTried)
         assertEquals("beep // with an NXT\n", workshop.state.programText)
+    }
+
+    @Test
+    fun `a step speaks the language that is chosen at once`() {
+        val workshop = onNxt()
+        workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = Language.GERMAN)))
+        assertEquals(Language.GERMAN, workshop.state.learning.language)
+        assertTrue(workshop.tutorial.isLoaded)
     }
 
     @Test
