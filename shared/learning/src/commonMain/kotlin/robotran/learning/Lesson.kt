@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.hint.Attempt
@@ -20,6 +21,8 @@ import robotran.world.World
  * @property solution the same program with the task done.
  * @property javaSolution the task done in Java, for a pupil who writes Java where [program] is in Robolang; null if there
  * is none.
+ * @param forNxt makes the same lesson with a robot that has an NXT; null for such a lesson itself, and for the task of a
+ * [GalleryWorld].
  */
 class Lesson internal constructor(
     val name: String,
@@ -28,8 +31,10 @@ class Lesson internal constructor(
     val solution: SourceFile,
     val javaSolution: SourceFile?,
     private val plainWorld: World,
+    private val forNxt: (() -> Lesson)? = null,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
+    private val onNxt by lazy { forNxt?.invoke() }
     private val texts by lazy { Language.entries.associateWith { read(it, false) } }
     private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }
 
@@ -41,8 +46,18 @@ class Lesson internal constructor(
     fun world(language: Language): World =
         text(language).let { plainWorld.copy(title = it.title, task = withoutBackticks(it.task)) }
 
-    /** Whether [world] is the lesson's, in any language. */
+    /** The same lesson with a robot that has a [brick], or this one if there is none. */
+    fun on(brick: BrickKind): Lesson = if (brick == BrickKind.NXT) onNxt ?: this else this
+
+    /** The brick of the pupil's robot. */
+    val brick: BrickKind get() = plainWorld.robots.first().description.brick
+
+    /** Whether [world] is the lesson's, in any language, on this brick. */
     internal fun isIn(world: World): Boolean = plainWorld.isSameWorldAs(world)
+
+    /** The lesson with the brick for which [world] is its world, in any language; null if it is another's. */
+    internal fun foundIn(world: World): Lesson? =
+        takeIf { isIn(world) } ?: onNxt?.takeIf { it.isIn(world.withPupilsPenbot()) }
 
     /** The language of [program]. */
     val code: ProgramLanguage get() = languageOf(program)

@@ -72,7 +72,7 @@ internal class WorldFolder(
             SourceFile(given.name, files.getValue(solution + language)),
             inJava?.let { SourceFile(JAVA_SOLUTION, it) },
             world,
-            read,
+            read = read,
         )
     }
 

@@ -1,6 +1,7 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -14,9 +15,11 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LessonProgramsTest {
+    private val tasks = Lessons.all + Lessons.all.map { it.on(BrickKind.NXT) } + worldTasks
+
     @Test
     fun `programs and solutions in Robolang look as the formatter writes them`() {
-        for (lesson in (Lessons.all + worldTasks).filter { it.code == ProgramLanguage.ROBOLANG }) {
+        for (lesson in tasks.filter { it.code == ProgramLanguage.ROBOLANG }) {
             for (file in listOf(lesson.program, lesson.solution)) {
                 assertEquals(file.text, assertIs<FormatResult.Formatted>(formatRobolang(file.text)).text, lesson.name)
             }
@@ -26,7 +29,7 @@ class LessonProgramsTest {
     @Test
     fun `no solution gets a warning`() = runTest {
         val compiler = ProgramCompiler(PENBOT_TARGET)
-        for (lesson in Lessons.all + worldTasks) {
+        for (lesson in tasks) {
             for (solution in lesson.solutions) {
                 val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(solution)), compiler)
                 assertEquals(emptyList(), assertIs<RobotLoads.Ready>(ready, lesson.name).warnings, lesson.name)

@@ -13,6 +13,7 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.robotediting.RobotEdit
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -68,8 +69,10 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.worldedit.WorldEditStateHolder
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.worldediting.ElementKind
 
 /**
  * The view model of the app. Dispatches [WorkshopEvent]s to the state holders of the panes, advances virtual time, and
@@ -126,7 +129,7 @@ class Workshop(
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
-        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }) {
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }, ::putRobot) {
             handIns.takes(it)
         }
     private val course: CourseStateHolder =
@@ -439,6 +442,7 @@ class Workshop(
     private fun withdrawUndo() {
         val isOver = when (notice?.action) {
             NoticeAction.UnplugSensors -> !worldEdit.canUndoPlug
+            NoticeAction.BringRobotBack -> !worldEdit.canBringBack
             NoticeAction.BeginningUndone -> !assignment.canUndoBeginning
             else -> false
         }
@@ -448,7 +452,8 @@ class Workshop(
     private fun handleWorldEdit(event: WorldEditEvent) {
         val changesWorld = event == WorldEditEvent.EditorOpened ||
             event is WorldEditEvent.SensorsPluggedIn ||
-            event is WorldEditEvent.PenbotChosen
+            event is WorldEditEvent.PenbotChosen ||
+            event is WorldEditEvent.RobotReplaced
         if (changesWorld && assignment.state?.isWorldLocked == true) return show(Notice.WorldOfAssignment)
         // Help would cover the palette.
         if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {
@@ -461,6 +466,15 @@ class Workshop(
         if (!wasOpen || worldEdit.state != null) return
         editedWorld.leave()
         assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
+    }
+
+    /** Puts an opened robot into the workbench, or otherwise in the place of the robot that is chosen or shown. */
+    private fun putRobot(robot: RobotDescription) {
+        if (robotEdit.state != null) return robotEdit.handle(RobotEditEvent.Edited(RobotEdit.Replace(robot)))
+        val chosen = worldEdit.state?.editing?.only?.takeIf { it.kind == ElementKind.ROBOT }
+        val place = chosen?.let { worldEdit.state?.world?.robots?.getOrNull(it.number) } ?: shownRobot
+        handleWorldEdit(WorldEditEvent.RobotReplaced(place.name, robot))
+        show(Pane.WORLD)
     }
 
     private fun openWorldEditor(variation: Int?) {
@@ -512,6 +526,7 @@ class Workshop(
         programs.setLanguage(language)
         run.programsCompiled(programs.state.compileStatus)
         run.setLanguage(language)
+        learning.refresh()
     }
 
     private fun takeNotice() {
@@ -545,6 +560,10 @@ class Workshop(
 
             NoticeAction.UnplugSensors -> {
                 handleWorldEdit(WorldEditEvent.PlugUndone)
+            }
+
+            NoticeAction.BringRobotBack -> {
+                handleWorldEdit(WorldEditEvent.RobotBroughtBack)
             }
 
             null -> {

@@ -7,13 +7,17 @@ import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.projects.writeProject
+import robotran.robotediting.RobotEdit
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examplesFor
+import robotran.workshop.state.Notice
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.ReadyRobots
@@ -107,6 +111,22 @@ class NxtInAppTest {
         workshop.handle(WorldEditEvent.Edited(Edit.Undo))
         workshop.handle(WorldEditEvent.EditorClosed)
         assertEquals(BrickKind.RCX, workshop.brick)
+    }
+
+    @Test
+    fun `the notice takes the change of the robot back until the robot is changed again`() = workshop { workshop ->
+        val before = workshop.state.world
+        workshop.use(BrickKind.NXT)
+        assertEquals(Notice.RobotReplaced("yellow", ReadyRobots.NXT_PENBOT), workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(before, workshop.state.world)
+        assertNull(workshop.state.notice)
+        workshop.use(BrickKind.NXT)
+        workshop.handle(RobotEditEvent.BenchOpened())
+        workshop.handle(RobotEditEvent.Edited(RobotEdit.Replace(ReadyRobots.SUMO)))
+        workshop.handle(RobotEditEvent.BenchClosed)
+        assertNull(workshop.state.notice)
+        assertEquals(ReadyRobots.SUMO, workshop.state.programs.robot.description)
     }
 
     @Test

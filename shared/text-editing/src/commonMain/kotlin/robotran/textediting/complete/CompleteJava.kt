@@ -17,7 +17,7 @@ internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean, bri
     val text = draft.lines.line(line)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA).of(line)
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA, brick).of(line)
     val around = tokens.firstOrNull { column > it.start && column <= it.end }
     if (around != null && around.kind in WITHOUT_COMPLETIONS) return null
     val word = around?.takeIf { it.kind != CodeTokenKind.SIGN }

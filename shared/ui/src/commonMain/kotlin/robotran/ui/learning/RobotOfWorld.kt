@@ -4,6 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_own
+import robotran.ui.robot.readyRobotName
 import robotran.ui.robot.readyRobotWithBrick
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -15,6 +16,10 @@ internal fun robotOf(world: World): String {
     val robot = world.robots.first().description
     return readyBase(robot)?.let { readyRobotWithBrick(it) } ?: stringResource(Res.string.robot_own, robot.brick.name)
 }
+
+/** The name of [robot] for people; in the pupil's language, if it is a ready one. */
+@Composable
+internal fun robotTitle(robot: RobotDescription): String = readyBase(robot)?.let { readyRobotName(it) } ?: robot.title
 
 /** The ready robot that [robot] is, whatever is plugged into a penbot with an RCX; null for any other. */
 private fun readyBase(robot: RobotDescription): String? {

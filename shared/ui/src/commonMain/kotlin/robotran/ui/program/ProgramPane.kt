@@ -25,6 +25,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
+import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.helpKey
@@ -164,7 +165,7 @@ private fun ShownFile(
             event(ProgramEvent.DraftChanged(draft, kind))
         }
     }
-    control.help = rememberWordHelp(state.program.language, state.brick)
+    control.help = rememberWordHelp(state.program.language, brickOfJava(state.draft.lines, state.brick))
     control.brick = state.brick
     // The commands of the menu work on the text, also while it is shown in blocks only.
     control.follow(state.draft)

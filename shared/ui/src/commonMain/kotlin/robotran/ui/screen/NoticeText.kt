@@ -5,6 +5,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
+import robotran.ui.learning.robotTitle
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_begun_again
@@ -46,6 +47,7 @@ import robotran.ui.resources.notice_try_change
 import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
 import robotran.ui.resources.robot_impossible
+import robotran.ui.resources.robot_replaced
 import robotran.ui.resources.run_log_copied
 import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
@@ -126,6 +128,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
         ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
 
+    is Notice.RobotReplaced -> stringResource(Res.string.robot_replaced, notice.robot, robotTitle(notice.description))
+
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
     is Notice.HandInOpened -> notice.run?.let { run ->
@@ -153,6 +157,7 @@ internal fun noticeActionText(action: NoticeAction): StringResource = when (acti
     NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
     NoticeAction.BeginningUndone -> Res.string.documents_undo
     NoticeAction.UnplugSensors -> Res.string.documents_undo
+    NoticeAction.BringRobotBack -> Res.string.documents_undo
 }
 
 private fun notSaved(notice: Notice.FileNotSaved): StringResource =

@@ -29,12 +29,14 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkToAdd
+import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
 /**
  * Holds the name and file of the project and makes sure that nothing is lost.
  *
+ * @param putRobot puts an opened robot into the world.
  * @param takesElsewhere offers what arrives to a page that is open. Returns whether the page has taken it.
  */
 class DocumentStateHolder(
@@ -47,6 +49,7 @@ class DocumentStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
     openCourses: suspend (List<Course>) -> Unit,
+    putRobot: (RobotDescription) -> Unit = {},
     private val takesElsewhere: (OpenRequest) -> Boolean = { false },
 ) : ProjectSwitcher,
     StoredAssignments {
@@ -67,6 +70,7 @@ class DocumentStateHolder(
             view,
             replacement,
             openCourses,
+            putRobot,
         )
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
     private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
@@ -239,12 +243,12 @@ class DocumentStateHolder(
         return result
     }
 
-    override suspend fun resumeProject(id: String?): SwitchResult {
+    override suspend fun resumeProject(id: String?, brick: BrickKind): SwitchResult {
         val taken = id?.let { projects.claim(it) }
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
             if (taken == null) {
-                begin(BrickKind.RCX)
+                begin(brick)
             } else {
                 editor.openProject(taken.first.project)
                 autosaver.resume(taken.first, taken.second)

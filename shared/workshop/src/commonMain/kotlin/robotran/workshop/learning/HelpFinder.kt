@@ -49,9 +49,13 @@ internal class HelpFinder(
         return newTabs.add(program, replacing = true)
     }
 
-    /** Adds the example [name] as a tab without running it. If there is no room, shows a message and returns false. */
+    /**
+     * Adds the example [name] as a tab without running it; in Java it is one for [brick]. If there is no room, shows a
+     * message and returns false.
+     */
     fun addExample(language: ProgramLanguage, name: String, brick: BrickKind): Boolean {
-        val program = PupilProgram(name, language.examplesFor(brick)[name] ?: return false)
+        val itsBrick = if (language == ProgramLanguage.ROBOLANG) shownBrick else brick
+        val program = PupilProgram(name, language.examplesFor(itsBrick)[name] ?: return false)
         // The unchanged example may already be open.
         return newTabs.choose { it == program } || newTabs.add(program)
     }

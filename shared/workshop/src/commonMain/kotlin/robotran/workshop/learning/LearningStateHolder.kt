@@ -138,7 +138,7 @@ class LearningStateHolder(
         val record = TaskRecord(milliseconds, linesOf(program))
         val before = progress.records[name]
         if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
-        val index = step?.let { Lessons.all.indexOf(it) }
+        val index = step?.let(Lessons::indexOf)
         return SolvedTask(
             learned = step?.text(preferences.language)?.title,
             milliseconds = milliseconds,
@@ -215,7 +215,10 @@ class LearningStateHolder(
             changeHelp { _, help -> hints.none(help) }
             changeWorldTask(worldTask::withoutHints)
         }
-        val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
+        val brick = tutorial.brick
+        val shown = state.tutorial?.copy(brick = brick)?.let {
+            it.copy(isLoaded = tutorial.loadedStep() === it.current)
+        }
         val now = state.copy(
             language = preferences.language,
             tutorial = shown,

@@ -62,6 +62,7 @@ data class LearningState(
  * @property isFolded whether only its title is visible.
  * @property isLoaded whether the program and the world of that step are loaded.
  * @property help the help with the step's task.
+ * @property brick the brick that the pupil works with.
  */
 @Immutable
 data class TutorialState(
@@ -69,8 +70,9 @@ data class TutorialState(
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
     val help: TaskHelp = TaskHelp(),
+    val brick: BrickKind = BrickKind.RCX,
 ) {
-    val current: Lesson get() = Lessons.all[step]
+    val current: Lesson get() = Lessons.all[step].on(brick)
 
     /** The strand of the current step. */
     val strand: Strand get() = Lessons.strandOf(current)

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.world.RobotDescription
 import robotran.world.robot.RobotError
 
 /** A message at the bottom of the screen that stays until it is dismissed or replaced. */
@@ -126,6 +127,11 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.UnplugSensors
     }
 
+    /** The robot [robot] is built as [description] says now. */
+    data class RobotReplaced(val robot: String, val description: RobotDescription) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BringRobotBack
+    }
+
     /** The first program runs; its numbers are there to be changed. */
     data object FirstProgramRuns : Notice {
         override val action: NoticeAction get() = NoticeAction.ChangeNumber
@@ -177,4 +183,7 @@ sealed interface NoticeAction {
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction
+
+    /** Brings back the robot that was replaced last. */
+    data object BringRobotBack : NoticeAction
 }
