@@ -80,10 +80,13 @@ test('a robot is built by touch, what is impossible is told, and it is there aga
     await tapFor(page, 'thing-robot-0', 'build-robot');
     await tapFor(page, 'build-robot', 'robot-bench');
     await photograph(page, 'workbench');
-    // All four ports are taken.
     await tap(page, 'robot-item-colour');
-    await says(page, 'robot-hints', /port/);
+    await says(page, 'robot-chosen-name', /not plugged in/);
+    // The light sensor has this port.
+    await tap(page, 'robot-port-3');
+    await says(page, 'robot-hints', /3/);
     await photograph(page, 'workbench-impossible');
+    await tap(page, 'robot-undo');
     await tap(page, 'robot-undo');
     await disappears(page, 'robot-hints');
     await tap(page, 'tab-robot-robot');
