@@ -567,7 +567,7 @@ class Workshop(
             }
 
             null -> {
-                Unit
+                // Some notices only tell something.
             }
         }
     }

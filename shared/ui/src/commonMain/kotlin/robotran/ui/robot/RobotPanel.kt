@@ -41,6 +41,7 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.elements
 import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.readyRobotWithBrick
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_brick
 import robotran.ui.resources.robot_choose_first

@@ -10,6 +10,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.brick.nxt.words
 import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.readyRobotName
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_build
 import robotran.ui.resources.robot_impossible
@@ -35,7 +36,6 @@ import robotran.ui.resources.worldedit_sensor_right_bumper
 import robotran.ui.resources.worldedit_sensor_right_rotation
 import robotran.ui.resources.worldedit_sensor_temperature
 import robotran.ui.resources.worldedit_sensor_touch
-import robotran.ui.robot.readyRobotName
 import robotran.ui.settings.SwitchRow
 import robotran.ui.sheet.RobotColours
 import robotran.world.LightFacing

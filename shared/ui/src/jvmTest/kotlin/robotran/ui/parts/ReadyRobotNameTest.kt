@@ -1,4 +1,4 @@
-package robotran.ui.robot
+package robotran.ui.parts
 
 import robotran.world.ReadyRobots
 import java.io.File

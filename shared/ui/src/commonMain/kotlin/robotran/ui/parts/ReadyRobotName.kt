@@ -1,4 +1,4 @@
-package robotran.ui.robot
+package robotran.ui.parts
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
