@@ -84,7 +84,7 @@ internal fun PartFields(scope: RobotScope, number: Int) {
         }
 
         else -> {
-            Unit
+            // Nothing more to set.
         }
     }
 }
