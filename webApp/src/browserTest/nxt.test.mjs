@@ -6,7 +6,7 @@ import { isKept } from './kept.mjs';
 import { photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { test } from './tried-again.mjs';
-import { choose, disappears, reports, says, tap, tapFor, writeProgram } from './words.mjs';
+import { choose, disappears, isSaid, reports, says, tap, tapFor, writeProgram } from './words.mjs';
 
 const root = new URL('../../../', import.meta.url);
 const solution = (language) => readFile(new URL(`learning/worlds/nxt-square/solution.${language}`, root), 'utf8');
@@ -84,11 +84,11 @@ test('a robot is built by touch, what is impossible is told, and it is there aga
     await says(page, 'robot-chosen-name', /not plugged in/);
     // The light sensor has this port.
     await tap(page, 'robot-port-3');
-    await says(page, 'robot-hints', /3/);
+    await isSaid(page, /Two things are plugged into port 3/);
     await photograph(page, 'workbench-impossible');
     await tap(page, 'robot-undo');
     await tap(page, 'robot-undo');
-    await disappears(page, 'robot-hints');
+    await disappears(page, 'robot-hints-close');
     await tap(page, 'tab-robot-robot');
     await tap(page, 'robot-ready-both-sides');
     await photograph(page, 'workbench-both-sides');
