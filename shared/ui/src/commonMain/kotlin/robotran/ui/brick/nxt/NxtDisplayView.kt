@@ -23,9 +23,10 @@ import robotran.nxt.state.NxtState
 import robotran.ui.resources.Res
 import robotran.ui.resources.display
 import robotran.ui.resources.display_blank
+import robotran.ui.resources.display_marked
 
 /**
- * The display, dot by dot. Screen readers announce its lines when they change, but not more often than every
+ * The display, dot by dot. Screen readers announce the marked entry of a menu and its lines when they change, but not more often than every
  * [CALM_MILLISECONDS].
  *
  * @param rows the rows of text to show.
@@ -39,11 +40,13 @@ internal fun NxtDisplayView(
     rows: IntRange = 0..<DisplaySize.ROWS,
 ) {
     val dots = remember(state.display) { dotsOf(state.display) }
-    val words = rememberCalm(state.screen.texts)
+    val (words, marked) = rememberCalm(state.screen.texts to state.menu?.let { it.entries.getOrNull(it.selected) })
     val description = if (words.isEmpty()) {
         stringResource(Res.string.display_blank)
     } else {
-        stringResource(Res.string.display, words.joinToString("\n"))
+        val mark = marked?.let { stringResource(Res.string.display_marked, it) }
+        // What a key has changed comes first.
+        stringResource(Res.string.display, (listOfNotNull(mark) + words).joinToString("\n"))
     }
     val contrast = state.contrast.toFloat() / NxtState.HIGHEST_CONTRAST
     Canvas(
@@ -52,17 +55,19 @@ internal fun NxtDisplayView(
             liveRegion = LiveRegionMode.Polite
         },
     ) {
+        // A few rows look cut if the mark of an entry touches the next one.
+        val gap = if (state.menu != null && rows.count() < DisplaySize.ROWS) 1 else 0
         val first = rows.first * DisplaySize.CELL_HEIGHT
         val count = (rows.last + 1 - rows.first) * DisplaySize.CELL_HEIGHT
-        drawGlass(dots, first, count, contrast, margin.toPx(), state.poweredOn)
+        drawGlass(dots, first, count, contrast, margin.toPx(), state.poweredOn, gap)
     }
 }
 
-/** The latest [lines], which change at most every [CALM_MILLISECONDS]. */
+/** The latest [value], which changes at most every [CALM_MILLISECONDS]. */
 @Composable
-private fun rememberCalm(lines: List<String>): List<String> {
-    val latest by rememberUpdatedState(lines)
-    var calm by remember { mutableStateOf(lines) }
+private fun <T> rememberCalm(value: T): T {
+    val latest by rememberUpdatedState(value)
+    var calm by remember { mutableStateOf(value) }
     LaunchedEffect(Unit) {
         snapshotFlow { latest }.collect {
             calm = it

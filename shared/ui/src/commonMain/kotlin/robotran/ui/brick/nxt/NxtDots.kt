@@ -50,12 +50,15 @@ internal fun DrawScope.drawGlass(
     contrast: Float,
     margin: Float,
     isOn: Boolean,
+    gap: Int = 0,
 ) {
-    val most = min(size.width / DisplaySize.WIDTH, size.height / count)
+    val rows = count / DisplaySize.CELL_HEIGHT
+    val gaps = gap * (rows - 1)
+    val most = min(size.width / DisplaySize.WIDTH, size.height / (count + gaps))
     val whole = floor(most)
     val scale = if (whole >= SMALLEST_WHOLE * most) whole else most
     val width = (DisplaySize.WIDTH * scale).toInt()
-    val height = (count * scale).toInt()
+    val height = ((count + gaps) * scale).toInt()
     val left = ((size.width - width) / 2).toInt()
     val top = ((size.height - height) / 2).toInt()
     val glass = Rect(left.toFloat(), top.toFloat(), (left + width).toFloat(), (top + height).toFloat()).inflate(margin)
@@ -66,15 +69,19 @@ internal fun DrawScope.drawGlass(
         Size(glass.width, glass.height),
         CornerRadius(margin / 2),
     )
-    drawImage(
-        dots,
-        IntOffset(0, first),
-        IntSize(DisplaySize.WIDTH, count),
-        IntOffset(left, top),
-        IntSize(width, height),
-        alpha = contrast,
-        filterQuality = FilterQuality.None,
-    )
+    val pieces = if (gap == 0) 1 else rows
+    val piece = count / pieces
+    for (number in 0..<pieces) {
+        drawImage(
+            dots,
+            IntOffset(0, first + number * piece),
+            IntSize(DisplaySize.WIDTH, piece),
+            IntOffset(left, top + (number * (piece + gap) * scale).toInt()),
+            IntSize(width, (piece * scale).toInt()),
+            alpha = contrast,
+            filterQuality = FilterQuality.None,
+        )
+    }
 }
 
 /** A smaller part of the area may be left empty to keep the dots alike. */
