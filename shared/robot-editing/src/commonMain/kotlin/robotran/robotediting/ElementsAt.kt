@@ -14,11 +14,16 @@ import robotran.world.robot.corners
 import robotran.world.robot.things
 import kotlin.math.abs
 
-/** What is within [reach] of [place], small things first: a finger on the brick may mean a sensor beside it. */
+/**
+ * What is within [reach] of [place], small things first: a finger on the brick may mean a sensor beside it. Of sensors
+ * over each other, the upper one comes first, which is the one that is seen.
+ */
 fun RobotDescription.elementsAt(place: Point, reach: Double): List<RobotElement> =
     elements().mapNotNull { element -> distance(element, place)?.takeIf { it <= reach }?.let { element to it } }
         .sortedWith(
-            compareBy({ (element, _) -> rank(element) }, { (_, distance) -> distance }, { (element, _) ->
+            compareBy({ (element, _) ->
+                rank(element)
+            }, { (_, distance) -> distance }, { (element, _) -> -top(element) }, { (element, _) ->
                 placeOf(element)?.let { beyond(it, 0.0, place) } ?: 0.0
             }),
         )
@@ -36,6 +41,10 @@ fun RobotDescription.elementOf(error: RobotError): RobotElement? = when (error.p
     RobotPiece.ALL -> null
 }
 
+/** How high a sensor lies, in centimetres. Other things lie below, or beside it. */
+private fun RobotDescription.top(element: RobotElement): Double =
+    ((element as? RobotElement.Part)?.let { things[it.number] } as? SensorPart)?.height ?: 0.0
+
 private fun rank(element: RobotElement): Int = when (element) {
     is RobotElement.Part, is RobotElement.Caster, is RobotElement.Corner -> 0
     RobotElement.Pen, RobotElement.Mass -> 1
@@ -49,7 +58,7 @@ private fun RobotDescription.distance(element: RobotElement, place: Point): Doub
     is RobotElement.Part -> {
         when (val part = things[element.number]) {
             is BumperPart -> outside(part.corners, place)
-            is SensorPart -> beyond(part.at, SENSOR, place)
+            is SensorPart -> outside(SensorBody.of(part.sensor, brick).corners(part), place)
             else -> null
         }
     }
@@ -92,6 +101,5 @@ private fun outside(corners: List<Point>, place: Point): Double =
 private fun beyond(at: Point, radius: Double, place: Point): Double =
     maxOf(length(place.x - at.x, place.y - at.y) - radius, 0.0)
 
-/** Half the size of things on the plan, in centimetres. */
-private const val SENSOR = 1.0
+/** Half the size of a caster or a pen on the plan, in centimetres. */
 private const val CASTER = 0.8

@@ -13,10 +13,12 @@ import robotran.world.RobotLimits
 import robotran.world.RobotPart
 import robotran.world.RotationPart
 import robotran.world.SensorPart
+import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import robotran.world.robot.bumpers
 import robotran.world.robot.partFor
 import robotran.world.robot.things
+import kotlin.math.abs
 
 /**
  * What the palette offers.
@@ -101,9 +103,10 @@ private fun RobotDescription.addedPart(item: RobotItem, at: Point?): Outcome {
             listOf(if (at == null) part else part.copy(at = at))
         }
     }
-    val candidates = wanted + STEPS_ASIDE.mapNotNull { wanted.first().movedBy(0.0, it) }
-    val free = candidates.map { it.on(null).inRange() }.firstOrNull { part -> things.none { it.on(null) == part } }
-        ?: return Outcome.Refused(Refusal.SAME_THING)
+    val candidates = (wanted + STEPS.mapNotNull { wanted.first().movedBy(it.x, it.y) }).map { it.on(null).inRange() }
+        .filter { part -> things.none { it.on(null) == part } }
+    val seen = candidates.filter { at == null && it is SensorPart && isFree(it) }
+    val free = seen.firstOrNull() ?: candidates.firstOrNull() ?: return Outcome.Refused(Refusal.SAME_THING)
     return Outcome.Made(copy(parts = parts + free.on(port)), RobotElement.Part(things.size))
 }
 
@@ -126,7 +129,27 @@ private fun RobotDescription.newBumper(at: Point?): BumperPart {
     return side.copy(at = at, width = minOf(side.width, DROPPED_WIDTH))
 }
 
-private val STEPS_ASIDE = listOf(1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0)
+/** Whether [part] neither covers nor is covered by another sensor. */
+private fun RobotDescription.isFree(part: SensorPart): Boolean {
+    val room = roomOf(part)
+    return things.filterIsInstance<SensorPart>().none { other ->
+        val there = roomOf(other)
+        room.left < there.right && there.left < room.right && room.bottom < there.top && there.bottom < room.top
+    }
+}
+
+private fun RobotDescription.roomOf(part: SensorPart): Bounds {
+    val corners = SensorBody.of(part.sensor, brick).corners(part)
+    return Bounds(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
+}
+
+/** Where a new part goes if its usual place is taken: the nearest first, aside before back and ahead. */
+private val STEPS = (-6..6).flatMap { x -> (-8..8).map { y -> Point(x.toDouble(), y.toDouble()) } }
+    .filter { it.x != 0.0 || it.y != 0.0 }
+    .sortedWith(compareBy({ abs(it.x) * FORWARD + abs(it.y) }, { abs(it.x) }, { it.x }, { -it.y }))
+
+/** So much worse is a step ahead or back than one aside. */
+private const val FORWARD = 2
 private const val CASTER_INSIDE = 1.5
 private const val HALF_TURN = 180.0
 private const val QUARTER_TURN = 90.0

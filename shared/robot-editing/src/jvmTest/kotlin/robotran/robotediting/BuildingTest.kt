@@ -40,7 +40,30 @@ class BuildingTest :
         "a second thing of a kind is beside the first" {
             val editing = on(ReadyRobots.SUMO, RobotEdit.Add(RobotItem.SOUND), RobotEdit.Add(RobotItem.SOUND))
             editing.robot.things.takeLast(2).map { (it as SensorPart).at } shouldContainExactly
-                listOf(Point(0.0, 0.0), Point(0.0, 1.0))
+                listOf(Point(0.0, 0.0), Point(0.0, 3.0))
+        }
+
+        "a new light sensor lies where the sonar does not cover it" {
+            val editing = on(ReadyRobots.NXT_PENBOT, RobotEdit.Add(RobotItem.LIGHT))
+            val sonar = editing.robot.things.filterIsInstance<SensorPart>().first { it.sensor == SensorKind.ULTRASONIC }
+            val light = editing.robot.things.last() as SensorPart
+            editing.robot.portsOf(editing.robot.things.lastIndex) shouldBe emptyList()
+            val half = SensorBody.of(SensorKind.ULTRASONIC, BrickKind.NXT).half
+            (kotlin.math.abs(light.at.y - sonar.at.y) >= half) shouldBe true
+        }
+
+        "each eye of a sonar is the sonar, also over another sensor, and after a turn" {
+            val robot = ReadyRobots.NXT_PENBOT
+            val number = robot.things.indexOfFirst { it.kind == SensorKind.ULTRASONIC }
+            val sonar = robot.things[number] as SensorPart
+            for (side in listOf(-1.15, 1.15)) {
+                val eye = Point(sonar.at.x - 0.85, sonar.at.y + side)
+                robot.elementsAt(eye, 0.5).first() shouldBe RobotElement.Part(number)
+            }
+            val turned = robot.withThing(number) { (it as SensorPart).copy(facing = Facing.Ahead(90.0)) }!!
+            val behind = Point(sonar.at.x + 2.0, sonar.at.y - 1.7)
+            turned.elementsAt(behind, 0.0).first() shouldBe RobotElement.Part(number)
+            (RobotElement.Part(number) in robot.elementsAt(behind, 0.0)) shouldBe false
         }
 
         "the palette has what the brick can read" {

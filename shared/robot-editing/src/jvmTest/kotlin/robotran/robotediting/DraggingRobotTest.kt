@@ -103,7 +103,7 @@ class DraggingRobotTest :
 
         "a finger finds the small things first" {
             val sumo = ReadyRobots.SUMO
-            sumo.elementsAt(Point(8.2, 0.2), 0.5).take(2) shouldBe listOf(RobotElement.Part(2), RobotElement.Part(1))
+            sumo.elementsAt(Point(7.8, 0.2), 0.5).take(2) shouldBe listOf(RobotElement.Part(2), RobotElement.Part(1))
             sumo.elementsAt(Point(0.5, -7.0), 0.2) shouldBe listOf(RobotElement.Wheels)
             sumo.elementsAt(Point(-8.5, 5.0), 0.2).last() shouldBe RobotElement.Chassis
             sumo.elementsAt(Point(30.0, 30.0), 1.0) shouldBe emptyList()

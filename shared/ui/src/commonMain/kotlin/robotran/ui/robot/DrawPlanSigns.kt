@@ -8,12 +8,14 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.dp
 import robotran.robotediting.RobotElement
+import robotran.robotediting.SensorBody
 import robotran.robotediting.placeOf
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.theme.RobotranColours
 import robotran.ui.worldedit.EditingColours
 import robotran.world.BumperPart
 import robotran.world.RobotDescription
+import robotran.world.SensorPart
 import robotran.world.geometry.Point
 import robotran.world.robot.brickSeat
 import robotran.world.robot.chassisCorners
@@ -38,7 +40,8 @@ private fun outlinesOf(robot: RobotDescription, element: RobotElement): List<Lis
     is RobotElement.Part -> {
         when (val part = robot.things.getOrNull(element.number)) {
             is BumperPart -> listOf(part.corners)
-            else -> listOfNotNull(robot.placeOf(element)?.let { square(it, SENSOR_FRAME) })
+            is SensorPart -> listOf(SensorBody.of(part.sensor, robot.brick).grown(SENSOR_MARGIN).corners(part))
+            else -> listOfNotNull(robot.placeOf(element)?.let { square(it, SMALL_FRAME) })
         }
     }
 
@@ -113,7 +116,7 @@ internal fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
     }
 }
 
-private const val SENSOR_FRAME = 1.5
+private const val SENSOR_MARGIN = 0.4
 private const val SMALL_FRAME = 1.1
 private val KNOB = 8.dp
 private val WARNING = 18.dp

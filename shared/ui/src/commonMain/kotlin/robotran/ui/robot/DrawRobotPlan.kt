@@ -176,10 +176,17 @@ private fun DrawScope.drawMass(at: Offset, transform: SheetTransform) {
 
 /** The numbers of ports at what is plugged in, and the letters of motors. */
 private fun DrawScope.drawLabels(robot: RobotDescription, transform: SheetTransform, measurer: TextMeasurer) {
+    val taken = mutableListOf<Offset>()
+    val apart = LABEL_APART.toPx()
     robot.things.forEachIndexed { number, _ ->
         val ports = robot.portsOf(number)
         val at = robot.placeOf(RobotElement.Part(number))
-        if (ports.isNotEmpty() && at != null) drawLabel(ports.joinToString(" "), transform.ofRobot(at), measurer)
+        if (ports.isNotEmpty() && at != null) {
+            var place = transform.ofRobot(at)
+            while (taken.any { (it - place).getDistance() < apart }) place += Offset(apart, 0f)
+            taken += place
+            drawLabel(ports.joinToString(" "), place, measurer)
+        }
     }
     val wheel = robot.drive.track / 2
     val behind = -robot.drive.wheelDiameter * LABEL_BEHIND_AXLE
@@ -216,6 +223,9 @@ private const val CASTER_RADIUS = 0.6
 private const val MASS_RADIUS = 0.45
 private const val LABEL_BEHIND_PEN = 2.0
 private const val LABEL_BEHIND_AXLE = 0.3
+
+/** Between the middles of two labels, which would hide each other. */
+private val LABEL_APART = 22.dp
 private const val TURN_DISTANCE = 56f
 private val LABEL_STYLE =
     TextStyle(color = RobotBenchColours.LABEL, fontSize = TextSizes.SIGN, fontWeight = FontWeight.Bold)

@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
+import robotran.robotediting.SensorBody
 import robotran.simulation.state.RobotState
 import robotran.world.BumperPart
 import robotran.world.BumperSide
@@ -66,11 +67,8 @@ internal class SensorTop(val part: SensorPart, brick: BrickKind) {
     val degrees: Float = -((part.facing as? Facing.Ahead)?.direction ?: 0.0).toFloat()
 
     /** Its body relative to [at], looking ahead. */
-    val body: Rect = when (kind) {
-        SensorKind.ULTRASONIC -> Rect(-1.8f, -2.3f, 0f, 2.3f)
-        SensorKind.SOUND -> Rect(-2f, -1.2f, 0f, 1.2f)
-        SensorKind.COMPASS, SensorKind.GYRO -> Rect(-1.2f, -1.2f, 1.2f, 1.2f)
-        else -> if (brick == BrickKind.RCX) Rect(-0.4f, -0.8f, 0.8f, 0.8f) else Rect(-0.9f, -0.7f, 0.9f, 0.7f)
+    val body: Rect = SensorBody.of(kind, brick).let {
+        Rect(-it.back.toFloat(), -it.half.toFloat(), it.front.toFloat(), it.half.toFloat())
     }
 
     /** What it covers of the robot. */
