@@ -49,7 +49,7 @@ internal fun RobotPlanCanvas(
         modifier
             .fillMaxSize()
             .testTag("robot-plan")
-            .focusRing()
+            .focusRing(isInside = true)
             .onGloballyPositioned { view.window = it.boundsInRoot() }
             .semantics {
                 contentDescription = name
