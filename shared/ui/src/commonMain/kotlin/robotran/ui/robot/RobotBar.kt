@@ -60,7 +60,7 @@ internal fun RobotBar(scope: RobotScope, view: PlanView, isOnSheet: Boolean, wit
                 scope.make(RobotEdit.Redo)
             }
             IconTouch(
-                Icon.WORLDS,
+                ON_SHEET,
                 stringResource(Res.string.robot_on_sheet),
                 "robot-on-sheet",
                 { scope.perform(RobotEditEvent.SheetShown(!isOnSheet)) },
@@ -108,4 +108,6 @@ private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withW
         label = words.takeIf { withWords },
     )
 
+/** A robot on a sheet of paper. */
+private val ON_SHEET = Icon.strokes("M3 4H21V20H3V4", "M8 9H14V15H8V9", "M14 12H18")
 private const val FAINT = 0.38f

@@ -68,4 +68,4 @@ internal fun RobotOnSheet(state: RobotEditState, world: World, session: SessionS
 }
 
 /** So much of the paper is shown around the robot, in centimetres. */
-private const val SHOWN = 60.0
+private const val SHOWN = 120.0
