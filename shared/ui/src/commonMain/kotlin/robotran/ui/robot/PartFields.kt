@@ -89,14 +89,14 @@ internal fun PartFields(scope: RobotScope, number: Int) {
     }
 }
 
-/** Ports that something else is on say so: on an RCX two things may share one. */
+/** Ports that something else is on say so, also the chosen one: on an RCX two things may share one. */
 @Composable
 private fun PortChips(scope: RobotScope, number: Int) {
     val ports = scope.robot.portsOf(number)
     val choices = listOf<Pair<Int?, String>>(null to stringResource(Res.string.robot_port_none)) +
         (1..scope.robot.brick.inputPorts).map { port ->
             val other = scope.robot.thingsOn(port).firstOrNull { it != number }?.let { scope.robot.things[it] }
-            port to if (other == null || port in ports) {
+            port to if (other == null) {
                 "$port"
             } else {
                 stringResource(Res.string.robot_port_taken, port, stringResource(partWord(other)))
