@@ -46,6 +46,7 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.robot.RobotEditStateHolder
+import robotran.workshop.robot.draftNotice
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
@@ -201,24 +202,78 @@ class Workshop(
     /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
         when (event) {
-            is ProgramEvent -> handleProgram(event)
-            is RunEvent -> handleRun(event)
-            is SheetEvent -> sheet.handle(event)
-            is WorldEditEvent -> handleWorldEdit(event)
-            is RobotEditEvent -> robotEdit.handle(event)
-            is DocumentEvent -> document.handle(event)
-            is SettingsEvent -> handleSettings(event)
-            is LearningEvent -> learning.handle(event)
-            is SendEvent -> send.handle(event)
-            is ShowEvent -> show.handle(event)
-            is HandInsEvent -> handIns.handle(event)
-            is AssignmentEvent -> assignment.handle(event)
-            is CourseEvent -> course.handle(event)
-            is WorkshopEvent.PaneChosen -> pane = event.pane
-            is WorkshopEvent.PaneFilled -> fullPane = event.pane
-            is WorkshopEvent.TaskShown -> taskShown = event.shown
-            WorkshopEvent.NoticeDismissed -> notice = null
-            WorkshopEvent.NoticeTaken -> takeNotice()
+            is ProgramEvent -> {
+                handleProgram(event)
+            }
+
+            is RunEvent -> {
+                handleRun(event)
+            }
+
+            is SheetEvent -> {
+                sheet.handle(event)
+            }
+
+            is WorldEditEvent -> {
+                handleWorldEdit(event)
+            }
+
+            is RobotEditEvent -> {
+                if (event is RobotEditEvent.BenchOpened && notice?.action is NoticeAction.BuildOn) notice = null
+                robotEdit.handle(event)
+            }
+
+            is DocumentEvent -> {
+                document.handle(event)
+            }
+
+            is SettingsEvent -> {
+                handleSettings(event)
+            }
+
+            is LearningEvent -> {
+                learning.handle(event)
+            }
+
+            is SendEvent -> {
+                send.handle(event)
+            }
+
+            is ShowEvent -> {
+                show.handle(event)
+            }
+
+            is HandInsEvent -> {
+                handIns.handle(event)
+            }
+
+            is AssignmentEvent -> {
+                assignment.handle(event)
+            }
+
+            is CourseEvent -> {
+                course.handle(event)
+            }
+
+            is WorkshopEvent.PaneChosen -> {
+                pane = event.pane
+            }
+
+            is WorkshopEvent.PaneFilled -> {
+                fullPane = event.pane
+            }
+
+            is WorkshopEvent.TaskShown -> {
+                taskShown = event.shown
+            }
+
+            WorkshopEvent.NoticeDismissed -> {
+                notice = null
+            }
+
+            WorkshopEvent.NoticeTaken -> {
+                takeNotice()
+            }
         }
         document.projectMayHaveChanged()
     }
@@ -462,8 +517,14 @@ class Workshop(
         val wasOpen = worldEdit.state != null
         // Robots drive in the world itself, not in a variation of it.
         val isVariation = editedWorld.variation != null
+        val drafts = worldEdit.state?.world?.robots.orEmpty()
         worldEdit.handle(if (isVariation && event == WorldEditEvent.TriedOut) WorldEditEvent.EditorClosed else event)
         if (!wasOpen || worldEdit.state != null) return
+        if (isVariation) {
+            if (notice is Notice.RobotKeptAsDraft) notice = null
+        } else if (event == WorldEditEvent.EditorClosed) {
+            drafts.withIndex().firstNotNullOfOrNull { (number, place) -> place.draftNotice(number) }?.let(::show)
+        }
         editedWorld.leave()
         assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
     }
@@ -564,6 +625,10 @@ class Workshop(
 
             NoticeAction.BringRobotBack -> {
                 handleWorldEdit(WorldEditEvent.RobotBroughtBack)
+            }
+
+            is NoticeAction.BuildOn -> {
+                robotEdit.handle(RobotEditEvent.BenchOpened(action.robot))
             }
 
             null -> {

@@ -21,13 +21,17 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
+import robotran.robotediting.RobotEditing
+import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
+import robotran.robotediting.portsOf
 import robotran.ui.language.LocalLanguage
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.notice_close
+import robotran.ui.resources.robot_hint_unplugged
 import robotran.ui.resources.robot_save_refused
 import robotran.ui.resources.worldedit_show_trouble
 import robotran.ui.theme.LocalRobotranColours
@@ -39,12 +43,13 @@ import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.state.RobotEditState
 import robotran.workshop.state.WorldEditState
 import robotran.world.messages.sentence
+import robotran.world.robot.things
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 
 /**
- * Why an edit was refused, what is impossible about the robot, and whether it has no room where it stands. It covers
- * the plan, which does not move, until it is closed or replaced.
+ * Why an edit was refused, what is impossible about the robot, whether it has no room where it stands, and what is not
+ * plugged in. It covers the plan, which does not move, until it is closed or replaced.
  */
 @Composable
 internal fun RobotHints(
@@ -63,12 +68,14 @@ internal fun RobotHints(
         stringResource(Res.string.robot_save_refused).takeIf { state.isSavingRefused },
     ) + editing.errors.take(MAX_ERRORS).map { it.sentence(language) } +
         world.editing.errors.filter { it.thing == here }.take(1).map { validationErrorText(world.world, it) }
-    if (sentences.isEmpty() || !state.hintsShown || editing.gesture != null) return
+    val remarks = listOfNotNull(unpluggedHint(editing))
+    if ((sentences.isEmpty() && remarks.isEmpty()) || !state.hintsShown || editing.gesture != null) return
+    val pane = if (sentences.isEmpty()) colours.pane else colours.errorPane
     val scroll = rememberScrollState()
     Row(
         modifier
             .widthIn(max = MAX_WIDTH)
-            .background(colours.errorPane, Shapes.MEDIUM)
+            .background(pane, Shapes.MEDIUM)
             .border(1.dp, colours.line, Shapes.MEDIUM)
             // Blocks touches on the content below.
             .pointerInput(Unit) { },
@@ -78,12 +85,12 @@ internal fun RobotHints(
                 .weight(1f, fill = false)
                 .testTag("robot-hints")
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+                .scrollHint(scroll, Orientation.Vertical, pane, colours.onPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            for (sentence in sentences + remarks) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
             val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
             if (element != null && element != editing.chosen) {
                 WordButton(stringResource(Res.string.worldedit_show_trouble), "robot-show-trouble", {
@@ -95,6 +102,15 @@ internal fun RobotHints(
             scope.perform(RobotEditEvent.HintsClosed)
         })
     }
+}
+
+/** What is chosen and has no cable; null if it has one, or needs none. */
+@Composable
+private fun unpluggedHint(editing: RobotEditing): String? {
+    val part = (editing.chosen as? RobotElement.Part) ?: return null
+    if (editing.robot.portsOf(part.number).isNotEmpty()) return null
+    val name = editing.robot.things.getOrNull(part.number)?.let { stringResource(partWord(it)) } ?: return null
+    return stringResource(Res.string.robot_hint_unplugged, name)
 }
 
 private val MAX_WIDTH = 560.dp

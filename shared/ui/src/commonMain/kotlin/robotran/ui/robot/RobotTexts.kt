@@ -29,6 +29,11 @@ import robotran.ui.resources.robot_item_rotation
 import robotran.ui.resources.robot_item_sound
 import robotran.ui.resources.robot_item_temperature
 import robotran.ui.resources.robot_item_ultrasonic
+import robotran.ui.resources.robot_looks_at
+import robotran.ui.resources.robot_looks_at_floor
+import robotran.ui.resources.robot_looks_at_right
+import robotran.ui.resources.robot_looks_back
+import robotran.ui.resources.robot_looks_straight
 import robotran.ui.resources.robot_mass
 import robotran.ui.resources.robot_none_chosen
 import robotran.ui.resources.robot_on_port
@@ -43,11 +48,14 @@ import robotran.ui.resources.robot_refusal_same
 import robotran.ui.resources.robot_unplugged
 import robotran.ui.resources.robot_wheels
 import robotran.world.BumperPart
+import robotran.world.Facing
 import robotran.world.RobotDescription
 import robotran.world.RobotPart
+import robotran.world.SensorPart
 import robotran.world.messages.sentence
 import robotran.world.robot.things
 import robotran.worldediting.written
+import kotlin.math.abs
 
 internal fun itemWord(item: RobotItem): StringResource = when (item) {
     RobotItem.BUMPER -> Res.string.robot_item_bumper
@@ -115,9 +123,28 @@ internal fun chosenText(editing: RobotEditing): String {
     val words = listOfNotNull(
         stringResource(Res.string.robot_chosen, robotElementText(editing.robot, element)),
         place?.let { stringResource(Res.string.robot_place, written(it.x), written(it.y)) },
+        ((element as? RobotElement.Part)?.let { editing.robot.things.getOrNull(it.number) } as? SensorPart)
+            ?.let { directionText(it) },
     )
     return (words + errors).joinToString(" ")
 }
+
+/** Where [part] looks; null if that depends on the program. */
+@Composable
+private fun directionText(part: SensorPart): String? = when (val facing = part.facing) {
+    Facing.Free -> null
+
+    Facing.Down -> stringResource(Res.string.robot_looks_at_floor)
+
+    is Facing.Ahead -> when {
+        facing.direction == 0.0 -> stringResource(Res.string.robot_looks_straight)
+        abs(facing.direction) == BACK -> stringResource(Res.string.robot_looks_back)
+        facing.direction > 0 -> stringResource(Res.string.robot_looks_at, written(facing.direction))
+        else -> stringResource(Res.string.robot_looks_at_right, written(-facing.direction))
+    }
+}
+
+private const val BACK = 180.0
 
 internal fun refusalWord(refusal: Refusal): StringResource = when (refusal) {
     Refusal.TOO_MANY_PARTS -> Res.string.robot_refusal_parts

@@ -44,10 +44,13 @@ import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
 import robotran.ui.resources.notice_change_number
 import robotran.ui.resources.notice_try_change
+import robotran.ui.resources.nxt_escape_alone
 import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
 import robotran.ui.resources.robot_impossible
+import robotran.ui.resources.robot_kept_as_draft
 import robotran.ui.resources.robot_replaced
+import robotran.ui.resources.robot_to_bench
 import robotran.ui.resources.run_log_copied
 import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
@@ -145,6 +148,14 @@ internal fun noticeText(notice: Notice): String = when (notice) {
         notice.error.sentence(LocalLanguage.current),
     )
 
+    is Notice.RobotKeptAsDraft -> stringResource(
+        Res.string.robot_kept_as_draft,
+        notice.robot,
+        notice.error.sentence(LocalLanguage.current),
+    )
+
+    Notice.EscapeAlone -> stringResource(Res.string.nxt_escape_alone)
+
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
@@ -158,6 +169,7 @@ internal fun noticeActionText(action: NoticeAction): StringResource = when (acti
     NoticeAction.BeginningUndone -> Res.string.documents_undo
     NoticeAction.UnplugSensors -> Res.string.documents_undo
     NoticeAction.BringRobotBack -> Res.string.documents_undo
+    is NoticeAction.BuildOn -> Res.string.robot_to_bench
 }
 
 private fun notSaved(notice: Notice.FileNotSaved): StringResource =

@@ -4,6 +4,7 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.getValue
@@ -98,7 +99,12 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                             ofFile?.let { NoticeBar(it, onEvent) }
                         }
 
-                        edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
+                        edit != null -> Box {
+                            WorldEditPane(edit, state.session, state.document, onEvent)
+                            state.notice?.takeIf { it is Notice.RobotKeptAsDraft }?.let {
+                                NoticeBar(it, onEvent, Modifier.padding(top = BELOW_BAR).padding(8.dp))
+                            }
+                        }
 
                         layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
 
@@ -155,6 +161,9 @@ private fun WithAllowedBlocks(
 /** From this size on, at default font size, there is room for the whole brick beside a large sheet. */
 private val BROAD_WIDTH = 1600.dp
 private val BROAD_HEIGHT = 800.dp
+
+/** Leaves the bar of the world editor, with its Done, free. */
+private val BELOW_BAR = 64.dp
 
 /** Whether neither the world editor nor the page of an assignment covers the run bar. */
 private val WorkshopState.isDesk: Boolean get() = worldEdit == null && making == null

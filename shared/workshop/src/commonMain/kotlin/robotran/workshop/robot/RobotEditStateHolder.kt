@@ -19,11 +19,13 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.state.Notice
 import robotran.workshop.state.RobotEditState
 import robotran.workshop.state.WorldEditState
+import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.file.RobotFileResult
 import robotran.world.file.readRobot
 import robotran.world.file.writeRobot
+import robotran.world.robot.robotErrors
 import robotran.worldediting.Edit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
@@ -113,7 +115,7 @@ internal class RobotEditStateHolder(
     private fun edit(edit: RobotEdit) {
         val now = state ?: return
         val editing = now.editing.after(edit)
-        val hasNews = editing.refusal != null || editing.errors != now.editing.errors
+        val hasNews = edit is RobotEdit.Add || editing.refusal != null || editing.errors != now.editing.errors
         state = now.copy(
             editing = editing,
             fileError = null,
@@ -157,7 +159,9 @@ internal class RobotEditStateHolder(
         latest = state?.editing ?: now.editing
         state = null
         editWorld(WorldEditEvent.Edited(Edit.FinishChange))
+        val draft = worldEdit()?.world?.robots?.getOrNull(now.robot)?.draftNotice(now.robot)
         if (closesWorld) editWorld(WorldEditEvent.EditorClosed)
+        draft?.let(notices::show)
     }
 
     private fun showSheet(shown: Boolean) {
@@ -173,14 +177,23 @@ internal class RobotEditStateHolder(
         }
     }
 
+    /** A robot that was a ready one gets another title, so that their files and notices differ. */
+    private fun giveOwnTitle() {
+        val robot = state?.editing?.robot ?: return
+        val ready = ReadyRobots.all.values.find { it.title == robot.title }
+        if (ready == null || ready == robot) return
+        edit(RobotEdit.Change(robot.copy(title = "${robot.title} 2")))
+    }
+
     private fun save() {
         val now = state ?: return
         edit(RobotEdit.Drop)
-        val robot = (state ?: now).editing
-        if (!robot.isPossible) {
+        if (!(state ?: now).editing.isPossible) {
             state = state?.copy(isSavingRefused = true, hintsShown = true)
             return
         }
+        giveOwnTitle()
+        val robot = (state ?: now).editing
         scope.launch {
             val name = fileNameFor(robot.robot.title, FileKind.ROBOT)
             when (
@@ -192,4 +205,9 @@ internal class RobotEditStateHolder(
             }
         }
     }
+}
+
+/** That the placement's robot, the one with the index [number] in its world, is a draft; null if it is none. */
+internal fun RobotPlacement.draftNotice(number: Int): Notice? = draft?.let { robot ->
+    robotErrors(robot).firstOrNull()?.let { Notice.RobotKeptAsDraft(robot.title, it, number) }
 }

@@ -69,6 +69,7 @@ class RunStateHolder(
     private var pendingStart: PendingStart? = null
 
     private val tries = TryRecorder(run)
+    private val escape = LoneEscape()
 
     private val player: RunPlayer get() = run.player
 
@@ -292,10 +293,11 @@ class RunStateHolder(
 
     /** Tells why, if a robot is impossible. */
     private fun isRefused(): Boolean {
-        val robot = run.world.robots.firstNotNullOfOrNull { it.draft } ?: return false
+        val number = run.world.robots.indexOfFirst { it.draft != null }
+        val robot = run.world.robots.getOrNull(number)?.draft ?: return false
         val error = robotErrors(robot).firstOrNull() ?: return false
         pendingStart = null
-        notices.show(Notice.RobotImpossible(robot.title, error))
+        notices.show(Notice.RobotImpossible(robot.title, error, number))
         return true
     }
 
@@ -308,6 +310,7 @@ class RunStateHolder(
     }
 
     private fun press(button: BrickButton) {
+        escape.pressed(button, isRunning = state.brick.run is RunState.Running)
         state = state.copy(down = state.down + button)
         val isStart = button == state.brick.kind.startButton
         if (isStart && state.brick.run !is RunState.Running && isRefused()) return
@@ -327,6 +330,13 @@ class RunStateHolder(
     private fun release(button: BrickButton) {
         state = state.copy(down = state.down - button)
         touch(SessionInput.Release(button, state.watched))
+        val isRunning = state.brick.run is RunState.Running
+        if (escape.released(button, isRunning) && !readsButtons()) notices.show(Notice.EscapeAlone)
+    }
+
+    /** Whether the shown program may wait for ESCAPE itself; told by its text. */
+    private fun readsButtons(): Boolean = programs.state.program.files.any { file ->
+        BUTTON_WORDS.any { file.text.contains(it, ignoreCase = true) }
     }
 
     private fun touch(input: SessionInput) {
@@ -355,6 +365,7 @@ class RunStateHolder(
         inputs: List<RecordedInput> = emptyList(),
     ) {
         run.startNewRun(firstSlots, world, inputs)
+        escape.forget()
         tries.leave()
         idleDetector.disturb()
         state = state.copy(watched = player.watched)

@@ -147,10 +147,30 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.BackToHandIns
     }
 
-    /** No program runs, because a robot of the world cannot be built like this: [robot] is its title. */
-    data class RobotImpossible(val robot: String, val error: RobotError) :
+    /**
+     * No program runs, because a robot of the world cannot be built like this.
+     *
+     * @property robot its title.
+     * @property number its index in the world.
+     */
+    data class RobotImpossible(val robot: String, val error: RobotError, val number: Int) :
         Notice,
-        Error
+        Error {
+        override val action: NoticeAction get() = NoticeAction.BuildOn(number)
+    }
+
+    /**
+     * A robot that cannot be built like this is kept as a draft; another one drives until it is mended.
+     *
+     * @property robot its title.
+     * @property number its index in the world.
+     */
+    data class RobotKeptAsDraft(val robot: String, val error: RobotError, val number: Int) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BuildOn(number)
+    }
+
+    /** ESCAPE alone does not end the program of an NXT. */
+    data object EscapeAlone : Notice
 
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
@@ -183,6 +203,9 @@ sealed interface NoticeAction {
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction
+
+    /** Opens the workbench with the robot that has the index [robot] in the world. */
+    data class BuildOn(val robot: Int) : NoticeAction
 
     /** Brings back the robot that was replaced last. */
     data object BringRobotBack : NoticeAction

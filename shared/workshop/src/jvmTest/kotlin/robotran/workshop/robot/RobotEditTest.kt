@@ -11,6 +11,7 @@ import robotran.workshop.documents.Machine
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.Notice
@@ -22,6 +23,7 @@ import robotran.world.file.RobotFileResult
 import robotran.world.file.readRobot
 import robotran.world.file.writeRobot
 import robotran.world.geometry.Point
+import robotran.world.robot.RobotError
 import robotran.worldediting.Edit
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -120,6 +122,62 @@ class RobotEditTest {
     }
 
     @Test
+    fun `Done with an impossible robot tells that it is a draft and leads back to the workbench, as Run does`() {
+        open()
+        makeImpossible()
+        done()
+        val kept = assertIs<Notice.RobotKeptAsDraft>(workshop.state.notice)
+        assertIs<RobotError.PortTaken>(kept.error)
+        assertEquals(robot.draft?.title, kept.robot)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertFalse(bench.editing.isPossible)
+        assertNull(workshop.state.notice)
+        done()
+        workshop.handle(ProgramEvent.ProgramEdited("forward 5"))
+        workshop.handle(RunEvent.RunPressed)
+        assertIs<Notice.RobotImpossible>(workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        make(RobotEdit.Choose(RobotElement.Part(0)), RobotEdit.SetPort(1))
+        done()
+        assertNull(workshop.state.notice)
+    }
+
+    @Test
+    fun `the world editor's Done tells it, too`() {
+        workshop.handle(WorldEditEvent.EditorOpened)
+        open()
+        makeImpossible()
+        done()
+        workshop.handle(WorkshopEvent.NoticeDismissed)
+        workshop.handle(WorldEditEvent.EditorClosed)
+        assertIs<Notice.RobotKeptAsDraft>(workshop.state.notice)
+    }
+
+    @Test
+    fun `ESCAPE alone during a run tells once what ends a program`() {
+        open()
+        make(RobotEdit.Replace(ReadyRobots.NXT_PENBOT))
+        done()
+        workshop.handle(ProgramEvent.ProgramEdited("forward 500"))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(500)
+        assertTrue(workshop.state.running)
+        tap(BrickButton.ESCAPE)
+        assertEquals(Notice.EscapeAlone, workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeDismissed)
+        tap(BrickButton.ESCAPE)
+        assertNull(workshop.state.notice)
+        assertTrue(workshop.state.running)
+    }
+
+    private fun tap(button: BrickButton) {
+        workshop.handle(RunEvent.ButtonPressed(button))
+        workshop.advance(50)
+        workshop.handle(RunEvent.ButtonReleased(button))
+        workshop.advance(50)
+    }
+
+    @Test
     fun `the brick's own button refuses it, too`() {
         open()
         makeImpossible()
@@ -162,10 +220,10 @@ class RobotEditTest {
         machine.files.location = "/home/sumo.robot.json"
         open()
         make(RobotEdit.Replace(ReadyRobots.SUMO), RobotEdit.Add(RobotItem.COLOUR))
-        val built = bench.editing.robot
         workshop.handle(RobotEditEvent.SaveRequested)
+        val built = bench.editing.robot
         assertEquals(Notice.FileSaved("sumo.robot.json"), workshop.state.notice)
-        assertEquals("Sumo robot.robot.json", machine.files.suggestion)
+        assertEquals("Sumo robot 2.robot.json", machine.files.suggestion)
         val bytes = machine.files.disk.getValue("/home/sumo.robot.json")
         assertEquals(RobotFileResult.Loaded(built), readRobot(bytes))
         make(RobotEdit.Replace(ReadyRobots.RCX_PENBOT))
