@@ -4,13 +4,17 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
+import robotran.robotediting.RobotItem
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import robotran.world.ReadyRobots
 import kotlin.test.Test
@@ -44,6 +48,42 @@ class RobotBenchPictures {
         }
         photograph(SCREENS[0].second, SCREENS[0].third, Settings(textScale = 2f), "bench-phone-large") { sonar() }
     }
+
+    @Test
+    fun `what has no cable, a draft and the sheet can be photographed in every size`() {
+        for ((name, width, height) in SCREENS) {
+            photograph(width, height, Settings(), "bench-$name-unplugged") {
+                make(RobotEdit.Replace(ReadyRobots.LINE_FOLLOWER), RobotEdit.Add(RobotItem.LIGHT))
+            }
+            photograph(width, height, Settings(language = Language.GERMAN), "bench-$name-draft") {
+                impossible()
+                handle(RobotEditEvent.BenchClosed)
+            }
+            photograph(width, height, Settings(), "bench-$name-draft-in-editor") {
+                handle(RobotEditEvent.BenchClosed)
+                handle(WorldEditEvent.EditorOpened)
+                handle(RobotEditEvent.BenchOpened())
+                impossible()
+                handle(RobotEditEvent.BenchClosed)
+            }
+            photograph(width, height, Settings(), "bench-$name-on-sheet") {
+                sonar()
+                handle(RobotEditEvent.SheetShown(true))
+            }
+            photograph(width, height, Settings(), "bench-$name-brick-notice") {
+                sonar()
+                handle(RobotEditEvent.BenchClosed)
+                handle(WorldEditEvent.RobotReplaced("yellow", ReadyRobots.NXT_PENBOT))
+                handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+            }
+        }
+    }
+
+    private fun Workshop.impossible() = make(
+        RobotEdit.Replace(ReadyRobots.NXT_PENBOT),
+        RobotEdit.Choose(RobotElement.Part(1)),
+        RobotEdit.SetPort(4),
+    )
 
     private fun photograph(width: Int, height: Int, settings: Settings, name: String, build: Workshop.() -> Unit) {
         val workshop = runBlocking { openWorkshop() }

@@ -7,6 +7,7 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.KeyInjectionScope
+import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
@@ -116,6 +117,7 @@ class RobotBenchTest {
     fun `an impossible robot is told at its part, and to screen readers`() = onBench {
         make(RobotEdit.Choose(RobotElement.Part(1)))
         tap("robot-port-4")
+        screen.onNodeWithTag("robot-port-4").assertTextEquals("4 (Ultrasonic sensor)")
         assertFalse(editing.isPossible)
         assertTrue(isThere("robot-hints"))
         tap("robot-show-trouble")
@@ -123,6 +125,24 @@ class RobotBenchTest {
         val told = screen.onNodeWithTag("robot-plan").fetchSemanticsNode().config[SemanticsProperties.StateDescription]
         assertContains(told, "port 4")
         assertContains(told, "Two things")
+    }
+
+    @Test
+    fun `what has no cable says so, also after the hint was closed once`() = onBench {
+        make(RobotEdit.Replace(ReadyRobots.NXT_PENBOT))
+        repeat(2) {
+            tap("robot-item-light")
+            assertTrue(isThere("robot-hints"))
+            tap("robot-hints-close")
+            assertFalse(isThere("robot-hints"))
+        }
+    }
+
+    @Test
+    fun `screen readers hear where a sensor looks`() = onBench {
+        make(RobotEdit.Choose(RobotElement.Part(2)), RobotEdit.TurnBy(-30.0))
+        val told = screen.onNodeWithTag("robot-plan").fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+        assertContains(told, "Looks 30° to the right.")
     }
 
     @Test

@@ -13,6 +13,7 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
 import androidx.compose.ui.test.assert
+import androidx.compose.ui.test.assertContentDescriptionContains
 import androidx.compose.ui.test.assertContentDescriptionEquals
 import androidx.compose.ui.test.assertHeightIsAtLeast
 import androidx.compose.ui.test.assertWidthIsAtLeast
@@ -86,6 +87,15 @@ class NxtFrontTest {
         onNodeWithTag("port-2").assertContentDescriptionEquals("Sensor 2, nothing: 0")
         onNodeWithTag("port-3").assertContentDescriptionEquals("Sensor 3, light sensor: 57")
         onNodeWithTag("port-4").assertContentDescriptionEquals("Sensor 4, ultrasonic sensor: 45")
+    }
+
+    @Test
+    fun `a screen reader hears which entry of a menu is marked`() = show(NxtScenes.menu) {
+        onNodeWithTag("lcd").assertContentDescriptionContains("Display: Marked: Run Default", substring = true)
+        state = state.copy(menu = state.menu?.copy(selected = 1))
+        waitForIdle()
+        mainClock.advanceTimeBy(600)
+        onNodeWithTag("lcd").assertContentDescriptionContains("Display: Marked: Files", substring = true)
     }
 
     @Test
