@@ -29,6 +29,6 @@ class Radar {
         }
         Motor.B.rotateTo(0);
         pilot.rotate(way);
-        pilot.travel(90);
+        pilot.travel(60);
     }
 }

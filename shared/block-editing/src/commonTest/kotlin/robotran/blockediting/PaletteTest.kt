@@ -3,10 +3,12 @@ package robotran.blockediting
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteHelp
+import robotran.blockediting.palette.comparisonsFor
 import robotran.blockediting.palette.introductions
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
@@ -134,6 +136,52 @@ class PaletteTest {
         assertEquals("if left bumper", lines("if").first())
         assertEquals("pen down", lines("pen").first())
         assertTrue(lines("bumper").indexOf("left bumper") < lines("bumper").indexOf("else"))
+    }
+
+    @Test
+    fun `header lines and bumpers are explained by their own words`() {
+        fun word(id: String) = all.first { it.id == id }.explained.first { help.sentence(it, Language.ENGLISH) != null }
+        assertEquals(
+            listOf("sonar", "sound", "on", "on", "brick", "robot", "bumper"),
+            listOf(
+                "sonar",
+                "sound-sensor",
+                "colour-sensor",
+                "light-sensor",
+                "brick",
+                "robot",
+                "value-bumper",
+            ).map(::word),
+        )
+    }
+
+    @Test
+    fun `sensing begins with what reads sensors`() = BrickKind.entries.forEach { brick ->
+        val ids = Palette.blocksOf(BlockGroup.SENSE, brick).map { it.id }
+        assertEquals(listOf("value-bumper", "value-light"), ids.take(2))
+        assertTrue(ids.indexOf("reset-timer") > ids.indexOf("value-battery"), "$ids")
+        if (brick == BrickKind.NXT) assertEquals("value-distance", ids[2])
+    }
+
+    @Test
+    fun `blocks are found by what pupils call them`() {
+        fun ids(query: String) = searchPalette(query, Palette.blocksFor(BrickKind.NXT), help).map { it.id }
+        for (word in listOf("Wand", "Abstand", "pared", "obstacle")) assertTrue("value-distance" in ids(word), word)
+        assertEquals("wait-until", ids("bis").first())
+        assertEquals("wait-until", ids("hasta").first())
+    }
+
+    @Test
+    fun `comparisons are those of the robot's sensors`() {
+        val sensors = setOf(SensorKind.TOUCH, SensorKind.ULTRASONIC, SensorKind.COLOUR, SensorKind.SOUND)
+        val ofNxt = comparisonsFor(sensors, BrickKind.NXT)
+        assertEquals(listOf("distance < 20", "colour == red", "loudness > 50"), ofNxt)
+        assertEquals(listOf("light < 40"), comparisonsFor(setOf(SensorKind.LIGHT), BrickKind.RCX))
+        assertEquals(listOf("timer > 5"), comparisonsFor(emptySet(), BrickKind.RCX))
+        for (condition in ofNxt) {
+            val program = compileRobolang("a", "wait until $condition", RobotTarget.Nxt(5.6, 11.4))
+            assertIs<RobolangResult.Ready>(program, "$condition: $program")
+        }
     }
 
     @Test

@@ -28,6 +28,7 @@ internal class WorldFolder(
             level,
             harder.mapIndexed { index, world -> variation(index, world) },
             file,
+            given(SOLUTION),
             { titleIn(textIn(it)) },
             { plainWorld ->
                 start?.let {
@@ -50,9 +51,16 @@ internal class WorldFolder(
             level,
             emptyList(),
             files.getValue(worldFile),
+            given("$stem."),
             { language -> text(language, false).let { WorldTitle(it.title, withoutBackticks(it.task)) } },
             { lesson("world/$name/$stem", given, "$stem.", it, text) },
         )
+    }
+
+    /** The program to begin with, and the files that begin with [solution], named as in the app. */
+    private fun given(solution: String): List<SourceFile> {
+        val solutions = files.entries.filter { it.key.startsWith(solution) && isProgram(it.key) }
+        return listOfNotNull(start) + solutions.map { SourceFile(tabOfSolution(it.key), it.value) }
     }
 
     /** The task called [name], whose solutions are the files that begin with [solution]. */
@@ -81,6 +89,8 @@ internal class WorldFolder(
     private companion object {
         const val HARDER = "harder-"
         const val JAVA_SOLUTION = "Solution.java"
+
+        fun tabOfSolution(file: String) = if (file.endsWith(JAVA_FILE)) JAVA_SOLUTION else "solution.robo"
     }
 }
 

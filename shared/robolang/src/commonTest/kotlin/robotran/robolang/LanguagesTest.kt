@@ -14,6 +14,8 @@ class LanguagesTest {
         Language.ENGLISH,
         "fowrard 20" to "There is no command \"fowrard\". Did you mean \"forward\"?",
         "forward" to "After \"forward\" comes a number, such as \"forward 20\".",
+        "forward\nwait until left bumper" to "After \"forward\" comes a number, such as \"forward 20\". " +
+            "To drive until something happens, write \"start forward\".",
         "repeat 4 times\nforward 20" to
             "This \"repeat\" has no \"end\". Write \"end\" on a line of its own where the block stops.",
     )

@@ -41,6 +41,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.handins.HandInVisits
 import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
+import robotran.workshop.learning.programsLeftBehind
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
@@ -399,6 +400,7 @@ class Workshop(
             course.projectChanged()
         }
         programs.worldChanged(world)
+        if (isAnother) programs.removePrograms(programsLeftBehind(world))
         run.changeWorld(opened.worldToRun)
         worldChanged(isAnother || before.title != world.title || before.task != world.task)
     }
@@ -445,6 +447,13 @@ class Workshop(
     override fun removeProgram(index: Int) {
         handle(ProgramEvent.ProgramClosed(index))
         handle(ProgramEvent.ClosedMessageDismissed)
+    }
+
+    override fun removePrograms(isMeant: (PupilProgram) -> Boolean) {
+        programs.removePrograms(isMeant)
+        run.programsChanged()
+        learning.programsChanged()
+        assignment.programsChanged()
     }
 
     override fun replacePrograms(programs: List<PupilProgram>) {

@@ -23,14 +23,17 @@ object Palette {
         BrickKind.entries.associateWith { brick ->
             val lines = LineForm.entries.mapNotNull { form -> form.templateOn(brick)?.let { line(form, it) } }
             val values = ValueForm.entries.flatMap { form -> form.templatesOn(brick).map { value(form, it) } }
-            (lines + values).sortedBy { it.group }
+            (lines + values).sortedWith(compareBy({ it.group }, { it.rankInGroup }))
         }
     }
 
     /** All blocks for a robot with an RCX, as [blocksFor] has them. */
     val blocks: List<PaletteBlock> get() = blocksFor(BrickKind.RCX)
 
-    /** All blocks for a robot with [brick], by group; in a group lines come before values. */
+    /**
+     * All blocks for a robot with [brick], by group; in a group lines come before values. In [BlockGroup.SENSE] what
+     * reads sensors comes first.
+     */
     fun blocksFor(brick: BrickKind): List<PaletteBlock> = byBrick.getValue(brick)
 
     /** The blocks of [group] for a robot with [brick]. */
@@ -39,17 +42,13 @@ object Palette {
 
     private fun line(form: LineForm, template: String): PaletteBlock {
         val source = if (form.isSetting) "robot\n$template\nend" else template
+        val lines = outlineRobolang(source).lines.let { if (form.isSetting) it.drop(1).dropLast(1) else it }
         return PaletteBlock(
             idOf(form),
             form.group,
             isValue = false,
             template,
-            wordsOf(
-                outlineRobolang(source).lines.flatMap {
-                    it.parts
-                },
-                source,
-            ),
+            wordsOf(lines.flatMap { it.parts }, source),
         )
     }
 
@@ -108,7 +107,7 @@ internal const val VALUE_LINE = "var x = "
 
 internal fun idOf(form: LineForm): String = form.name.lowercase().replace('_', '-')
 
-private fun idOf(form: ValueForm): String = "value-" + form.name.lowercase().replace('_', '-')
+internal fun idOf(form: ValueForm): String = "value-" + form.name.lowercase().replace('_', '-')
 
 /** The id of the palette block that has a value like [part]; each built-in function has its own. */
 internal fun idOf(part: PhrasePart.Value, source: String): String {

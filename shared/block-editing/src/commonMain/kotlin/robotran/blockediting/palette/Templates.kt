@@ -15,7 +15,7 @@ internal val ValueForm.templates: List<String>
         ValueForm.NEGATION -> listOf("-light")
         ValueForm.NOT -> listOf("not left bumper")
         ValueForm.LOGIC -> listOf("left bumper and right bumper")
-        ValueForm.COMPARISON -> listOf("light < 40")
+        ValueForm.COMPARISON -> listOf(LIGHT_COMPARISON)
         ValueForm.ARITHMETIC -> listOf("5 + 5")
         ValueForm.BUILT_IN -> RobolangWords.functions.map { (name, parameters) -> callOf(name, parameters) }
         ValueForm.BUMPER -> listOf("left bumper")
@@ -36,6 +36,7 @@ internal val ValueForm.templates: List<String>
 /** The same for a robot with [brick]. */
 internal fun ValueForm.templatesOn(brick: BrickKind): List<String> = when {
     this.brick != null && this.brick != brick -> emptyList()
+    this == ValueForm.COMPARISON && brick == BrickKind.NXT -> listOf("distance < 20")
     this == ValueForm.BUTTON && brick == BrickKind.NXT -> listOf("button enter")
     else -> templates
 }

@@ -24,6 +24,8 @@ private object EnglishSyntaxMessages : SyntaxMessages {
     override fun missingNumber(command: String, example: String) =
         "After ${quoted(command)} comes a number, such as ${quoted(example)}."
 
+    override fun startInstead(start: String) = "To drive until something happens, write ${quoted(start)}."
+
     override fun missingTurnDirection(suggestion: String?) =
         "Say which way to turn: \"turn left 90\" or \"turn right 90\".${didYouMean(suggestion)}"
 

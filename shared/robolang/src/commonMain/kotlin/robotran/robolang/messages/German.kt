@@ -29,6 +29,9 @@ private object GermanSyntaxMessages : SyntaxMessages {
     override fun missingNumber(command: String, example: String) =
         "Nach ${quoted(command)} kommt eine Zahl, zum Beispiel ${quoted(example)}."
 
+    override fun startInstead(start: String) =
+        "Soll der Roboter fahren, bis etwas geschieht, dann schreib ${quoted(start)}."
+
     override fun missingTurnDirection(suggestion: String?) =
         "Sag, in welche Richtung: \"turn left 90\" oder \"turn right 90\".${didYouMean(suggestion)}"
 

@@ -29,6 +29,8 @@ private object SpanishSyntaxMessages : SyntaxMessages {
     override fun missingNumber(command: String, example: String) =
         "Después de ${quoted(command)} va un número, como en ${quoted(example)}."
 
+    override fun startInstead(start: String) = "Para que conduzca hasta que pase algo, escribe ${quoted(start)}."
+
     override fun missingTurnDirection(suggestion: String?) =
         "Di hacia dónde hay que girar: \"turn left 90\" o \"turn right 90\".${didYouMean(suggestion)}"
 

@@ -22,9 +22,8 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private var settings = mutableListOf<RobotSetting>()
 
     fun program(): ParsedProgram {
-        for (line in lines) {
-            if (line.tokens.isNotEmpty()) line(LineReader(line))
-        }
+        val written = lines.filter { it.tokens.isNotEmpty() }
+        written.forEachIndexed { index, line -> line(LineReader(line, written.getOrNull(index + 1))) }
         forgiveTakenWords(lines, diagnostics)
         val lacking = blocks.lackingEnds()
         reportMissingEnds(lacking, lines, diagnostics)

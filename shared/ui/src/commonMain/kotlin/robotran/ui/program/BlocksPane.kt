@@ -116,8 +116,12 @@ internal fun BlocksPane(
     val allowed = LocalAllowedBlocks.current
     val introduced = remember(tutorialStep, allowed) { allowed ?: tutorialStep?.let { blocksIntroducedBy(it) } }
     val isFixed = allowed != null
-    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick) {
-        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick, { help.value(it) }) {
+    val sensors = remember(programs.robot.description.parts) {
+        programs.robot.description.parts.filter { it.port != null }.map { it.kind }.toSet()
+    }
+    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick, sensors) {
+        val onWord = { word: String -> help.value(word) }
+        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick, sensors, onWord) {
             event.value(it)
         }
     }

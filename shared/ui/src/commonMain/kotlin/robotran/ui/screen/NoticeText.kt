@@ -42,6 +42,7 @@ import robotran.ui.resources.hand_in_notice
 import robotran.ui.resources.hand_in_notice_run
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
+import robotran.ui.resources.learning_world_no_room
 import robotran.ui.resources.notice_change_number
 import robotran.ui.resources.notice_try_change
 import robotran.ui.resources.nxt_escape_alone
@@ -75,6 +76,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     )
 
     Notice.FixOutdated -> stringResource(Res.string.program_fix_gone)
+
+    Notice.NoSlotForTask -> stringResource(Res.string.learning_world_no_room)
 
     Notice.NoSlotForExample -> stringResource(Res.string.learning_help_no_room)
 

@@ -99,7 +99,7 @@ class LearningStateHolder(
             LearningEvent.TutorialClosed -> leaveTutorial()
             is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
-            LearningEvent.WorldProgramRequested -> state.worldTask?.let(worldTask::putProgram)
+            LearningEvent.WorldProgramRequested -> putWorldProgram()
             is LearningEvent.WorldHintRequested -> changeWorldTask { worldTask.nextHint(it, event.shown) }
             is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name, event.brick)) leavePage()
@@ -282,6 +282,12 @@ class LearningStateHolder(
     private fun showSolution(shown: Boolean) {
         changeTutorial { tutorial.showSolution(it, shown) }
         if (shown && tutorial.loadedStep() != null) runControls.run()
+    }
+
+    /** The hint of a try with another program does not fit the one to begin with. */
+    private fun putWorldProgram() {
+        state.worldTask?.let(worldTask::putProgram)
+        changeWorldTask(worldTask::withoutHints)
     }
 
     private fun showWorldSolution(shown: Boolean) {

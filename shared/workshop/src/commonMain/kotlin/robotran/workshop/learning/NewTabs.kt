@@ -41,6 +41,27 @@ internal class NewTabs(
         return true
     }
 
+    /**
+     * Adds [program], which comes with a world, and shows it. An unchanged program that a world brought makes room for
+     * it, also one of the same name. If there is still no room, shows a message and returns false.
+     */
+    fun addGiven(program: PupilProgram): Boolean {
+        val programs = current.project.pupilPrograms
+        val isFull = programs.size >= BrickProgram.MAX_PROGRAMS
+        val given = programs.filter { it.isGiven }
+        val replaced = given.firstOrNull { it.name == program.name }
+            ?: if (isFull) given.firstOrNull { it != current.shownProgram } ?: given.firstOrNull() else null
+        if (isFull && replaced == null) {
+            notices.show(Notice.NoSlotForTask)
+            return false
+        }
+        // The only program cannot go before another has come.
+        if (replaced != null && programs.size > 1) tabs.removePrograms { it == replaced }
+        tabs.addProgram(program)
+        navigator.show(Pane.PROGRAM)
+        return true
+    }
+
     /** Removes the first program that [isMeant], if there is one. */
     fun remove(isMeant: (PupilProgram) -> Boolean) {
         val index = current.project.pupilPrograms.indexOfFirst(isMeant)

@@ -57,7 +57,7 @@ internal class WorldTaskController(
     /** Shows the pupil's version of the program to begin with, or adds the original. */
     fun putProgram(state: WorldTaskState) {
         val program = state.task.program
-        newTabs.choose { it.name == program.name } || newTabs.add(PupilProgram(program.name, program.text))
+        newTabs.choose { it.name == program.name } || newTabs.addGiven(PupilProgram(program.name, program.text))
     }
 
     /** The [state] with one more hint if [shown], otherwise with none. */
@@ -82,7 +82,7 @@ internal class WorldTaskController(
         if (shown) {
             val solution = solutions.firstOrNull { it.language == current.shownProgram.language } ?: solutions.first()
             if (!state.help.solutionShown) nameBefore = current.shownProgram.name
-            if (newTabs.choose { it == solution } || newTabs.add(solution)) runControls.run()
+            if (newTabs.choose { it == solution } || newTabs.addGiven(solution)) runControls.run()
         } else {
             newTabs.remove { it in solutions }
             newTabs.choose { it.name == nameBefore }

@@ -209,6 +209,22 @@ class ProgramsStateHolder(
     }
 
     /**
+     * Removes the first robot's programs that [isMeant]. If no other would be left, it gets those of a robot to which
+     * nobody has given any.
+     */
+    internal fun removePrograms(isMeant: (PupilProgram) -> Boolean) {
+        val first = robots.first()
+        if (first.list.programs.none(isMeant)) return
+        if (!first.removeAll(isMeant)) {
+            val placement = first.placement
+            val programs = if (placement.program == null) listOf(firstProgram()) else emptyList()
+            robots = listOf(robotOf(placement, ProjectRobot(placement.name), programs)) + robots.drop(1)
+        }
+        requestCompile()
+        refresh()
+    }
+
+    /**
      * Updates the robots to those of [world]. Robots keep their programs by name; the first robot gets those of the
      * first.
      */

@@ -113,6 +113,21 @@ internal class RobotPrograms(
         }
     }
 
+    /** Removes the programs that [isMeant], unless no other would be left. Returns whether it did. */
+    fun removeAll(isMeant: (PupilProgram) -> Boolean): Boolean {
+        val slots = list.entries.indices.filterNot { isMeant(list.entries[it].program) }
+        if (slots.isEmpty()) return false
+        if (shownProgram !in slots) shownFile = 0
+        shownProgram = maxOf(0, slots.indexOfLast { it <= shownProgram })
+        (closed as? ClosedFile.OfProgram)?.let { file ->
+            val isMessageShown = closedMessageShown
+            closed = slots.indexOf(file.slot).takeIf { it >= 0 }?.let(file::inSlot)
+            closedMessageShown = isMessageShown && closed != null
+        }
+        list.replace(slots.map { list.entries[it] })
+        return true
+    }
+
     /** The same programs and editor states for [placement]. */
     fun movedTo(placement: RobotPlacement): RobotPrograms {
         val isOwn = isUntouched && worldProgramOf(placement) != given

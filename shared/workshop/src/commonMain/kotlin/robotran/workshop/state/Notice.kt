@@ -32,6 +32,9 @@ sealed interface Notice {
     /** The brick has no slot left for an example. */
     data object NoSlotForExample : Notice
 
+    /** All slots have programs of the pupil's, so that there is none for what comes with a task. */
+    data object NoSlotForTask : Notice
+
     /** [program] is the first opened program that did not fit into the [maxPrograms] slots. */
     data class NoSlotForProgram(val program: String, val maxPrograms: Int) :
         Notice,

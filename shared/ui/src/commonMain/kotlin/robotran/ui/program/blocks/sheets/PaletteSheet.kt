@@ -61,6 +61,7 @@ import robotran.ui.resources.assignment_blocks_none
 import robotran.ui.resources.blocks_none_found
 import robotran.ui.resources.blocks_not_yet
 import robotran.ui.resources.blocks_palette
+import robotran.ui.resources.blocks_palette_lines
 import robotran.ui.resources.blocks_palette_values
 import robotran.ui.resources.blocks_search
 import robotran.ui.resources.blocks_show_all
@@ -92,6 +93,7 @@ internal fun PaletteSheet(
         shownBlocks(scope.state, introduced, scope.brick)
     }
     val (values, lines) = shown.partition { it.isValue }
+    val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
     val list = remember { FocusRequester() }
     val isOver = room.sheets == SheetPlace.OVER
     val keys = LocalKeysInUse.current
@@ -142,14 +144,21 @@ internal fun PaletteSheet(
         ) {
             if (hasAll && palette.query.isBlank()) item { SheetHeading(scope.messages.group(palette.group)) }
             if (hasAll && shown.isEmpty()) item { noneFound() }
-            items(lines) { block ->
-                Row(verticalAlignment = Alignment.Top) {
-                    Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
-                    DoNowButton(block, scope)
+            val allLines = {
+                items(lines) { block ->
+                    Row(verticalAlignment = Alignment.Top) {
+                        Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
+                        DoNowButton(block, scope)
+                    }
                 }
             }
+            if (!valuesFirst) allLines()
             if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
             items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+            if (valuesFirst) {
+                if (lines.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_lines)) }
+                allLines()
+            }
             if (hasAll && introduced != null) item { showAll() }
         }
     }

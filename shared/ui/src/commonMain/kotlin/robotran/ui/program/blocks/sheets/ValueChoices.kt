@@ -11,6 +11,7 @@ import robotran.blockediting.namesFor
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.comparisonsFor
 import robotran.blockediting.palette.textAt
 import robotran.blockediting.palette.valueForm
 import robotran.blockediting.palette.valueKind
@@ -37,7 +38,11 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
     }
     SheetHeading(stringResource(Res.string.blocks_values))
     val fitting = VALUES.getValue(scope.brick).filter { (_, kind) -> fits(kind, part.use) }
-    Choices(fitting.map { (block, _) -> block.template to block.textAt(part, scope.state.program) }, "value", onChoose)
+    // Comparisons of the robot's own sensors come first.
+    val (comparisons, others) = fitting.map { it.first }.partition { it.valueForm == ValueForm.COMPARISON }
+    val compared = if (comparisons.isEmpty()) emptyList() else comparisonsFor(scope.sensors, scope.brick)
+    val choices = compared.map { it to it } + others.map { it.template to it.textAt(part, scope.state.program) }
+    Choices(choices, "value", onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */
