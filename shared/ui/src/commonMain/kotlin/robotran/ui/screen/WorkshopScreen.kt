@@ -5,12 +5,14 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.layout.onSizeChanged
@@ -102,7 +104,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                         edit != null -> Box {
                             WorldEditPane(edit, state.session, state.document, onEvent)
                             state.notice?.takeIf { it is Notice.RobotKeptAsDraft }?.let {
-                                NoticeBar(it, onEvent, Modifier.padding(top = BELOW_BAR).padding(8.dp))
+                                val place = Modifier.align(Alignment.TopCenter).widthIn(max = NOTICE_WIDTH)
+                                NoticeBar(it, onEvent, place.padding(top = BELOW_BAR).padding(8.dp))
                             }
                         }
 
@@ -163,6 +166,9 @@ private val BROAD_WIDTH = 1600.dp
 private val BROAD_HEIGHT = 800.dp
 
 /** Leaves the bar of the world editor, with its Done, free. */
+/** So that a notice leaves the palette and the tabs of a tablet free. */
+private val NOTICE_WIDTH = 560.dp
+
 private val BELOW_BAR = 64.dp
 
 /** Whether neither the world editor nor the page of an assignment covers the run bar. */
