@@ -166,10 +166,10 @@ private val BROAD_WIDTH = 1600.dp
 private val BROAD_HEIGHT = 800.dp
 
 /** Leaves the bar of the world editor, with its Done, free. */
-/** So that a notice leaves the palette and the tabs of a tablet free. */
-private val NOTICE_WIDTH = 560.dp
-
 private val BELOW_BAR = 64.dp
+
+/** Leaves the palette and the tabs of the world editor on a tablet free. */
+private val NOTICE_WIDTH = 560.dp
 
 /** Whether neither the world editor nor the page of an assignment covers the run bar. */
 private val WorkshopState.isDesk: Boolean get() = worldEdit == null && making == null
