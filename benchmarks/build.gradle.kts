@@ -18,6 +18,9 @@ kotlin {
             // Compose's compiler plugin, which the UI benchmarks need, requires it on every target.
             implementation(libs.compose.runtime)
         }
+        commonMain {
+            kotlin.srcDir(rootProject.file("shared/nxt/src/fakeNxtTest/kotlin"))
+        }
         jvmMain.dependencies {
             implementation(project(":shared:ui"))
             implementation(project(":shared:projects"))

@@ -13,6 +13,12 @@ texts {
         "**/*.java",
     )
     constant("commonTest", "robotran.javacompiler.examplePrograms", "examples/lejos", "*.java")
+    constant(
+        "commonTest",
+        "robotran.javacompiler.nxjPrograms",
+        "shared/nxj-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
 }
 
 kotlin {
@@ -20,6 +26,9 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:language"))
             api(project(":shared:lejos-library"))
+        }
+        commonTest.dependencies {
+            implementation(project(":shared:nxj-library"))
         }
         jvmMain.dependencies {
             implementation(project(":shared:ecj"))

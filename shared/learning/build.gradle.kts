@@ -23,6 +23,7 @@ kotlin {
             api(project(":shared:projects"))
             api(project(":shared:simulation"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:nxj-library"))
             implementation(project(":shared:rcx-rom"))
         }
     }

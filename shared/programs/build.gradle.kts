@@ -14,6 +14,8 @@ texts {
     )
     constant("commonTest", "robotran.programs.robolangExamples", "examples", "*.robo")
     constant("commonTest", "robotran.programs.lejosExamples", "examples/lejos", "*.java")
+    constant("commonTest", "robotran.programs.nxjExamples", "examples/nxj", "*.java")
+    constant("commonTest", "robotran.programs.nxjRuns", "shared/programs/src/commonTest/resources/nxj-runs", "*")
     constant("commonTest", "robotran.programs.expectedRuns", "shared/programs/src/commonTest/resources/runs", "*")
     constant(
         "commonTest",
@@ -37,10 +39,17 @@ texts {
     )
     constant("jvmTest", "robotran.programs.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.programs.documentedPrograms", "docs", "lejos.md", "java")
+    blocks("jvmTest", "robotran.programs.documentedNxjPrograms", "docs", "nxj.md", "java")
     constant(
         "jvmTest",
         "robotran.programs.libraryPrograms",
         "shared/lejos-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
+    constant(
+        "jvmTest",
+        "robotran.programs.nxjPrograms",
+        "shared/nxj-library/src/commonTest/resources/programs",
         "**/*.java",
     )
 }
@@ -54,9 +63,13 @@ kotlin {
             api(project(":shared:java-compiler"))
             api(project(":shared:lejos-linker"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:nxj-library"))
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))
+        }
+        jvmTest {
+            kotlin.srcDir("../tinyvm/src/nxjExpectations/kotlin")
         }
     }
 }

@@ -23,6 +23,7 @@ kotlin {
             kotlin.srcDir("../json/src/schemaTest/kotlin")
         }
         jvmTest.dependencies {
+            implementation(project(":shared:nxt"))
             implementation(libs.json.schema.validator)
         }
         wasmJsMain.dependencies {

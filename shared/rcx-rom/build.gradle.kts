@@ -17,7 +17,7 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
-            api(project(":shared:language"))
+            api(project(":shared:brick"))
         }
     }
 }

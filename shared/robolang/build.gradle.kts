@@ -27,6 +27,13 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
+            api(project(":shared:nxt"))
+        }
+        commonTest {
+            kotlin.srcDir("../nxt/src/fakeNxtTest/kotlin")
+        }
+        jvmTest {
+            resources.srcDir("../nxj-library/src/brick/java")
         }
         jvmTest.dependencies {
             implementation(libs.bcel)

@@ -6,6 +6,7 @@ plugins {
 texts {
     constant("commonTest", "robotran.textediting.robolangExamples", "examples", "*.robo")
     constant("commonTest", "robotran.textediting.lejosExamples", "examples/lejos", "*.java")
+    constant("commonTest", "robotran.textediting.nxjExamples", "examples/nxj", "*.java")
 }
 
 kotlin {
@@ -13,6 +14,7 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:robolang"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:nxj-library"))
         }
     }
 }

@@ -6,6 +6,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:workshop"))
+            implementation(project(":shared:nxt"))
             implementation(project(":shared:qr-code"))
             implementation(project(":shared:scene3d"))
             api(libs.compose.runtime)

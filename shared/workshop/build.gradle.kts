@@ -10,6 +10,7 @@ plugins {
 texts {
     constant("commonMain", "robotran.workshop.examples.exampleTexts", "examples", "*.robo")
     constant("commonMain", "robotran.workshop.examples.lejosExampleTexts", "examples/lejos", "*.java")
+    constant("commonMain", "robotran.workshop.examples.nxjExampleTexts", "examples/nxj", "*.java")
 }
 
 kotlin {
@@ -26,10 +27,12 @@ kotlin {
             api(project(":shared:text-editing"))
             api(project(":shared:block-editing"))
             api(project(":shared:world-editing"))
+            api(project(":shared:robot-editing"))
             api(project(":shared:documents"))
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
             api(libs.compose.runtime)
+            implementation(project(":shared:nxj-library"))
             implementation(libs.coroutines.core)
         }
         jvmMain.dependencies {

@@ -47,6 +47,10 @@ gradlePlugin {
             id = "robotran.ecj-web"
             implementationClass = "robotran.build.teavm.EcjWebPlugin"
         }
+        create("nxjWeb") {
+            id = "robotran.nxj-web"
+            implementationClass = "robotran.build.teavm.NxjWebPlugin"
+        }
         create("texts") {
             id = "robotran.texts"
             implementationClass = "robotran.build.texts.TextsPlugin"
@@ -54,6 +58,10 @@ gradlePlugin {
         create("lejosLibrary") {
             id = "robotran.lejos-library"
             implementationClass = "robotran.build.lejos.LejosLibraryPlugin"
+        }
+        create("nxjLibrary") {
+            id = "robotran.nxj-library"
+            implementationClass = "robotran.build.lejos.NxjLibraryPlugin"
         }
         create("brickPrograms") {
             id = "robotran.brick-programs"

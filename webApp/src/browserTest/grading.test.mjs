@@ -7,23 +7,28 @@ import { test } from './tried-again.mjs';
 import { appears, choose, disappears, press, says } from './words.mjs';
 
 const grades = process.env.EXPECTED_GRADES;
+
+// Classes of hand-ins, good, bad and hostile ones, with the grades that the JVM gives them.
+const RCX = { folder: grades, assignment: 'parking.robotran', title: /Parking/ };
+const NXT = { folder: path.join(grades, 'nxt'), assignment: 'wall.robotran', title: /Before the wall/ };
+
 const file = async (name) => ({
   name: path.basename(name),
   mimeType: 'application/octet-stream',
-  buffer: await readFile(path.join(grades, name)),
+  buffer: await readFile(name),
 });
 
 /** Opens the assignment and lets the page grade the class. */
-async function grade(page) {
+async function grade(page, { folder, assignment, title } = RCX) {
   let chooser = page.waitForEvent('filechooser');
   await choose(page, 'work-menu', 'work-open');
-  await (await chooser).setFiles([await file('parking.robotran')]);
-  await says(page, 'task-title', /Parking/);
+  await (await chooser).setFiles([await file(path.join(folder, assignment))]);
+  await says(page, 'task-title', title);
   await choose(page, 'work-menu', 'work-hand-ins');
   chooser = page.waitForEvent('filechooser');
   await press(page, 'hand-ins-choose');
-  const names = (await readdir(path.join(grades, 'class'))).sort();
-  await (await chooser).setFiles(await Promise.all(names.map((name) => file(path.join('class', name)))));
+  const names = (await readdir(path.join(folder, 'class'))).sort();
+  await (await chooser).setFiles(await Promise.all(names.map((name) => file(path.join(folder, 'class', name)))));
   // Until then, hand-ins that cannot be used may be there alone.
   await appears(page, 'hand-ins-cancel');
 }
@@ -52,27 +57,33 @@ const haveEnded = async (page) => {
   assert.equal(page.workers().length, 0);
 };
 
-const expected = () => readFile(path.join(grades, 'grades.csv'), 'utf8');
+const expected = ({ folder } = RCX) => readFile(path.join(folder, 'grades.csv'), 'utf8');
 
-test('workers give a class the same grades as the JVM', () =>
-  onPage(TABLET, async ({ page, troubles }) => {
-    const workers = [];
-    page.on('worker', (worker) => workers.push(worker));
-    await grade(page);
-    await isGraded(page);
-    assert.equal(await table(page), await expected());
-    assert.ok(workers.length >= 1, `${workers.length} workers`);
-    await haveEnded(page);
-    assert.deepEqual(troubles, []);
-  }));
+// For the NXT, workers compile Java for leJOS NXJ: they fetch its class library themselves.
+for (const [robots, handIns] of [
+  ['an RCX', RCX],
+  ['an NXT', NXT],
+]) {
+  test(`workers give a class with ${robots} the same grades as the JVM`, () =>
+    onPage(TABLET, async ({ page, troubles }) => {
+      const workers = [];
+      page.on('worker', (worker) => workers.push(worker));
+      await grade(page, handIns);
+      await isGraded(page);
+      assert.equal(await table(page), await expected(handIns));
+      assert.ok(workers.length >= 1, `${workers.length} workers`);
+      await haveEnded(page);
+      assert.deepEqual(troubles, []);
+    }));
 
-test('without workers, the page grades in slices, with the same result', () =>
-  onPage({ ...TABLET, prepare: () => delete globalThis.Worker }, async ({ page, troubles }) => {
-    await grade(page);
-    await isGraded(page);
-    assert.equal(await table(page), await expected());
-    assert.deepEqual(troubles, []);
-  }));
+  test(`without workers, the page grades a class with ${robots} in slices, with the same result`, () =>
+    onPage({ ...TABLET, prepare: () => delete globalThis.Worker }, async ({ page, troubles }) => {
+      await grade(page, handIns);
+      await isGraded(page);
+      assert.equal(await table(page), await expected(handIns));
+      assert.deepEqual(troubles, []);
+    }));
+}
 
 for (const [what, harm] of [
   ['dies', dies],

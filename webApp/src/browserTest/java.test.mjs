@@ -8,17 +8,23 @@ import { test } from './tried-again.mjs';
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;
 
-test('every Java example makes its recorded run in the browser, bit for bit', () =>
-  onPage(TABLET, async ({ page, troubles }) => {
-    const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.java'));
-    assert.ok(examples.length > 15, `${examples.length} examples`);
-    for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_JAVA_RUNS);
-    assert.deepEqual(troubles, []);
-  }));
+for (const [brick, folder, runs] of [
+  ['an RCX', 'lejos', process.env.EXPECTED_JAVA_RUNS],
+  ['an NXT', 'nxj', process.env.EXPECTED_NXJ_RUNS],
+])
+  test(`every Java example for ${brick} makes its recorded run in the browser, bit for bit`, () =>
+    onPage(TABLET, async ({ page, troubles }) => {
+      const isOne = (file) => file.endsWith('.java') && path.basename(path.dirname(file)) === folder;
+      const examples = process.env.EXAMPLES.split(path.delimiter).filter(isOne);
+      assert.ok(examples.length >= 15, `${examples.length} examples`);
+      for (const example of examples) await assertRecordedRun(page, example, runs);
+      assert.deepEqual(troubles, []);
+    }));
 
-test('the compiler is fetched with the first Java program, not before and not again', () =>
+test('the compiler is fetched with the first Java program, the classes of an NXT with the first for it, and none again', () =>
   onPage(TABLET, async ({ page, troubles, fetched }) => {
     const modules = () => fetched.filter((address) => new URL(address).pathname.endsWith('.wasm'));
+    const libraries = () => fetched.filter((address) => /\/nxj-classes\.[^/]*bin$/.test(new URL(address).pathname));
     const program = 'public class Nothing {\n    public static void main(String[] args) {\n    }\n}\n';
     const runJava = () => page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Nothing.java'), program);
 
@@ -30,6 +36,12 @@ test('the compiler is fetched with the first Java program, not before and not ag
     assert.equal(compilers.length, 1);
     await runJava();
     assert.equal(modules().filter((address) => address === compilers[0]).length, 1);
+
+    assert.deepEqual(libraries(), []);
+    const forNxt = 'public class Hello {\n    public static void main(String[] args) {\n        System.out.println();\n    }\n}\n';
+    for (let again = 0; again < 2; again++)
+      await page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Hello.java'), forNxt);
+    assert.equal(libraries().length, 1, libraries().join());
     assert.deepEqual(troubles, []);
   }));
 

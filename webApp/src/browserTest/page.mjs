@@ -163,13 +163,13 @@ export const report = async (page) => JSON.parse(await page.evaluate(() => globa
 export const photograph = (page, name) =>
   look(page, () => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) }));
 
-/** Runs the example FILE in the page and compares it with its record in the folder RUNS, bit for bit. */
-export async function assertRecordedRun(page, file, runs) {
+/** Runs the example FILE in the page, on BRICK if it is given, and compares it with its record in the folder RUNS, bit for bit. */
+export async function assertRecordedRun(page, file, runs, brick = null) {
   const record = path.join(runs, path.parse(file).name);
   const program = await readFile(file, 'utf8');
   const run = await page.evaluate(
-    ([text, name]) => globalThis.robotran.run(text, 60_000, name),
-    [program, path.basename(file)],
+    ([text, name, on]) => globalThis.robotran.run(text, 60_000, name, on),
+    [program, path.basename(file), brick],
   );
   // The trace hash in the report covers the whole ROM log. Only short logs are recorded as text, too.
   if (existsSync(`${record}.rom-log.txt`))

@@ -1,5 +1,6 @@
 // Drives the built page like a pupil: finds the green Run on the brick, presses it, and waits until the robot draws.
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { findColour } from './browser.mjs';
 import { assertRecordedRun, photograph, report, RUN_GREEN } from './page.mjs';
@@ -37,6 +38,16 @@ test('every example makes its recorded run in the browser, bit for bit', () =>
     const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo'));
     assert.notEqual(examples.length, 0);
     for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_RUNS);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('every example that an NXT can run makes its recorded run on one, bit for bit', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const runs = process.env.EXPECTED_NXT_RUNS;
+    const isRecorded = (file) => existsSync(path.join(runs, `${path.basename(file, '.robo')}.report.json`));
+    const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo') && isRecorded(file));
+    assert.ok(examples.length > 20, `${examples.length} examples`);
+    for (const example of examples) await assertRecordedRun(page, example, runs, 'nxt');
     assert.deepEqual(troubles, []);
   }));
 

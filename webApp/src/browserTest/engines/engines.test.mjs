@@ -11,7 +11,7 @@ import { Visit } from './visit.mjs';
 
 const SIZE = { width: 1180, height: 820 };
 const examples = process.env.EXAMPLES.split(path.delimiter);
-const example = (name) => examples.find((file) => path.basename(file) === name);
+const example = (name) => examples.find((file) => file.endsWith(path.join('examples', name)));
 
 const isThere = async (page) => {
   await page.waitForFunction(
@@ -55,7 +55,8 @@ for (const [name, open] of Object.entries(ENGINES)) {
 
     step(`${name} makes recorded runs, in Robolang and in Java, bit for bit`, async (page) => {
       await assertRecordedRun(page, example('square.robo'), process.env.EXPECTED_RUNS);
-      await assertRecordedRun(page, example('Square.java'), process.env.EXPECTED_JAVA_RUNS);
+      await assertRecordedRun(page, example(path.join('lejos', 'Square.java')), process.env.EXPECTED_JAVA_RUNS);
+      await assertRecordedRun(page, example(path.join('nxj', 'Square.java')), process.env.EXPECTED_NXJ_RUNS);
     });
 
     step(`without a network the page is there again in ${name}, with the work and with Java`, async (page, site) => {
@@ -72,7 +73,8 @@ for (const [name, open] of Object.entries(ENGINES)) {
       await page.reload();
       await isThere(page);
       await says(page, 'program', /forward 12/);
-      await assertRecordedRun(page, example('Square.java'), process.env.EXPECTED_JAVA_RUNS);
+      await assertRecordedRun(page, example(path.join('lejos', 'Square.java')), process.env.EXPECTED_JAVA_RUNS);
+      await assertRecordedRun(page, example(path.join('nxj', 'Square.java')), process.env.EXPECTED_NXJ_RUNS);
       assert.deepEqual(
         site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)),
         [],

@@ -80,7 +80,7 @@ class IncomingIntentTest {
             )
             assertTrue(type, isOffered(Intent(Intent.ACTION_SEND).setType(type)))
         }
-        for (name in listOf("maze.robotran", "my.first.robo", "a.b.world.json")) {
+        for (name in listOf("maze.robotran", "my.first.robo", "a.b.world.json", "my.sumo.robot.json")) {
             val place = Uri.parse("content://files.example/document/$name")
             assertTrue(name, isOffered(Intent(Intent.ACTION_VIEW).setDataAndType(place, "application/x-who-knows")))
         }

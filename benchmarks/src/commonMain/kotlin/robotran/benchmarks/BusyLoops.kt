@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
+import robotran.rcxrom.RcxBrick
 import robotran.tinyvm.config.TinyVmCosts
 
 /**
@@ -33,7 +33,7 @@ private suspend fun measureLoop(kind: String, body: String): BusyLoop {
     val seconds = seconds {
         rom.milliseconds = 0
         val run = program.start(rom)
-        while (run.resume(Brick.STEPS_PER_MILLISECOND) == ProgramStatus.Running) rom.milliseconds++
+        while (run.resume(RcxBrick.STEPS_PER_MILLISECOND) == ProgramStatus.Running) rom.milliseconds++
     }
     return BusyLoop(kind, rom.milliseconds.toDouble(), seconds * MILLISECONDS_IN_A_SECOND)
 }

@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
+import robotran.brick.program.ProgramStatus
 import robotran.programs.JavaSettings
-import robotran.rcxrom.program.ProgramStatus
 import robotran.tinyvm.config.TinyVmSpeed
 
 /** The bytecodes per second of the virtual machine, in a loop of arithmetic, field access, array elements and calls. */
@@ -22,7 +22,7 @@ internal suspend fun bytecodeSpeed(): Figure {
 }
 
 /** An endless loop without allocations, since the brick has no garbage collection. */
-private val MIXED =
+internal val MIXED =
     """
     public class Mixed {
         private int[] past = new int[16];

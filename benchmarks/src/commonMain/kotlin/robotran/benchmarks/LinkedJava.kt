@@ -11,10 +11,10 @@ import robotran.rcxrom.program.RcxProgram
 internal suspend fun javaProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): RcxProgram =
     when (
         val result = ProgramCompiler(
-            ANY_CALIBRATION,
+            ANY_TARGET,
             settings,
         ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
     ) {
-        is ProgramResult.Ready -> result.program
+        is ProgramResult.Ready -> result.program as RcxProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
     }

@@ -3,11 +3,11 @@ package robotran.benchmarks
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.RobolangLimits
 
-/** An arbitrary calibration; no benchmark depends on it. */
-internal val ANY_CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+/** An arbitrary robot; no benchmark depends on it. */
+internal val ANY_TARGET = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** The time to scan, parse and check a program of max length. */
 internal suspend fun readingSpeed(): Figure {
@@ -22,15 +22,15 @@ internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
     val seconds = seconds {
-        told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size
+        told = (compileRobolang("mistakes", source, ANY_TARGET) as RobolangResult.HasErrors).diagnostics.size
     }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
 
 /** The valid program [source]. */
-internal fun programOf(source: String, calibration: Calibration = ANY_CALIBRATION): RobolangProgram =
-    when (val result = compileRobolang("benchmark", source, calibration)) {
+internal fun programOf(source: String, target: RobotTarget = ANY_TARGET): RobolangProgram =
+    when (val result = compileRobolang("benchmark", source, target)) {
         is RobolangResult.Ready -> result.program
         is RobolangResult.HasErrors -> error(result.diagnostics.first().message)
     }

@@ -62,6 +62,8 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
 
         override fun freeDistance(body: Int, from: Point, to: Point): Double = world.freeDistance(body, from, to)
 
+        override fun ray(body: Int, from: Point, to: Point) = world.ray(body, from, to)
+
         private fun <T> also(part: (PhysicsWorld) -> T): T {
             building += { part(it) }
             return part(world)

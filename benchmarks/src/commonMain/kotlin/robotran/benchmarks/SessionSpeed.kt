@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.program.RcxProgram
-import robotran.robolang.robot.Calibration
+import robotran.brick.program.BrickProgram
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -71,19 +71,19 @@ internal suspend fun lineFollowerSpeed(): Figure {
 
 private suspend fun realTime(world: World): Figure = realTime(driving(world, loadPhysicsEngine()))
 
-private fun realTime(time: Duration): Figure =
+internal fun realTime(time: Duration): Figure =
     Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
 
 /** The time for all robots to drive in [world] for [VIRTUAL_TIME]. */
 private fun driving(world: World, physics: PhysicsEngine): Duration = running(drivingProgram(), world, physics)
 
 /** The time to simulate [VIRTUAL_TIME] of [program], on all robots, in [world]. */
-private fun running(program: RcxProgram, world: World, physics: PhysicsEngine): Duration =
+internal fun running(program: BrickProgram, world: World, physics: PhysicsEngine): Duration =
     median { runOnce(program, world, physics) }
 
 private fun driveOnce(world: World, physics: PhysicsEngine) = runOnce(drivingProgram(), world, physics)
 
-private fun runOnce(program: RcxProgram, world: World, physics: PhysicsEngine) {
+private fun runOnce(program: BrickProgram, world: World, physics: PhysicsEngine) {
     val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics)
     session.pressRun()
     session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
@@ -91,7 +91,7 @@ private fun runOnce(program: RcxProgram, world: World, physics: PhysicsEngine) {
 }
 
 private fun drivingProgram() =
-    programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    programOf(PROGRAM, RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 

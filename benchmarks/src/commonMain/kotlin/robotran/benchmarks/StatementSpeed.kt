@@ -1,10 +1,11 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
+import robotran.robolang.RobolangRcxProgram
 
 /** The statements per second of the interpreter, in a counting loop. */
 internal suspend fun statementSpeed(): Figure {
-    val program = programOf("var count = 0\nrepeat 2000000 times\n  count = count + 1\nend\n")
+    val program = programOf("var count = 0\nrepeat 2000000 times\n  count = count + 1\nend\n") as RobolangRcxProgram
     var statements = 0L
     val seconds =
         seconds {

@@ -3,11 +3,11 @@ package robotran.benchmarks
 import robotran.animatedpicture.AnimationStep
 import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.animatedGif
+import robotran.brick.controls.BrickButton
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.projects.PENBOT_CALIBRATION
-import robotran.rcxrom.controls.BrickButton
+import robotran.projects.PENBOT_TARGET
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
 import robotran.simulation.RobotLoad
@@ -26,7 +26,7 @@ import kotlin.time.TimeSource
  */
 internal suspend fun movingPictureTime(faster: Int): Figure {
     val source = ProgramSource.Robolang("flowers.robo", FLOWERS)
-    val program = (ProgramCompiler(PENBOT_CALIBRATION).read(source) as ProgramResult.Ready).program
+    val program = (ProgramCompiler(PENBOT_TARGET).read(source) as ProgramResult.Ready).program
     val world = BuiltInWorlds.plain
     val player = RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine()))
     player.apply(SessionInput.Press(BrickButton.RUN, 0))

@@ -43,6 +43,7 @@ class CommandLine(
                 TranslateCommand(console),
                 BuildCommand(console),
                 FormatCommand(console),
+                RobotCommand(console),
                 LinkCommand(console),
                 SendCommand(console, towers),
                 FirmwareCommand(console, towers),

@@ -24,6 +24,7 @@ import robotran.cli.input.courseOf
 import robotran.cli.input.isCourse
 import robotran.cli.input.isProject
 import robotran.cli.input.loadWorld
+import robotran.cli.input.plainSheetFor
 import robotran.cli.input.projectOf
 import robotran.cli.input.readWorldFile
 import robotran.programs.ProgramSource
@@ -33,7 +34,6 @@ import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.linkOf
 import robotran.projects.siteAddress
-import robotran.world.file.BuiltInWorlds
 
 /** `robotran link FILE..`: prints the URL fragment that opens the page with a world or a project. */
 internal class LinkCommand(private val process: Console) : CoreCliktCommand("link") {
@@ -120,7 +120,8 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
             console.complain(console.messages.compiled(program.path))
             return null
         }
-        val place = world?.let { loadWorld(it, console) ?: return null } ?: LoadedWorld(BuiltInWorlds.plain)
+        val place = world?.let { loadWorld(it, console) ?: return null }
+            ?: LoadedWorld(plainSheetFor(programs.map { it.first }))
         val own = ProjectRobot(place.world.robots.first().name, programs.mapNotNull { it.second })
         return Project(place.world, listOf(own) + place.others)
     }

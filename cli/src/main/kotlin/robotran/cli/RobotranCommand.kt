@@ -34,7 +34,8 @@ internal class RobotranCommand(private val console: Console, private val desktop
 internal class AppCommand(private val console: Console, private val desktop: DesktopApp?) : CoreCliktCommand("app") {
     private val files by argument(
         "FILE",
-        help = "programs, worlds and projects to open (.robo, .java, .world.json, .robotran), or a link",
+        help = "programs, worlds, robots and projects to open (.robo, .java, .world.json, .robot.json, .robotran), " +
+            "or a link",
     ).multiple()
 
     override fun help(context: Context) = "Opens the desktop app."

@@ -32,4 +32,12 @@ abstract class CommandTest {
                 "Exception {\n"
         return program("$head$body\n    }\n}\n", "$name.java")
     }
+
+    /** A program [name] for an NXT with [statements] in its main method, starting on line 7. */
+    protected fun nxjProgram(name: String, statements: String): String {
+        val body = statements.trimIndent().prependIndent("        ")
+        val head = "import lejos.nxt.*;\nimport lejos.util.*;\nimport lejos.robotics.navigation.*;\n\n" +
+            "public class $name {\n    public static void main(String[] args) throws Exception {\n"
+        return program("$head$body\n    }\n}\n", "$name.java")
+    }
 }

@@ -1,12 +1,12 @@
 package robotran.cli
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.controls.BrickButton
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.openLink
 import robotran.projects.writeProject
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.file.BuiltInWorlds

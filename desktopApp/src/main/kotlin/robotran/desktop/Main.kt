@@ -35,4 +35,4 @@ internal object ComposeApp : DesktopApp {
 
 private fun isOpenedFile(word: String?): Boolean = word != null && ENDINGS.any(word::endsWith) && File(word).isFile
 
-private val ENDINGS = listOf(".robotran", ".world.json", ".course.json", ".robo", ".java")
+private val ENDINGS = listOf(".robotran", ".world.json", ".robot.json", ".course.json", ".robo", ".java")

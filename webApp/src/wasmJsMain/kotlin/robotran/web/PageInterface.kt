@@ -4,10 +4,12 @@ package robotran.web
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
+import robotran.brick.kind.BrickKind
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.programs.likelyBrickOf
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.RobotLoads
@@ -25,9 +27,9 @@ import kotlin.js.Promise
 /**
  * Adds the object `robotran` to the page:
  * - `report()` returns the report of the workshop's run so far, as JSON;
- * - `run(program, milliseconds, name)` returns a promise of `{ report, romLog }` of a run of a program text on the
+ * - `run(program, milliseconds, name, brick)` returns a promise of `{ report, romLog }` of a run of a program text on the
  *   empty sheet, like `robotran run`; it is rejected with the first error of the text. A name that ends in `.java`
- *   selects Java, otherwise the program is Robolang;
+ *   selects Java, otherwise the program is Robolang. `brick` is `nxt` for a Robolang program that runs on an NXT;
  * - `runProject(project, milliseconds)` returns a promise of `{ report }` of a run of a project file's text with its
  *   recorded inputs; it is rejected with the project's error.
  *
@@ -35,21 +37,18 @@ import kotlin.js.Promise
  */
 internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publish(
     report = { workshop.report().toJson() },
-    run = { program, milliseconds, name -> scope.promise { runOf(program, milliseconds, name) } },
+    run = { program, milliseconds, name, brick -> scope.promise { runOf(program, milliseconds, name, brick) } },
     runProject = { text, milliseconds -> scope.promise { projectRunOf(text, milliseconds) } },
 )
 
-private suspend fun runOf(program: String, milliseconds: Int, name: String): JsAny? {
-    val source =
-        if (name.endsWith(
-                JAVA,
-            )
-        ) {
-            ProgramSource.Java(name, listOf(SourceFile(name, program)))
-        } else {
-            ProgramSource.Robolang(name, program)
-        }
-    val world = BuiltInWorlds.plain
+private suspend fun runOf(program: String, milliseconds: Int, name: String, brick: String?): JsAny? {
+    val source = if (name.endsWith(JAVA)) {
+        ProgramSource.Java(name, listOf(SourceFile(name, program)))
+    } else {
+        ProgramSource.Robolang(name, program)
+    }
+    val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
+    val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.RCX)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(
@@ -75,7 +74,7 @@ private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? = when
 }
 
 private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
-    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, project.settings.java))) {
+    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, project.settings.java))) {
         is RobotLoads.HasErrors -> {
             refusal(robots.diagnostics.first().message)
         }
@@ -101,14 +100,14 @@ private fun runResult(report: String, romLog: String): JsAny = js("({ report, ro
 
 private fun publish(
     report: () -> String,
-    run: (String, Int, String) -> Promise<JsAny?>,
+    run: (String, Int, String, String?) -> Promise<JsAny?>,
     runProject: (String, Int) -> Promise<JsAny?>,
 ): Unit = js(
-    "{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, " +
-        "name) }; }",
+    "{ globalThis.robotran = { report, runProject, " +
+        "run: (program, time, name = 'program', brick = null) => run(program, time, name, brick) }; }",
 )
 
 /** Shared by all runs, so that the Java compiler is loaded once. */
-private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+private val reader = ProgramCompiler(PENBOT_TARGET)
 
 private const val JAVA = ".java"

@@ -58,6 +58,7 @@ internal class WebSpeaker : LoudSpeaker {
 private class SoundingTone(context: AudioContext, private val tone: PlannedTone) {
     private val oscillator = context.createOscillator()
     private val gain = context.createGain()
+    private val loudness = (tone.volume * if (tone.isSoft) SOFT_LOUDNESS else LOUDNESS).toFloat()
 
     /** The end time in milliseconds. */
     var end = tone.end
@@ -65,12 +66,12 @@ private class SoundingTone(context: AudioContext, private val tone: PlannedTone)
 
     init {
         val start = tone.start / MILLISECONDS_PER_SECOND
-        oscillator.type = "square"
+        oscillator.type = if (tone.isSoft) "sine" else "square"
         oscillator.frequency.value = tone.hertz.toFloat()
         oscillator.connect(gain)
         gain.connect(context.destination)
         gain.gain.setValueAtTime(0f, start)
-        gain.gain.linearRampToValueAtTime(LOUDNESS, start + RAMP_SECONDS)
+        gain.gain.linearRampToValueAtTime(loudness, start + RAMP_SECONDS)
         oscillator.start(start)
         fallAt(end)
     }
@@ -85,14 +86,15 @@ private class SoundingTone(context: AudioContext, private val tone: PlannedTone)
 
     private fun fallAt(milliseconds: Double) {
         val seconds = milliseconds / MILLISECONDS_PER_SECOND
-        gain.gain.setValueAtTime(LOUDNESS, seconds)
+        gain.gain.setValueAtTime(loudness, seconds)
         gain.gain.linearRampToValueAtTime(0f, seconds + RAMP_SECONDS)
         oscillator.stop(seconds + RAMP_SECONDS)
     }
 
     private companion object {
         /** A fifth of full volume, since a square wave is loud. */
-        const val LOUDNESS = 0.2f
+        const val LOUDNESS = 0.2
+        const val SOFT_LOUDNESS = 0.25
         const val RAMP_SECONDS = 0.002
     }
 }

@@ -1,5 +1,6 @@
 package robotran.android.recorded
 
+import robotran.brick.log.toLogText
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -9,8 +10,7 @@ import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
-import robotran.rcxrom.log.toLogText
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -28,12 +28,12 @@ import java.io.File
  * @param tree the folder with the source tree, which contains the programs and the records.
  */
 internal class RecordedRuns(private val tree: File) {
-    private val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    private val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
 
     /** Repeats all sessions and returns those whose report or ROM log differs from the record. */
     suspend fun differences(): Outcome {
         val physics = loadPhysicsEngine()
-        val reader = ProgramCompiler(calibration)
+        val reader = ProgramCompiler(target)
         val robolang = files("examples", ".robo").map { file ->
             compare(
                 example(reader, ProgramSource.Robolang(file.name, file.readText()), physics),
@@ -63,7 +63,7 @@ internal class RecordedRuns(private val tree: File) {
         val loads = (
             readRobotLoads(
                 project,
-                ProgramCompiler(calibration, project.settings.java),
+                ProgramCompiler(target, project.settings.java),
             ) as RobotLoads.Ready
         ).loads
         return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply {

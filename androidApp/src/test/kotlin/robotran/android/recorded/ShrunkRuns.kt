@@ -5,7 +5,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.world.Penbot
 import java.io.File
 import kotlin.system.exitProcess
@@ -25,7 +25,7 @@ fun main(arguments: Array<String>) = runBlocking {
 }
 
 private suspend fun mistakeFaults(): List<String> {
-    val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    val reader = ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
     val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()

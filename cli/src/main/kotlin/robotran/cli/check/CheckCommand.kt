@@ -11,11 +11,12 @@ import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
+import robotran.cli.console.brickOption
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 
 /** `robotran check FILE..`: prints all diagnostics of all files. */
 internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
@@ -24,6 +25,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         help = "Robolang programs (.robo), the files of a Java program (.java), or compiled ones (.class, .jar)",
     )
         .multiple(required = true)
+    private val brick by brickOption()
     private val options by JavaOptions()
     private val spoken by LanguageOption()
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
@@ -33,8 +35,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
     override fun run() {
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION, options.java, spoken.language)
-        val results = checkFiles(files, compiler, translating = options.version != null)
+        val compiler = ProgramCompiler(PENBOT_TARGET, options.java, spoken.language)
+        val results = checkFiles(files, compiler, brick, translating = options.version != null)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
     }

@@ -1,6 +1,7 @@
 package robotran.cli.check
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.cli.files.CLASS
 import robotran.cli.files.JAR
 import robotran.cli.files.JAVA
@@ -19,6 +20,8 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.programs.likelyBrickOf
+import robotran.projects.penbotTarget
 
 /** The result of checking one file. */
 internal sealed interface CheckedFile {
@@ -48,25 +51,27 @@ internal sealed interface CheckedFile {
  * Checks the files [names] in order: each `.robo` file, jar and folder of class files on its own, all `.java` files
  * together as one program, and so all `.class` files, for which the first one stands.
  *
- * @param compiler has the settings of the brick that Java is for.
+ * @param compiler has the settings of an RCX that Java is for.
+ * @param brick that programs are for; null for the one that each names, otherwise an RCX.
  * @param translating whether to check the Java that Robolang programs become, too.
  */
 internal fun checkFiles(
     names: List<String>,
     compiler: ProgramCompiler,
+    brick: BrickKind?,
     translating: Boolean,
 ): List<Pair<String, CheckedFile>> {
-    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), compiler)
+    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), compiler, brick)
     val classes = names.filter { it.endsWith(CLASS) }.distinct()
     return (names - classes.drop(1).toSet()).map { name ->
         name to when {
             name in java -> java.getValue(name)
 
-            name.endsWith(ROBOLANG) -> checkRobolang(name, compiler, translating)
+            name.endsWith(ROBOLANG) -> checkRobolang(name, compiler, brick, translating)
 
-            name in classes -> checkClasses(classes, compiler)
+            name in classes -> checkClasses(classes, compiler, brick)
 
-            name.endsWith(JAR) || isFolder(name) -> checkClasses(listOf(name), compiler)
+            name.endsWith(JAR) || isFolder(name) -> checkClasses(listOf(name), compiler, brick)
 
             else -> CheckedFile.Unreadable(
                 CommandMessages.of(compiler.language).notToBeChecked(name, listOf(ROBOLANG, JAVA, CLASS, JAR)),
@@ -76,7 +81,7 @@ internal fun checkFiles(
 }
 
 /** Checks the program that [names] hold, compiled. */
-private fun checkClasses(names: List<String>, compiler: ProgramCompiler): CheckedFile =
+private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
     when (val files = readProgramFiles(names, CommandMessages.of(compiler.language))) {
         is ProgramFiles.Rejected -> {
             CheckedFile.Unreadable(files.reason)
@@ -84,33 +89,50 @@ private fun checkClasses(names: List<String>, compiler: ProgramCompiler): Checke
 
         is ProgramFiles.Read -> {
             val program = files.programs.single()
-            val diagnostics = (runBlocking { compiler.read(program.source) } as? ProgramResult.HasErrors)?.diagnostics
+            val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
+            val diagnostics = (result as? ProgramResult.HasErrors)?.diagnostics
             CheckedFile.Java(diagnostics.orEmpty(), emptyList(), isCompiled = true)
         }
     }
 
-private fun checkRobolang(name: String, compiler: ProgramCompiler, translating: Boolean): CheckedFile =
-    when (val file = readRobolangFile(name, compiler.language)) {
-        is RobolangFile.Unreadable -> {
-            CheckedFile.Unreadable(file.reason)
-        }
-
-        is RobolangFile.Ready -> {
-            CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
-        }
-
-        is RobolangFile.HasErrors -> {
-            CheckedFile.Robolang(file)
-        }
+private fun checkRobolang(
+    name: String,
+    compiler: ProgramCompiler,
+    brick: BrickKind?,
+    translating: Boolean,
+): CheckedFile = when (val file = readRobolangFile(name, compiler.language, brick)) {
+    is RobolangFile.Unreadable -> {
+        CheckedFile.Unreadable(file.reason)
     }
+
+    is RobolangFile.Ready -> {
+        CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
+    }
+
+    is RobolangFile.HasErrors -> {
+        CheckedFile.Robolang(file)
+    }
+}
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */
 private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<ProgramDiagnostic> {
-    val result = runBlocking { compiler.buildImage(listOf(ProgramSource.Robolang(file.program.name, file.source))) }
-    return (result as? ImageBuildResult.HasErrors)?.diagnostics.orEmpty()
+    val source = ProgramSource.Robolang(file.program.name, file.source)
+    val kind = file.program.kind
+    return runBlocking {
+        when (kind) {
+            BrickKind.RCX -> (compiler.buildImage(listOf(source)) as? ImageBuildResult.HasErrors)?.diagnostics
+
+            BrickKind.NXT -> compiler.forTarget(kind.penbotTarget).readTranslation(source)
+                .let { it as? ProgramResult.HasErrors }?.diagnostics
+        }
+    }.orEmpty()
 }
 
-private fun checkJava(names: List<String>, compiler: ProgramCompiler): Map<String, CheckedFile> {
+/** This compiler for the penbot with [brick], or if null, with the one that [source] names, otherwise with an RCX. */
+private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?): ProgramCompiler =
+    forTarget((brick ?: likelyBrickOf(source) ?: BrickKind.RCX).penbotTarget)
+
+private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
@@ -119,7 +141,8 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler): Map<Strin
             CheckedFile.Unreadable((file as TextFile.Rejected).reason)
         }
     }
-    val result = runBlocking { compiler.read(ProgramSource.Java(sources.first().name, sources)) }
+    val source = ProgramSource.Java(sources.first().name, sources)
+    val result = runBlocking { compiler.forBrickOf(source, brick).read(source) }
     val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->

@@ -1,10 +1,10 @@
 package robotran.cli.files
 
+import robotran.brick.program.BrickProgram
 import robotran.cli.messages.EnglishCommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.Brick
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
@@ -35,8 +35,8 @@ internal fun readProgramFiles(names: List<String>, messages: FileMessages = Engl
     val groups = names.distinct().groupBy { name ->
         FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name
     }.values
-    if (groups.size > Brick.MAX_PROGRAMS) {
-        return ProgramFiles.Rejected(messages.tooManyPrograms(Brick.MAX_PROGRAMS, groups.size))
+    if (groups.size > BrickProgram.MAX_PROGRAMS) {
+        return ProgramFiles.Rejected(messages.tooManyPrograms(BrickProgram.MAX_PROGRAMS, groups.size))
     }
     val programs =
         groups.map { files ->

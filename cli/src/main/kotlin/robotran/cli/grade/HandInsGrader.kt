@@ -24,6 +24,8 @@ import robotran.cli.console.messages
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
+import robotran.cli.input.WorldChanges
+import robotran.cli.input.robotsAreFinished
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -36,11 +38,12 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
 
     fun run(place: LoadedWorld, request: GradeRequest): ExitCode {
         val assignment = assignmentFor(place, request) ?: return ExitCode.BAD_INPUT
+        val plan = planOf(assignment, place, request)
+        if (!plan.worlds.all { robotsAreFinished(it.world, console) }) return ExitCode.BAD_INPUT
         val files = SubmittedFiles(messages).apply { add(request.programs.distinct()) }
         val collected = runBlocking { collectHandIns(files.files, assignment, console.language) }
         val problems = files.problems.map { (name, reason) -> Submission.Unusable(name, name, reason) }
         val submissions = (collected.submissions + problems).sortedBy { it.name.lowercase() }
-        val plan = planOf(assignment, request)
         val results = grade(assignment, plan, submissions, request)
         val pairs = compareSubmissions(submissions, assignment)
         val report = ClassReport(assignment, plan, results, pairs, notes = collected.notes)
@@ -85,10 +88,12 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
         return place.project.copy(robots = place.project.robots.filter { it.name !in names } + given)
     }
 
-    private fun planOf(assignment: Project, request: GradeRequest): GradingPlan {
+    private fun planOf(assignment: Project, place: LoadedWorld, request: GradeRequest): GradingPlan {
         val plan = GradingPlan.of(assignment, request.seeds)
-        val realism = request.options.realism ?: return plan
-        return plan.copy(worlds = plan.worlds.map { GradedWorld(it.name, it.world.copy(realism = realism)) })
+        val names = request.options.robotFiles.map { it.robot.ifEmpty { place.world.robots.first().name } }
+        val built = place.world.robots.filter { it.name in names }.associate { it.name to it.description }
+        val changes = WorldChanges(realism = request.options.realism, built = built)
+        return plan.copy(worlds = plan.worlds.map { GradedWorld(it.name, changes.of(it.world)) })
     }
 
     private fun grade(

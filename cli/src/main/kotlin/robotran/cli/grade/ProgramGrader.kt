@@ -13,8 +13,10 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.loadWorld
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
+import robotran.cli.input.robotsAreFinished
+import robotran.cli.input.withDescribedRobots
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
 import robotran.simulation.grade.Grade
@@ -24,10 +26,12 @@ import robotran.world.World
 /** Implements `robotran grade`: reads all files, runs all programs, writes the results. */
 internal class ProgramGrader(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: GradeRequest): ExitCode {
-        val place =
-            loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
-                ?: return ExitCode.BAD_INPUT
+        val read = loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
+        val built = read?.let { withDescribedRobots(it.world, request.options.robotFiles, console) }
+            ?: return ExitCode.BAD_INPUT
+        val place = read.copy(world = built)
         val world = place.world
+        if (!robotsAreFinished(world, console)) return ExitCode.BAD_INPUT
         if (world.goals.isEmpty()) {
             console.complain(console.messages.noGoals(if (isLink(request.world)) world.title else request.world))
             return ExitCode.BAD_INPUT
@@ -106,7 +110,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         request: GradeRequest,
     ): RobotProgramsResult = when (val read = readSubmission(filesOfProgram(name), console, shownName)) {
         is SubmissionResult.Read -> {
-            val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
+            val reader = ProgramCompiler(PENBOT_TARGET, request.options.java, console.language)
             readLoads(place, reader, read.handIn, request.options.robots)
         }
 

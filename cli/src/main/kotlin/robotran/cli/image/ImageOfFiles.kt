@@ -10,7 +10,7 @@ import robotran.language.Language
 import robotran.lejoslinker.LejosImage
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.tinyvm.config.LejosVersion
 
 /** The result of building an image of program files. */
@@ -29,7 +29,7 @@ internal fun buildImage(files: List<String>, language: Language, version: LejosV
         is ProgramFiles.Read -> read.programs
         is ProgramFiles.Rejected -> return ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
     }
-    val compiler = ProgramCompiler(PENBOT_CALIBRATION, language = language)
+    val compiler = ProgramCompiler(PENBOT_TARGET, language = language)
     return when (val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }) {
         is ImageBuildResult.Built -> ImageOfFiles.Built(
             result.image,

@@ -1,13 +1,15 @@
 package robotran.cli.input
 
+import robotran.brick.kind.BrickKind
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.penbotTarget
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
+import robotran.robolang.brickOfRobolang
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
@@ -25,8 +27,12 @@ internal sealed interface RobolangFile {
     data class Unreadable(val reason: String) : RobolangFile
 }
 
-/** Reads and checks the Robolang file [name]. */
-internal fun readRobolangFile(name: String, language: Language): RobolangFile =
+/**
+ * Reads and checks the Robolang file [name] for the penbot with [brick].
+ *
+ * @param brick null for the one that the program names, otherwise an RCX.
+ */
+internal fun readRobolangFile(name: String, language: Language, brick: BrickKind? = null): RobolangFile =
     when (val file = readRobolangText(name, language)) {
         is TextFile.Rejected -> {
             RobolangFile.Unreadable(file.reason)
@@ -37,7 +43,7 @@ internal fun readRobolangFile(name: String, language: Language): RobolangFile =
                 val result = compileRobolang(
                     Path(name).name,
                     file.text,
-                    PENBOT_CALIBRATION,
+                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.RCX).penbotTarget,
                     RobolangMessages.of(language),
                 )
             ) {

@@ -12,9 +12,10 @@ import robotran.projects.ProjectRobot
 import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
+import robotran.projects.target
 import robotran.simulation.RobotLoad
 
-/** A program for a robot of the world, such as `--robot red=Ram.robo`. */
+/** A file for a robot of the world, such as `--robot red=Ram.robo`. */
 internal data class RobotFile(val robot: String, val file: String)
 
 /** Parses `NAME=FILE`; null if [text] has another form. */
@@ -23,6 +24,10 @@ internal fun readRobotFile(text: String): RobotFile? {
     val file = text.substringAfter('=', "").trim()
     return RobotFile(name, file).takeIf { name.isNotEmpty() && file.isNotEmpty() }
 }
+
+/** Parses `NAME=FILE`, or `FILE` for the first robot, whose name is then empty; null if [text] has another form. */
+internal fun readRobotBuild(text: String): RobotFile? =
+    if ('=' in text) readRobotFile(text) else RobotFile("", text.trim()).takeIf { it.file.isNotEmpty() }
 
 /** The result of reading the programs of all robots in a world. */
 internal sealed interface RobotProgramsResult {
@@ -68,8 +73,15 @@ internal fun readLoads(
     }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
-        is RobotLoads.HasErrors -> RobotProgramsResult.Rejected(linesOf(result, given[result.robot].orEmpty(), reader))
+        is RobotLoads.Ready -> {
+            RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
+        }
+
+        is RobotLoads.HasErrors -> {
+            val target = world.robots.firstOrNull { it.name == result.robot }?.description?.target
+            val itsReader = if (target == null) reader else reader.forTarget(target)
+            RobotProgramsResult.Rejected(linesOf(result, given[result.robot].orEmpty(), itsReader))
+        }
     }
 }
 

@@ -4,13 +4,29 @@ import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
+import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
-/** Overrides of a world's settings for one run; null keeps the world's value. */
-internal data class WorldChanges(val seed: Int? = null, val realism: Double? = null) {
-    fun of(world: World): World = world.copy(seed = seed ?: world.seed, realism = realism ?: world.realism)
+/**
+ * Overrides of a world's settings for one run; null keeps the world's value.
+ *
+ * @property built how robots are built, by name; others stay as they are.
+ */
+internal data class WorldChanges(
+    val seed: Int? = null,
+    val realism: Double? = null,
+    val built: Map<String, RobotDescription> = emptyMap(),
+) {
+    fun of(world: World): World = world.copy(
+        seed = seed ?: world.seed,
+        realism = realism ?: world.realism,
+        robots = world.robots.map { robot ->
+            built[robot.name]?.let { robot.copy(description = it, draft = null) }
+                ?: robot
+        },
+    )
 }
 
 /** Reads the world file [name]. On error prints it and returns null. */

@@ -7,6 +7,7 @@ import robotran.language.choose
 internal interface CommandMessages :
     FileMessages,
     RunMessages,
+    RobotMessages,
     GradeMessages,
     TowerMessages,
     WebMessages {

@@ -8,6 +8,7 @@ internal object EnglishCommandMessages :
     CommandMessages,
     FileMessages by EnglishFileMessages,
     RunMessages by EnglishRunMessages,
+    RobotMessages by EnglishRobotMessages,
     GradeMessages by EnglishGradeMessages,
     TowerMessages by EnglishTowerMessages,
     WebMessages by EnglishWebMessages

@@ -9,6 +9,7 @@ internal object GermanCommandMessages :
     CommandMessages,
     FileMessages by GermanFileMessages,
     RunMessages by GermanRunMessages,
+    RobotMessages by GermanRobotMessages,
     GradeMessages by GermanGradeMessages,
     TowerMessages by GermanTowerMessages,
     WebMessages by GermanWebMessages

@@ -9,6 +9,7 @@ internal object SpanishCommandMessages :
     CommandMessages,
     FileMessages by SpanishFileMessages,
     RunMessages by SpanishRunMessages,
+    RobotMessages by SpanishRobotMessages,
     GradeMessages by SpanishGradeMessages,
     TowerMessages by SpanishTowerMessages,
     WebMessages by SpanishWebMessages

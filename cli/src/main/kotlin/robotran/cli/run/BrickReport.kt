@@ -5,20 +5,25 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
+import robotran.brick.controls.MotorState
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.InputReading
+import robotran.brick.state.RunState
 import robotran.cli.console.jsonOutput
+import robotran.nxt.hardware.SensorPortState
+import robotran.nxt.state.NxtState
 import robotran.projects.elementOf
-import robotran.rcxrom.controls.MotorState
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.sensors.SensorState
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.Session
 
 /**
  * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`,
  * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the displayed `text` and the lit `icons`, its
  * `explanation`, `motors`, `sensors`, `batteryMillivolts`, the latest `sounds` with their times in milliseconds, and
- * the `inputs` that reproduce the run, in the format of project files.
+ * the `inputs` that reproduce the run, in the format of project files. An NXT has the lines of its `screen`, after the end as
+ * the program left them, instead of `lcd`, and the `degrees` of its motors; a sound has a `volume` if it is not full.
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick
@@ -28,10 +33,21 @@ internal fun brickReport(session: Session): String {
             put("program", brick.selectedSlot)
             put("state", stateName(brick.run))
             put("line", lineOf(brick.run))
-            put("lcd", json(brick.glass))
+            when (brick) {
+                is RcxState -> put("lcd", json(brick.glass))
+                else -> put("screen", JsonArray((brick.leftByProgram ?: brick.screen).lines.map(::JsonPrimitive)))
+            }
             put("explanation", brick.explanation)
-            put("motors", JsonObject(brick.motors.associate { it.port.name to json(it) }))
-            put("sensors", JsonArray(brick.sensors.map(::json)))
+            val degrees = (brick as? NxtState)?.motorDegrees
+            put(
+                "motors",
+                JsonObject(
+                    brick.motors.associate {
+                        it.port.name to json(it, degrees?.get(it.port.ordinal))
+                    },
+                ),
+            )
+            put("sensors", JsonArray(brick.inputs.map(::json)))
             put("batteryMillivolts", brick.batteryMillivolts)
             put("sounds", JsonArray(session.sounds.since(0).map(::json)))
             put("inputs", JsonArray(session.inputs.map { elementOf(it, session.world) }))
@@ -57,16 +73,21 @@ private fun json(glass: LcdGlass): JsonObject = buildJsonObject {
     put("icons", JsonArray(glass.iconsBesideText.map { JsonPrimitive(it.words) }))
 }
 
-private fun json(motor: MotorState): JsonObject = buildJsonObject {
+/** @param degrees what the motor's counter says; null if it has none. */
+private fun json(motor: MotorState, degrees: Int?): JsonObject = buildJsonObject {
     put("mode", motor.mode.name.lowercase())
     put("power", motor.power)
+    degrees?.let { put("degrees", it) }
 }
 
-private fun json(sensor: SensorState): JsonObject = buildJsonObject {
-    put("port", sensor.port)
-    put("raw", sensor.raw)
-    put("value", sensor.value)
-    put("active", sensor.active)
+private fun json(input: InputReading): JsonObject = buildJsonObject {
+    put("port", input.port)
+    when (input) {
+        is SensorState -> put("raw", input.raw)
+        is SensorPortState -> put("raw", input.raw)
+    }
+    put("value", input.value)
+    put("active", input.isActive)
 }
 
 private fun json(event: SoundEvent): JsonObject = buildJsonObject {
@@ -75,6 +96,7 @@ private fun json(event: SoundEvent): JsonObject = buildJsonObject {
         is SoundEvent.Tone -> {
             put("hertz", event.hertz)
             put("duration", event.durationMilliseconds)
+            if (event.volume != FULL_VOLUME) put("volume", event.volume)
         }
 
         is SoundEvent.Cut -> {
@@ -82,3 +104,5 @@ private fun json(event: SoundEvent): JsonObject = buildJsonObject {
         }
     }
 }
+
+private const val FULL_VOLUME = 100

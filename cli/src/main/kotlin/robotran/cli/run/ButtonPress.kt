@@ -1,6 +1,6 @@
 package robotran.cli.run
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 
 /**
  * A press of a brick button.
@@ -20,8 +20,8 @@ internal sealed interface ButtonPressResult {
 }
 
 /**
- * Parses `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`. [longest] is the max time in
- * seconds.
+ * Parses `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `escape@10+0.5`; any brick may have the button.
+ * [longest] is the max time in seconds.
  */
 internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     fun refuse(reason: String) = ButtonPressResult.Rejected("$reason, as in run@2.5 or run@2.5+1.")

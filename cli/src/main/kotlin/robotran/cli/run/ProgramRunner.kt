@@ -1,6 +1,7 @@
 package robotran.cli.run
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.state.RunState
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
@@ -14,15 +15,17 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.isProject
 import robotran.cli.input.lineOf
 import robotran.cli.input.loadWorld
+import robotran.cli.input.plainSheetFor
 import robotran.cli.input.projectOf
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
+import robotran.cli.input.robotsAreFinished
+import robotran.cli.input.withDescribedRobots
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
-import robotran.rcxrom.state.RunState
 import robotran.simulation.RecordedInput
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -30,7 +33,6 @@ import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
 import robotran.world.World
-import robotran.world.file.BuiltInWorlds
 
 /**
  * What to run.
@@ -38,15 +40,17 @@ import robotran.world.file.BuiltInWorlds
  * @property programs the program files of the first robot, or one project. If [world] is set, only the programs of the
  * project's first robot count, see [readSubmission].
  * @property robots programs for other robots.
+ * @property robotFiles how robots are built, instead of what the world says.
  * @property java the options for Java programs.
  * @property world the file of the world, or a project or link that contains it; null for the project's world or the
- * empty sheet.
+ * empty sheet with a penbot for the programs.
  * @property milliseconds the max virtual time; null for the world's time limit.
- * @property presses the button presses; if empty, Run is pressed.
+ * @property presses the button presses; if empty, the start button is pressed.
  */
 internal class RunRequest(
     val programs: List<String>,
     val robots: List<RobotFile>,
+    val robotFiles: List<RobotFile>,
     val java: JavaSettings,
     val world: String?,
     val changes: WorldChanges,
@@ -54,20 +58,20 @@ internal class RunRequest(
     val presses: List<ButtonPress>,
 )
 
-/** Implements `robotran run`: reads all files, presses Run, simulates, writes the results. */
+/** Implements `robotran run`: reads all files, presses the start button, simulates, writes the results. */
 internal class ProgramRunner(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: RunRequest, outputs: RunOutputs): ExitCode {
         val project = request.programs.singleOrNull()?.takeIf(::isProject)
         if (project != null && request.world == null) return runProject(project, request, outputs)
-        val own = readOwn(request.programs)
-        val place = if (request.world == null) {
-            LoadedWorld(BuiltInWorlds.plain)
+        val own = readOwn(request.programs) ?: return ExitCode.BAD_INPUT
+        val given = if (request.world == null) {
+            LoadedWorld(plainSheetFor(own.programs))
         } else {
             loadWorld(request.world, console)
         }
-        if (own == null || place == null) return ExitCode.BAD_INPUT
-        val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
-        return run(request.changes.of(place.world), loads, request, outputs)
+        val world = given?.world?.let { readyWorld(it, request, outputs) } ?: return ExitCode.BAD_INPUT
+        val loads = readLoads(given.copy(world = world), own, request) ?: return ExitCode.BAD_INPUT
+        return run(request.changes.of(world), loads, request, outputs)
     }
 
     /**
@@ -79,7 +83,9 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             console.complain(console.messages.projectHasItsOwn())
             return ExitCode.BAD_INPUT
         }
-        val project = projectOf(name, console) ?: return ExitCode.BAD_INPUT
+        val read = projectOf(name, console) ?: return ExitCode.BAD_INPUT
+        val world = readyWorld(read.world, request, outputs) ?: return ExitCode.BAD_INPUT
+        val project = read.copy(world = world)
         val default = JavaSettings()
         val java =
             JavaSettings(
@@ -89,7 +95,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             )
         return when (
             val result =
-                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }
+                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, java, console.language)) }
         ) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
@@ -102,6 +108,16 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
                 ExitCode.BAD_INPUT
             }
         }
+    }
+
+    /** [world] with its robots as the command line builds them. Prints an error and returns null if it cannot be run. */
+    private fun readyWorld(world: World, request: RunRequest, outputs: RunOutputs): World? {
+        val ready = withDescribedRobots(world, request.robotFiles, console)?.takeIf { robotsAreFinished(it, console) }
+            ?: return null
+        val brick = ready.robots.first().description.brick
+        val missing = missingOnBrick(brick, request.presses, outputs, console.messages) ?: return ready
+        console.complain(missing)
+        return null
     }
 
     private fun run(
@@ -166,7 +182,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
     /** Prints an error and returns null if a program cannot run. */
     private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
         val loading =
-            readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)
+            readLoads(place, ProgramCompiler(PENBOT_TARGET, request.java, console.language), own, request.robots)
     ) {
         is RobotProgramsResult.Loaded -> {
             loading.loads

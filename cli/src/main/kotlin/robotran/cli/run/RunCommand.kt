@@ -7,10 +7,10 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
-import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.brick.log.CallGroup
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
@@ -19,7 +19,6 @@ import robotran.cli.console.messages
 import robotran.cli.console.speaking
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.readSeed
-import robotran.rcxrom.call.RomGroup
 import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
@@ -32,14 +31,16 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private val programs by argument(
         "FILE",
         help =
-            "a program: in Robolang (.robo), in leJOS Java (one or more .java), or compiled (.class, .jar, a " +
-                "folder); five at most. " +
+            "a program: in Robolang (.robo), in Java for leJOS or leJOS NXJ (one or more .java), or compiled " +
+                "(.class, .jar, a folder); five at most. " +
                 "Or a project (.robotran), or a link that holds one; with --world only the programs of its first robot",
     ).multipleArguments(required = true)
     private val world by option(
         "--world",
         metavar = "FILE",
-        help = "the world to run in (.world.json, or a project or link with it); a plain sheet if not given",
+        help =
+            "the world to run in (.world.json, or a project or link with it); if not given, a plain sheet with the " +
+                "penbot that the programs are for",
     )
     private val seed by option(
         "--seed",
@@ -52,9 +53,9 @@ internal class RunCommand(private val process: Console, private val desktop: Des
         "--press",
         metavar = "BUTTON@SECONDS",
         help =
-            "presses view, prgm, run or on-off at that second and lets go a moment later; run@5+0.5 holds it for " +
-                "half a second. " +
-                "May be given several times. With it nothing is pressed by itself, not even Run.",
+            "presses view, prgm, run or on-off, on an NXT enter, left, right or escape, at that second and lets go a " +
+                "moment later; run@5+0.5 holds it for half a second. " +
+                "May be given several times. With it nothing is pressed by itself, not even Run or ENTER.",
     ).convert { text ->
         when (val result = readButtonPress(text, LONGEST_RUN_SECONDS)) {
             is ButtonPressResult.Read -> result.press
@@ -64,7 +65,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private val romLog by option(
         "--rom-log",
         metavar = "FILE|-",
-        help = "writes every ROM call, one a line; a table if FILE ends in .csv",
+        help = "writes every ROM call, on an NXT every call of its firmware, one a line; a table if FILE ends in .csv",
     )
     private val romLogOnly by option(
         "--rom-log-only",
@@ -75,7 +76,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
             GROUPS[name.trim().lowercase()]
                 ?: fail("There are no ROM calls of a group $name.")
         }.toSet()
-    }.default(RomGroup.entries.toSet())
+    }
     private val report by option("--report", metavar = "FILE|-", help = "writes the report as JSON")
     private val brickReport by option(
         "--brick-report",
@@ -86,13 +87,14 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private val memory by option(
         "--memory",
         metavar = "FILE|-",
-        help = "writes what is in the brick's memory at the end",
+        help = "writes what is in the memory of an RCX at the end",
     )
     private val options by RunOptions()
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
-    override fun help(context: Context) = "Runs programs on the brick: powered on, the first of them, Run pressed."
+    override fun help(context: Context) =
+        "Runs programs on the brick: powered on, the first of them, Run or ENTER pressed."
 
     override fun run() {
         if (picture != null && desktop == null) {
@@ -104,6 +106,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
         val request = RunRequest(
             programs,
             options.robots,
+            options.robotFiles,
             options.java,
             world,
             WorldChanges(seed, options.realism),
@@ -116,20 +119,20 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private companion object {
         const val DEFAULT_RUN_MILLISECONDS = World.DEFAULT_TIME_LIMIT * 1000
 
-        val GROUPS = RomGroup.entries.associateBy { it.name.lowercase() }
+        val GROUPS = CallGroup.entries.associateBy(::groupName)
     }
 }
 
 /**
  * The outputs of a run: file names, - for the console, null for none.
  *
- * @property romLogGroups the groups of the ROM log to write.
+ * @property romLogGroups the groups of the ROM log to write; null for all.
  * @property explains whether to print why the robots deviated from their ideal path.
  */
 internal class RunOutputs(
     val picture: String?,
     val romLog: String?,
-    val romLogGroups: Set<RomGroup>,
+    val romLogGroups: Set<CallGroup>?,
     val report: String?,
     val brickReport: String?,
     val memory: String?,

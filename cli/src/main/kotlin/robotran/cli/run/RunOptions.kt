@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.lejosOption
+import robotran.cli.input.readRobotBuild
 import robotran.cli.input.readRobotFile
 import robotran.programs.JavaSettings
 import robotran.tinyvm.config.LejosVersion
@@ -57,6 +58,17 @@ internal class RunOptions : OptionGroup() {
         }
         .multiple()
 
+    /** How robots are built, instead of what the world says; an empty name is the first robot. */
+    val robotFiles by option(
+        "--robot-file",
+        metavar = "NAME=FILE",
+        help =
+            "builds this robot of the world, the first one without NAME=, as FILE (.robot.json) says; may be given " +
+                "several times",
+    )
+        .convert { text -> readRobotBuild(text) ?: fail("$text is not a file, as in red=sumo.robot.json") }
+        .multiple()
+
     val java: JavaSettings
         get() = JavaSettings(
             if (forgiving) TinyVmMode.FORGIVING else TinyVmMode.BRICK,
@@ -69,6 +81,9 @@ internal class RunOptions : OptionGroup() {
         get() = buildList {
             realism?.let { addAll(listOf("--realism", it.toString())) }
             robots.forEach { addAll(listOf("--robot", "${it.robot}=${it.file}")) }
+            robotFiles.forEach {
+                addAll(listOf("--robot-file", if (it.robot.isEmpty()) it.file else "${it.robot}=${it.file}"))
+            }
             if (forgiving) add("--forgiving")
             if (unlimited) add("--unlimited")
             if (version != LejosVersion.DEFAULT) addAll(listOf("--lejos", version.label))

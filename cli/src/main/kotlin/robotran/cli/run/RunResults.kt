@@ -1,15 +1,15 @@
 package robotran.cli.run
 
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.toCsv
+import robotran.brick.log.toLogText
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.place
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.messages
 import robotran.cli.console.textOf
 import robotran.cli.files.writeFile
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.log.toCsv
-import robotran.rcxrom.log.toLogText
-import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.place
 import robotran.simulation.GoalReport
 import robotran.simulation.RunReport
 import robotran.simulation.RunStatus
@@ -38,11 +38,11 @@ internal class RunResults(
                 outputs.romLog?.let { writeText(it, romLogText(outputs)) },
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
                 outputs.brickReport?.let { writeText(it, brickReport(session) + "\n") },
-                outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
+                outputs.memory?.let { name -> session.memory()?.let { writeText(name, memoryListing(it)) } },
             )
         report.error?.let { console.complain(it) }
         session.remarks.forEach {
-            console.complain(listOfNotNull(it.place(BrickMessages.of(console.language)), it.message).joinToString(": "))
+            console.complain(listOfNotNull(it.place(PlaceMessages.of(console.language)), it.message).joinToString(": "))
         }
         val forgotten = session.romLog.total - session.romLog.entries.size
         if (outputs.romLog != null && forgotten > 0) {
@@ -79,7 +79,8 @@ internal class RunResults(
     }
 
     private fun romLogText(outputs: RunOutputs): String {
-        val entries = session.romLog.entries.filter(RomLogFilter(outputs.romLogGroups)::accepts)
+        val filter = outputs.romLogGroups?.let { CallLogFilter(it) } ?: CallLogFilter()
+        val entries = session.romLog.entries.filter(filter::accepts)
         return if (outputs.romLog.orEmpty().endsWith(
                 ".csv",
                 ignoreCase = true,

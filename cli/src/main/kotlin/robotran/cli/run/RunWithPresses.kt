@@ -1,6 +1,6 @@
 package robotran.cli.run
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.RecordedInput
 import robotran.simulation.Session
 import robotran.simulation.SessionInput

@@ -9,9 +9,11 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
+import robotran.cli.console.brickOption
 import robotran.cli.files.JAVA
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
@@ -22,7 +24,8 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.programs.likelyBrickOf
+import robotran.projects.penbotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -35,7 +38,7 @@ import robotran.programs.ProgramResult as Reading
 internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",
-        help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)",
+        help = "Robolang programs (.robo); for --kit also the files of one program in Java (.java)",
     ).multiple(required = true)
     private val output by option(
         "-o",
@@ -43,12 +46,13 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         metavar = "FILE",
         help = "where the Java goes; to the console if not given",
     )
-    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
+    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for a real brick (.zip)")
 
+    private val brick by brickOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Writes programs as leJOS Java for a real robot."
+    override fun help(context: Context) = "Writes programs as Java for leJOS, or for an NXT with leJOS NXJ."
 
     override fun run() {
         val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
@@ -65,7 +69,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Read -> read.programs.single()
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
-        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = spoken.language)
+        val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.RCX
+        val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {
                 result.diagnostics.forEach { console.complain(lineOf(files, it)) }
@@ -74,7 +79,11 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
             is Reading.Ready -> {
                 val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
-                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources)), sentences)?.let(::refuse)
+                writeFile(
+                    kit,
+                    zip(javaKitFiles(checkNotNull(result.mainClass), sources, kind)),
+                    sentences,
+                )?.let(::refuse)
                     ?: ExitCode.DONE
             }
         }
@@ -85,7 +94,9 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
-    private fun translate(program: String): ExitCode = when (val file = readRobolangFile(program, spoken.language)) {
+    private fun translate(program: String): ExitCode = when (
+        val file = readRobolangFile(program, spoken.language, brick)
+    ) {
         is RobolangFile.Ready -> {
             write(program, file)
         }

@@ -1,9 +1,17 @@
 package robotran.cli.packaging
 
+import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.cli.CommandTest
+import robotran.language.ProgramLanguage
+import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
+import robotran.projects.LinkResult
 import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.projects.openLink
 import robotran.projects.writeProject
 import robotran.world.file.BuiltInWorlds
 import java.util.zip.ZipFile
@@ -11,6 +19,7 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
+import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class PackageCommandTest : CommandTest() {
@@ -50,6 +59,26 @@ class PackageCommandTest : CommandTest() {
             val manifest = zip.getInputStream(zip.getEntry("imsmanifest.xml")).readBytes().decodeToString()
             assertContains(manifest, "<schemaversion>1.2</schemaversion>")
         }
+    }
+
+    @Test
+    fun `an assignment for an NXT comes back with its robot and its programs`() {
+        val java = "import lejos.nxt.*;\nclass Go { public static void main(String[] a) { Motor.A.rotate(90); } }\n"
+        val world = BuiltInWorlds.plainFor(BrickKind.NXT).copy(title = "Turn a wheel")
+        val robot = ProjectRobot(
+            world.robots.first().name,
+            listOf(ProjectProgram("Go.java", ProgramLanguage.JAVA, listOf(SourceFile("Go.java", java)))),
+        )
+        val project = Project(world, listOf(robot), assignment = Assignment("n1", words = listOf("turned")))
+        assertEquals(0, make(program(writeProject(project), "n.robotran")), console.complaints.toString())
+        val script = ZipFile(output.toFile()).use { zip ->
+            zip.getInputStream(zip.getEntry("assignments.js")).readBytes().decodeToString()
+        }
+        val link = script.substringAfter('"').substringBefore('"')
+        val opened = assertIs<LinkResult.OfProject>(runBlocking { openLink(link) }).project
+        assertEquals(project.world, opened.world)
+        assertEquals(project.robots, opened.robots)
+        assertEquals(listOf("turned"), opened.assignment?.words)
     }
 
     @Test

@@ -4,7 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
@@ -17,7 +17,7 @@ import java.io.File
 /** The worlds of the folder `worlds` in the tree, and their solutions. */
 internal object ShippedWorlds {
     private val tree = File(System.getProperty("robotran.tree"))
-    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_TARGET)
 
     /** All worlds by name, such as `line-loop`. */
     val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter {
@@ -28,12 +28,9 @@ internal object ShippedWorlds {
     /** The worlds that have goals. */
     val withGoals: Map<String, World> = all.filterValues { it.goals.isNotEmpty() }
 
-    /** The solution of the world [name], in either language. */
-    fun solutionOf(name: String): File {
-        val solutions = tree.resolve("learning/worlds/$name").listFiles().orEmpty()
-            .filter { it.nameWithoutExtension == "solution" }
-        return solutions.singleOrNull() ?: error("The world $name has ${solutions.size} solutions")
-    }
+    /** The solutions of the world [name]: one, or one in each language. */
+    fun solutionsOf(name: String): List<File> = tree.resolve("learning/worlds/$name").listFiles().orEmpty()
+        .filter { it.nameWithoutExtension == "solution" }.sorted().also { check(it.isNotEmpty()) { name } }
 
     /** The programs of all robots in [world]. The pupil's robot gets [file], or an empty program for null. */
     fun loads(world: World, file: File?): List<RobotLoad> = when (

@@ -11,7 +11,7 @@ val LineForm.group: BlockGroup
     get() = when (this) {
         LineForm.MOVE, LineForm.MOVE_FOR_TIME, LineForm.TURN, LineForm.TURN_FOR_TIME, LineForm.START_MOVING,
         LineForm.START_TURNING, LineForm.STOP, LineForm.POWER, LineForm.POWER_OF_SIDE, LineForm.MOTOR,
-        LineForm.POWER_OF_MOTOR,
+        LineForm.POWER_OF_MOTOR, LineForm.MOTOR_TURN, LineForm.START_MOTOR_TURN,
         -> {
             BlockGroup.DRIVE
         }
@@ -20,7 +20,9 @@ val LineForm.group: BlockGroup
             BlockGroup.PEN
         }
 
-        LineForm.RESET_TIMER, LineForm.ROBOT, LineForm.LIGHT_SENSOR -> {
+        LineForm.RESET_TIMER, LineForm.RESET_MOTOR, LineForm.ROBOT, LineForm.LIGHT_SENSOR, LineForm.BRICK,
+        LineForm.SONAR, LineForm.COLOUR_SENSOR, LineForm.SOUND_SENSOR,
+        -> {
             BlockGroup.SENSE
         }
 
@@ -69,7 +71,9 @@ val ValueForm.group: BlockGroup
             BlockGroup.OWN_COMMANDS
         }
 
-        ValueForm.BUMPER, ValueForm.LIGHT, ValueForm.SENSOR, ValueForm.BUTTON, ValueForm.TIMER, ValueForm.BATTERY -> {
+        ValueForm.BUMPER, ValueForm.LIGHT, ValueForm.SENSOR, ValueForm.BUTTON, ValueForm.TIMER, ValueForm.BATTERY,
+        ValueForm.DISTANCE, ValueForm.LOUDNESS, ValueForm.COLOUR, ValueForm.COLOUR_NAME, ValueForm.TURNED,
+        -> {
             BlockGroup.SENSE
         }
     }

@@ -13,6 +13,7 @@ private val RELATED: List<List<LineForm>> = listOf(
     listOf(LineForm.TURN, LineForm.TURN_FOR_TIME, LineForm.START_TURNING),
     listOf(LineForm.POWER, LineForm.POWER_OF_SIDE),
     listOf(LineForm.MOTOR, LineForm.POWER_OF_MOTOR),
+    listOf(LineForm.MOTOR_TURN, LineForm.START_MOTOR_TURN),
     listOf(LineForm.WAIT, LineForm.WAIT_UNTIL),
     listOf(LineForm.BEEP, LineForm.BUZZ),
     listOf(LineForm.BREAK, LineForm.CONTINUE),

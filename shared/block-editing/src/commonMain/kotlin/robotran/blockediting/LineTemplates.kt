@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.outline.LineForm
 
 /**
@@ -19,6 +20,9 @@ internal val LineForm.template: String?
         LineForm.POWER_OF_SIDE -> "power left 5"
         LineForm.MOTOR -> "motor A forward"
         LineForm.POWER_OF_MOTOR -> "motor A power 5"
+        LineForm.MOTOR_TURN -> "motor A turn 90"
+        LineForm.START_MOTOR_TURN -> "start motor A turn 90"
+        LineForm.RESET_MOTOR -> "reset motor A"
         LineForm.PEN -> "pen down"
         LineForm.WAIT -> "wait 1 second"
         LineForm.WAIT_UNTIL -> "wait until left bumper"
@@ -51,7 +55,21 @@ internal val LineForm.template: String?
         LineForm.WHENEVER -> construct("whenever left bumper")
         LineForm.ROBOT -> construct("robot", "  light sensor on 2 facing down")
         LineForm.LIGHT_SENSOR -> "light sensor on 2 facing down"
+        LineForm.BRICK -> "brick rcx"
+        LineForm.SONAR -> "sonar on 4"
+        LineForm.COLOUR_SENSOR -> "colour sensor on 3"
+        LineForm.SOUND_SENSOR -> "sound sensor on 2"
         LineForm.ASSIGN, LineForm.ASSIGN_ELEMENT, LineForm.CALL, LineForm.END -> null
     }
+
+/** The same for a robot with [brick], null if it can do nothing like that. */
+internal fun LineForm.templateOn(brick: BrickKind): String? = when {
+    this.brick != null && this.brick != brick -> null
+    brick == BrickKind.RCX -> template
+    this == LineForm.LIGHT_SENSOR -> "light sensor on 3 facing down"
+    this == LineForm.BRICK -> "brick nxt"
+    this == LineForm.ROBOT -> construct("robot", "  brick nxt")
+    else -> template
+}
 
 private fun construct(vararg lines: String): String = lines.joinToString("\n", postfix = "\nend")

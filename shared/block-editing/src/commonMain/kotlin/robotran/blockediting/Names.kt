@@ -9,8 +9,12 @@ import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.robolangTokens
 import robotran.textediting.TextEdit
 
-/** Whether Robolang allows [text] as a name. */
+/**
+ * Whether Robolang allows [text] as a name. It also allows its newer words, but lines that already use such a word
+ * would say something else then, so blocks offer none of them.
+ */
 fun isName(text: String): Boolean {
+    if (RobolangWords.isNewerWord(text)) return false
     val line = outlineRobolang("var $text = 1").lines
     return line.size == 1 && line.first().parts.any { it is PhrasePart.NamePart && it.span.length == text.length }
 }

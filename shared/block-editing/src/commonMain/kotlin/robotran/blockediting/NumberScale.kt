@@ -20,7 +20,7 @@ val ValueUse.scale: NumberScale?
         ValueUse.POWER -> RobolangLimits.POWERS.let { NumberScale(it.first.toDouble(), it.last.toDouble(), 1.0) }
         ValueUse.FREQUENCY -> NumberScale(100.0, 2_000.0, 10.0)
         ValueUse.COUNT -> NumberScale(0.0, 20.0, 1.0)
-        ValueUse.NUMBER, ValueUse.ANY -> NumberScale(0.0, 100.0, 1.0)
+        ValueUse.NUMBER, ValueUse.SHOWN, ValueUse.ANY -> NumberScale(0.0, 100.0, 1.0)
         ValueUse.INDEX -> NumberScale(0.0, 10.0, 1.0)
         ValueUse.CONDITION, ValueUse.LIST -> null
     }

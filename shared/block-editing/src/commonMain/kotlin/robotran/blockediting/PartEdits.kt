@@ -53,7 +53,7 @@ internal class PartEdits(private val program: BlockProgram) {
             val after = blocksOf(changed(program.text, changes), program.messages, program)
             val now = after.partAt(placed) as? PhrasePart.Value
             if (now == null || after.lineAt(placed.start).form != line.form || now.use != part.use) continue
-            val isFit = fits(after.kindOf(now.value), part.use.kind)
+            val isFit = fits(after.kindOf(now.value), part.use)
             if (!isFit) return refused(checkNotNull(errorOf(part.use.kind)))
             return doneWith(program, after, changes, placed)
         }

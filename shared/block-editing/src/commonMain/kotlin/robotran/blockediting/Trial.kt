@@ -78,4 +78,4 @@ private fun BlockProgram.linesToDeclare(name: DeclaredName, declaring: Int): Ite
 private val DEFINITIONS = setOf(LineForm.PROCEDURE, LineForm.FUNCTION)
 
 /** What says something about other lines only. */
-private val DOING_NOTHING = DEFINITIONS + setOf(LineForm.ROBOT, LineForm.LIGHT_SENSOR)
+private val DOING_NOTHING = DEFINITIONS + LineForm.ROBOT + LineForm.entries.filter { it.isSetting }

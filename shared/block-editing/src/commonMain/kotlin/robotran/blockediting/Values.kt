@@ -8,11 +8,12 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.ValueKind
+import robotran.robolang.outline.ValueUse
 
 /** The type of a value of this form; null if that depends on what it names or has inside. */
 internal fun literalKind(form: ValueForm): ValueKind? = when (form) {
     ValueForm.NUMBER, ValueForm.ELEMENT, ValueForm.NEGATION, ValueForm.ARITHMETIC, ValueForm.BUILT_IN, ValueForm.LIGHT,
-    ValueForm.SENSOR, ValueForm.TIMER, ValueForm.BATTERY,
+    ValueForm.SENSOR, ValueForm.TIMER, ValueForm.BATTERY, ValueForm.DISTANCE, ValueForm.LOUDNESS, ValueForm.TURNED,
     -> {
         ValueKind.NUMBER
     }
@@ -23,6 +24,10 @@ internal fun literalKind(form: ValueForm): ValueKind? = when (form) {
 
     ValueForm.LIST -> {
         ValueKind.LIST
+    }
+
+    ValueForm.COLOUR, ValueForm.COLOUR_NAME -> {
+        ValueKind.COLOUR
     }
 
     ValueForm.NAME, ValueForm.CALL, ValueForm.BRACKETS -> {
@@ -55,7 +60,7 @@ fun BlockProgram.nameAt(span: SourceSpan): DeclaredName? = outline.names.firstOr
 fun BlockProgram.namesFor(part: PhrasePart): List<DeclaredName> {
     val visible = outline.namesBefore(lineAt(part.span.start).index)
     return when (part) {
-        is PhrasePart.Value -> visible.filter { it.isValue && fits(it.type, part.use.kind) }
+        is PhrasePart.Value -> visible.filter { it.isValue && fits(it.type, part.use) }
 
         is PhrasePart.NamePart -> visible.filter {
             when (part.role) {
@@ -77,9 +82,13 @@ private val DeclaredName.isValue: Boolean get() = kind != NameKind.PROCEDURE
 fun fits(kind: ValueKind, needed: ValueKind): Boolean =
     kind == needed || kind == ValueKind.UNKNOWN || needed == ValueKind.UNKNOWN
 
+/** Whether a value of type [kind] may stand where it is for [use], as far as is known. */
+fun fits(kind: ValueKind, use: ValueUse): Boolean =
+    fits(kind, use.kind) || (use == ValueUse.SHOWN && kind == ValueKind.COLOUR)
+
 internal fun errorOf(needed: ValueKind): BlockEditError? = when (needed) {
     ValueKind.NUMBER -> BlockEditError.NumberNeeded
     ValueKind.CONDITION -> BlockEditError.ConditionNeeded
     ValueKind.LIST -> BlockEditError.ListNeeded
-    ValueKind.UNKNOWN -> null
+    ValueKind.COLOUR, ValueKind.UNKNOWN -> null
 }

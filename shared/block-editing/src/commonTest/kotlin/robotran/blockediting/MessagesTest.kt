@@ -1,6 +1,5 @@
 package robotran.blockediting
 
-import robotran.blockediting.BlockDeed
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
 import robotran.robolang.outline.ValueKind

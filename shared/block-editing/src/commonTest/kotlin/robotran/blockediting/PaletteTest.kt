@@ -3,16 +3,19 @@ package robotran.blockediting
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteHelp
+import robotran.blockediting.palette.comparisonsFor
 import robotran.blockediting.palette.introductions
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
 import robotran.robolang.compileRobolang
 import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import kotlin.math.pow
 import kotlin.math.roundToInt
 import kotlin.test.Test
@@ -24,33 +27,35 @@ import kotlin.test.assertTrue
 class PaletteTest {
     private val help = PaletteHelp { word, language -> sentences[word to language.tag] }
 
+    private val all = BrickKind.entries.flatMap { Palette.blocksFor(it) }
+
     private fun found(query: String): List<String> = searchPalette(query, Palette.blocks, help).map { it.template }
 
     @Test
     fun `every word of the language has a block`() {
-        val words = Palette.blocks.flatMap { it.words }.toSet()
+        val words = all.flatMap { it.words }.toSet()
         assertEquals(emptyList(), (RobolangWords.keywords + RobolangWords.functions.keys).filter { it !in words })
     }
 
     @Test
-    fun `every block is a valid program of the blocks that it names`() {
-        for (block in Palette.blocks) {
+    fun `every block is a valid program of the blocks that it names`() = BrickKind.entries.forEach { brick ->
+        val robot = if (brick == BrickKind.RCX) RobotTarget.Rcx(50.0, 5.0) else RobotTarget.Nxt(5.6, 11.4)
+        for (block in Palette.blocksFor(brick)) {
             if (block.isValue) {
                 val line = blocksOf("var v = ${block.template}").blocks.single()
                 assertIs<Block.Command>(line, block.template)
                 continue
             }
-            val isSetting = block.id == "light-sensor"
+            val isSetting = LineForm.entries.any { it.isSetting && it.name.lowercase().replace('_', '-') == block.id }
             val inLoop = "repeat 2 times\n${block.template}\nend\n"
             val inFunction = "function f()\n${block.template}\nend\n"
             val source = when (block.id) {
-                "light-sensor" -> "robot\n${block.template}\nend\n"
                 "break", "continue" -> inLoop
                 "return-value" -> inFunction
                 "return" -> inFunction.replace("function", "procedure")
-                else -> block.template
+                else -> if (isSetting) "robot\n${block.template}\nend\n" else block.template
             }
-            val result = compileRobolang(block.id, source, Calibration(50.0, 5.0))
+            val result = compileRobolang(block.id, source, robot)
             assertIs<RobolangResult.Ready>(result, "${block.template}: $result")
             val forms = blocksOf(source).all.mapNotNull { it.head.form }
             assertTrue(
@@ -60,13 +65,22 @@ class PaletteTest {
                 block.id,
             )
         }
-        assertEquals(Palette.blocks.size, Palette.blocks.map { it.id }.toSet().size)
+        assertEquals(Palette.blocksFor(brick).size, Palette.blocksFor(brick).map { it.id }.toSet().size)
+    }
+
+    @Test
+    fun `a value of one brick is a mistake on the other`() {
+        val others = Palette.blocksFor(BrickKind.NXT).map { it.template } - Palette.blocks.map { it.template }.toSet()
+        assertTrue("distance" in others && "motor A turn 90" in others && "button enter" in others, "$others")
+        for (value in listOf("distance", "colour", "red", "loudness", "turned A", "button enter")) {
+            assertIs<RobolangResult.HasErrors>(compileRobolang("a", "var x = $value", RobotTarget.Rcx(50.0, 5.0)))
+        }
     }
 
     @Test
     fun `every form of a line has a block, or comes from the names of the program`() {
         val own = setOf(LineForm.ASSIGN, LineForm.ASSIGN_ELEMENT, LineForm.CALL)
-        val ids = Palette.blocks.map { it.id }
+        val ids = all.map { it.id }
         val missing = LineForm.entries.filter { it.name.lowercase().replace('_', '-') !in ids }
         assertEquals(own + LineForm.END, missing.toSet())
         assertEquals(BlockGroup.entries.toSet(), Palette.blocks.map { it.group }.toSet())
@@ -74,7 +88,7 @@ class PaletteTest {
 
     @Test
     fun `a value fits where it is needed`() {
-        for (block in Palette.blocks.filter { it.isValue }) {
+        for (block in all.filter { it.isValue }) {
             val program = blocksOf("var a = 1\n")
             val value = checkNotNull(program.outline.lines.first().parts.last() as? PhrasePart.Value)
             assertIs<BlockEditResult.Done>(
@@ -122,6 +136,52 @@ class PaletteTest {
         assertEquals("if left bumper", lines("if").first())
         assertEquals("pen down", lines("pen").first())
         assertTrue(lines("bumper").indexOf("left bumper") < lines("bumper").indexOf("else"))
+    }
+
+    @Test
+    fun `header lines and bumpers are explained by their own words`() {
+        fun word(id: String) = all.first { it.id == id }.explained.first { help.sentence(it, Language.ENGLISH) != null }
+        assertEquals(
+            listOf("sonar", "sound", "on", "on", "brick", "robot", "bumper"),
+            listOf(
+                "sonar",
+                "sound-sensor",
+                "colour-sensor",
+                "light-sensor",
+                "brick",
+                "robot",
+                "value-bumper",
+            ).map(::word),
+        )
+    }
+
+    @Test
+    fun `sensing begins with what reads sensors`() = BrickKind.entries.forEach { brick ->
+        val ids = Palette.blocksOf(BlockGroup.SENSE, brick).map { it.id }
+        assertEquals(listOf("value-bumper", "value-light"), ids.take(2))
+        assertTrue(ids.indexOf("reset-timer") > ids.indexOf("value-battery"), "$ids")
+        if (brick == BrickKind.NXT) assertEquals("value-distance", ids[2])
+    }
+
+    @Test
+    fun `blocks are found by what pupils call them`() {
+        fun ids(query: String) = searchPalette(query, Palette.blocksFor(BrickKind.NXT), help).map { it.id }
+        for (word in listOf("Wand", "Abstand", "pared", "obstacle")) assertTrue("value-distance" in ids(word), word)
+        assertEquals("wait-until", ids("bis").first())
+        assertEquals("wait-until", ids("hasta").first())
+    }
+
+    @Test
+    fun `comparisons are those of the robot's sensors`() {
+        val sensors = setOf(SensorKind.TOUCH, SensorKind.ULTRASONIC, SensorKind.COLOUR, SensorKind.SOUND)
+        val ofNxt = comparisonsFor(sensors, BrickKind.NXT)
+        assertEquals(listOf("distance < 20", "colour == red", "loudness > 50"), ofNxt)
+        assertEquals(listOf("light < 40"), comparisonsFor(setOf(SensorKind.LIGHT), BrickKind.RCX))
+        assertEquals(listOf("timer > 5"), comparisonsFor(emptySet(), BrickKind.RCX))
+        for (condition in ofNxt) {
+            val program = compileRobolang("a", "wait until $condition", RobotTarget.Nxt(5.6, 11.4))
+            assertIs<RobolangResult.Ready>(program, "$condition: $program")
+        }
     }
 
     @Test

@@ -1,5 +1,6 @@
 package robotran.documents
 
+import robotran.brick.program.BrickProgram
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -17,9 +18,11 @@ import robotran.projects.isLink
 import robotran.projects.openLink
 import robotran.projects.readCourse
 import robotran.projects.readProject
-import robotran.rcxrom.Brick
+import robotran.world.RobotDescription
 import robotran.world.World
+import robotran.world.file.RobotFileResult
 import robotran.world.file.WorldFileResult
+import robotran.world.file.readRobot
 import robotran.world.file.readWorld
 
 /**
@@ -37,12 +40,14 @@ sealed interface OpenFilesResult {
      * @property world replaces the world of the open project, or of the first of [projects].
      * @property programs to be added to the existing ones.
      * @property courses whole courses, to be kept on the device.
+     * @property robot replaces a robot in the world that is open then.
      */
     data class Opened(
         val projects: List<OpenedProject>,
         val world: World?,
         val programs: List<ProjectProgram>,
         val courses: List<Course> = emptyList(),
+        val robot: RobotDescription? = null,
     ) : OpenFilesResult
 
     /** None of the files was opened. */
@@ -69,6 +74,8 @@ sealed interface OpenFilesError {
 
     data object SeveralWorlds : OpenFilesError
 
+    data object SeveralRobots : OpenFilesError
+
     /** More programs than a brick can hold. */
     data class TooManyPrograms(val max: Int) : OpenFilesError
 }
@@ -94,13 +101,16 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
         SourceFile(file.name, text)
     }
     val worlds = parts.filterIsInstance<Part.OfWorld>().map { it.world }
+    val robots = parts.filterIsInstance<Part.OfRobot>().map { it.robot }
     val programs = parts.filterIsInstance<Part.OfProgram>().map { it.program } +
         listOfNotNull(java.firstOrNull()?.let { ProjectProgram(it.name, ProgramLanguage.JAVA, java) })
     return when {
         worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
 
-        programs.size > Brick.MAX_PROGRAMS -> OpenFilesResult.Rejected(
-            OpenFilesError.TooManyPrograms(Brick.MAX_PROGRAMS),
+        robots.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralRobots)
+
+        programs.size > BrickProgram.MAX_PROGRAMS -> OpenFilesResult.Rejected(
+            OpenFilesError.TooManyPrograms(BrickProgram.MAX_PROGRAMS),
         )
 
         else -> OpenFilesResult.Opened(
@@ -110,6 +120,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
             worlds.singleOrNull(),
             programs,
             parts.filterIsInstance<Part.OfCourse>().map { it.course },
+            robots.singleOrNull(),
         )
     }
 }
@@ -135,6 +146,8 @@ private sealed interface Part {
 
     data class OfWorld(val world: World) : Part
 
+    data class OfRobot(val robot: RobotDescription) : Part
+
     data class OfCourse(val course: Course) : Part
 
     data class OfProgram(val program: ProjectProgram) : Part
@@ -147,7 +160,7 @@ private suspend fun partOf(file: IncomingFile, language: Language, beside: (Stri
     if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Unusable(OpenFilesError.TooLong(file.name))
     val text = textOf(file) ?: return Part.Unusable(OpenFilesError.NotText(file.name))
     return when {
-        file.name.endsWith(FileKind.ROBOLANG.extension, ignoreCase = true) -> {
+        file.isNamedAs(FileKind.ROBOLANG) -> {
             if (isTooLong(text)) {
                 Part.Unusable(OpenFilesError.TooLong(file.name))
             } else {
@@ -155,7 +168,7 @@ private suspend fun partOf(file: IncomingFile, language: Language, beside: (Stri
             }
         }
 
-        text.trimStart().startsWith('{') || JSON_KINDS.any { file.name.endsWith(it.extension) } -> {
+        text.trimStart().startsWith('{') || JSON_KINDS.any(file::isNamedAs) -> {
             if (isCourseFile(text)) coursePartOf(file, text, language, beside) else jsonPartOf(file, text, language)
         }
 
@@ -169,15 +182,17 @@ private suspend fun partOf(file: IncomingFile, language: Language, beside: (Stri
     }
 }
 
-private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Part {
-    val isProject = PROJECT_MARK in text || file.name.endsWith(FileKind.PROJECT.extension)
-    if (!isProject) {
-        return when (val result = readWorld(text, language)) {
-            is WorldFileResult.Loaded -> Part.OfWorld(result.world)
-            is WorldFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
-        }
-    }
-    return when (val result = readProject(text, language)) {
+private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Part = when {
+    PROJECT_MARK in text || file.isNamedAs(FileKind.PROJECT) -> projectPartOf(file, text, language)
+    isRobot(file, text) -> robotPartOf(file, text, language)
+    else -> worldPartOf(file, text, language)
+}
+
+private fun isRobot(file: IncomingFile, text: String): Boolean =
+    ROBOT_MARK in text || (file.isNamedAs(FileKind.ROBOT) && WORLD_MARK !in text)
+
+private fun projectPartOf(file: IncomingFile, text: String, language: Language): Part =
+    when (val result = readProject(text, language)) {
         is ProjectFileResult.Loaded -> {
             val place = file.place?.let { SaveTarget(it, FileStamp.of(file.bytes)) }
             Part.OfProject(OpenedProject(projectNameOfFile(file.name), result.project, place))
@@ -187,7 +202,18 @@ private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Pa
             Part.Unusable(OpenFilesError.InFile(file.name, result.message))
         }
     }
-}
+
+private fun robotPartOf(file: IncomingFile, text: String, language: Language): Part =
+    when (val result = readRobot(text, language)) {
+        is RobotFileResult.Loaded -> Part.OfRobot(result.robot)
+        is RobotFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
+    }
+
+private fun worldPartOf(file: IncomingFile, text: String, language: Language): Part =
+    when (val result = readWorld(text, language)) {
+        is WorldFileResult.Loaded -> Part.OfWorld(result.world)
+        is WorldFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
+    }
 
 private fun coursePartOf(file: IncomingFile, text: String, language: Language, beside: (String) -> ByteArray?): Part =
     when (val result = readCourse(text, language, beside)) {
@@ -218,7 +244,11 @@ private fun isTooLong(text: String): Boolean =
 private fun mayBeCourse(file: IncomingFile): Boolean =
     file.bytes.size <= JsonLimits.MAXIMUM_BYTES && textOf(file)?.let(::isCourseFile) == true
 
-private fun isJava(file: IncomingFile): Boolean = file.name.endsWith(FileKind.JAVA.extension, ignoreCase = true)
+private fun IncomingFile.isNamedAs(kind: FileKind): Boolean = name.endsWith(kind.extension, ignoreCase = true)
 
-private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE)
+private fun isJava(file: IncomingFile): Boolean = file.isNamedAs(FileKind.JAVA)
+
+private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOT, FileKind.COURSE)
 private const val PROJECT_MARK = "\"robotran-project\""
+private const val ROBOT_MARK = "\"robotran-robot\""
+private const val WORLD_MARK = "\"robotran-world\""

@@ -61,6 +61,7 @@ const val COURSE_EXTENSION = "course.json"
 enum class FileKind(val extension: String, val mimeType: String) {
     PROJECT(".robotran", "application/json"),
     WORLD(".world.json", "application/json"),
+    ROBOT(".robot.json", "application/json"),
     COURSE(".course.json", "application/json"),
     ROBOLANG(".robo", "text/plain"),
     JAVA(".java", "text/plain"),

@@ -5,12 +5,15 @@ import robotran.language.ProgramLanguage
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.writeProject
+import robotran.world.ReadyRobots
 import robotran.world.file.BuiltInWorlds
+import robotran.world.file.writeRobot
 import robotran.world.file.writeWorld
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class OpenFilesTest {
     private val world = BuiltInWorlds.plain.copy(title = "Town")
@@ -38,6 +41,50 @@ class OpenFilesTest {
         assertEquals(listOf("a.robo", "B.java"), opened.programs.map { it.name })
         assertEquals(ProgramLanguage.JAVA, opened.programs.last().language)
         assertEquals(listOf("B.java", "C.java"), opened.programs.last().files.map { it.name })
+    }
+
+    @Test
+    fun `a robot comes alone or with a world`() = runTest {
+        val sumo = writeRobot(ReadyRobots.SUMO)
+        val alone = opened(file("sumo.robot.json", sumo))
+        assertEquals(ReadyRobots.SUMO, alone.robot)
+        assertEquals(null, alone.world)
+        assertEquals(ReadyRobots.SUMO, opened(file("sumo (1).json.txt", "\uFEFF$sumo")).robot)
+        val both = opened(file("sumo.robot.json", sumo), file("town.world.json", writeWorld(world)))
+        assertEquals(ReadyRobots.SUMO to "Town", both.robot to both.world?.title)
+    }
+
+    @Test
+    fun `a world stays a world, whatever it is called and whatever robots it has`() = runTest {
+        val withSumo = world.copy(
+            task = "Say \"robotran-robot\".",
+            robots = world.robots.map { it.copy(description = ReadyRobots.SUMO) },
+        )
+        assertEquals(withSumo, opened(file("town.robot.json", writeWorld(withSumo))).world)
+    }
+
+    @Test
+    fun `a robot that is none is refused in a sentence`() = runTest {
+        val sumo = writeRobot(ReadyRobots.SUMO)
+        val broken = listOf(
+            "{}",
+            "{",
+            "null",
+            "[".repeat(100_000),
+            sumo.replace("robotran-robot", "robotran-rocket"),
+            sumo.replaceFirst("\"title\"", "\"titel\""),
+            "{\"format\": \"robotran-robot\", \"version\": 1, \"title\": \"x\", \"mass\": 1e999}",
+            "{\"format\": \"robotran-robot\", \"version\": 99, \"title\": \"x\"}",
+        )
+        for (text in broken) {
+            val error = assertIs<OpenFilesError.InFile>(refused(file("sumo.robot.json", text)), text.take(80))
+            assertEquals("sumo.robot.json", error.file)
+            assertTrue(error.message.length in 10..300, error.message)
+        }
+        assertEquals(
+            OpenFilesError.SeveralRobots,
+            refused(file("a.robot.json", sumo), file("b.robot.json", sumo)),
+        )
     }
 
     @Test

@@ -1,9 +1,9 @@
 package robotran.documents
 
+import robotran.brick.controls.BrickButton
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import kotlin.test.Test

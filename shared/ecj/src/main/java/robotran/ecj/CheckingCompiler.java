@@ -13,24 +13,30 @@ import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
 /**
- * ECJ that also checks {@link BrickRules}, {@link LockRules} and {@link LibraryGaps} on each source with resolved types,
- * and prints nothing when it fails.
+ * ECJ that also checks {@link LibraryGaps} and, if the brick has any, {@link BrickRules} and {@link LockRules} on each
+ * source with resolved types, and prints nothing when it fails.
  */
 final class CheckingCompiler extends Compiler {
+    private final boolean hasRules;
     private final Set<String> gaps;
     private final List<EcjProblem> problems;
     private boolean crashed;
 
-    /** @param gaps see {@link EcjCompiler#addGap} */
+    /**
+     * @param hasRules whether to check {@link BrickRules} and {@link LockRules}
+     * @param gaps see {@link EcjCompiler#addGap}
+     */
     CheckingCompiler(
             INameEnvironment library,
             CompilerOptions options,
+            boolean hasRules,
             ICompilerRequestor results,
             Set<String> gaps,
             List<EcjProblem> problems) {
         super(
             library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(),
             null);
+        this.hasRules = hasRules;
         this.gaps = gaps;
         this.problems = problems;
         useSingleThread = true;
@@ -47,8 +53,10 @@ final class CheckingCompiler extends Compiler {
             return; // After a syntax error, the tree contains guesses.
         }
         BrickReport report = new BrickReport(new String(unit.getFileName()));
-        unit.traverse(new BrickRules(report), unit.scope);
-        unit.traverse(new LockRules(report), unit.scope);
+        if (hasRules) {
+            unit.traverse(new BrickRules(report), unit.scope);
+            unit.traverse(new LockRules(report), unit.scope);
+        }
         if (!gaps.isEmpty()) {
             unit.traverse(new LibraryGaps(gaps, report), unit.scope);
         }

@@ -20,18 +20,12 @@ import org.eclipse.jdt.internal.compiler.env.IBinaryMethod;
 import org.eclipse.jdt.internal.compiler.env.ICompilationUnit;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
-/**
- * The Eclipse compiler for Java in memory. It compiles Java 1.3 sources to class files of version 45.3, which the leJOS
- * linker reads.
- */
+/** The Eclipse compiler for Java in memory. It compiles sources to class files for a {@link BrickTarget}. */
 public final class EcjCompiler {
     /** Max UTF-16 characters of all sources together, about fifty times what fits into a brick. */
     public static final int SOURCE_CHARACTERS = 200_000;
 
     public static final int SOURCES = 100;
-
-    private static final String LANGUAGE = CompilerOptions.VERSION_1_3;
-    private static final String TARGET = CompilerOptions.VERSION_1_1;
 
     private static final List<String> WARNINGS = Arrays.asList(
             CompilerOptions.OPTION_ReportNoEffectAssignment,
@@ -46,6 +40,7 @@ public final class EcjCompiler {
             CompilerOptions.OPTION_SourceFileAttribute);
 
     private final Library library;
+    private final BrickTarget target;
     private final List<ICompilationUnit> sources = new ArrayList<>();
     private final List<EcjProblem> problems = new ArrayList<>();
     private final Map<String, byte[]> classes = new LinkedHashMap<>();
@@ -54,8 +49,10 @@ public final class EcjCompiler {
     private final Set<String> gaps = new HashSet<>();
     private int characters;
 
-    public EcjCompiler(Library library) {
+    /** @param library the class library of {@code target} */
+    public EcjCompiler(Library library, BrickTarget target) {
         this.library = library;
+        this.target = target;
     }
 
     /** @param path the source's path, with slashes; a public class in it must have the name of the file */
@@ -92,7 +89,8 @@ public final class EcjCompiler {
         if (problems.isEmpty()) {
             try {
                 CheckingCompiler compiler =
-                    new CheckingCompiler(library.environment(), options(), this::take, gaps, problems);
+                    new CheckingCompiler(
+                        library.environment(), options(), target.hasRules(), this::take, gaps, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {
@@ -144,12 +142,17 @@ public final class EcjCompiler {
 
     private List<String> members(CategorizedProblem problem, List<String> arguments, String text) {
         if (problem.getID() == IProblem.UndefinedMethod) {
-            return library.memberNames(arguments.get(0));
+            return library.memberNames(withoutTypeArguments(arguments.get(0)));
         }
         if (problem.getID() == IProblem.UndefinedField) {
             return library.memberNames(nameBefore(text, problem.getSourceStart()));
         }
         return Collections.emptyList();
+    }
+
+    private static String withoutTypeArguments(String type) {
+        int start = type.indexOf('<');
+        return start < 0 ? type : type.substring(0, start);
     }
 
     /** The name before the dot before {@code place}. */
@@ -181,16 +184,14 @@ public final class EcjCompiler {
         }
     }
 
-    private static CompilerOptions options() {
+    private CompilerOptions options() {
         CompilerOptions options = new CompilerOptions();
         Map<String, String> settings = new HashMap<>();
         for (Map.Entry<String, String> standard : options.getMap().entrySet()) {
             boolean warns = CompilerOptions.WARNING.equals(standard.getValue());
             settings.put(standard.getKey(), warns ? CompilerOptions.IGNORE : standard.getValue());
         }
-        settings.put(CompilerOptions.OPTION_Source, LANGUAGE);
-        settings.put(CompilerOptions.OPTION_Compliance, LANGUAGE);
-        settings.put(CompilerOptions.OPTION_TargetPlatform, TARGET);
+        target.addTo(settings);
         for (String attribute : DEBUGGING) {
             settings.put(attribute, CompilerOptions.GENERATE);
         }

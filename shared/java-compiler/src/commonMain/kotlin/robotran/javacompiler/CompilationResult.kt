@@ -1,14 +1,15 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.ecj.BrickTarget
 
 /** The result of a compilation. */
 sealed interface CompilationResult {
     /**
      * The program can be loaded into a brick if it links with the brick's virtual machine.
      *
-     * @property classes the class files by internal name, such as `robots/Square`, in the order of the sources; version
-     * 45.3.
+     * @property classes the class files by internal name, such as `robots/Square`, in the order of the sources; their
+     * version is that of the [BrickTarget].
      * @property warnings the warnings in the order of the sources.
      * @property mainClasses the names of the classes with a `public static void main(String[])`; may be empty.
      * @property missingMain the error to report if the caller wants to run a program without a main method; null if

@@ -1,16 +1,20 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.Diagnosis
+import robotran.javacompiler.diagnose.Diamonds
 import robotran.javacompiler.diagnose.JavaSeverity
 import robotran.javacompiler.diagnose.MissingMembers
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
+import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.EnglishJavaMessages
 import robotran.javacompiler.messages.JavaMessages
 import robotran.lejoslibrary.LejosDifference
 
 /**
- * Compiles leJOS programs in Java 1.3 for the virtual machine of a brick. The class files are the same on every
+ * Compiles leJOS programs for the virtual machine of a brick, see [BrickTarget]. The class files are the same on every
  * platform.
  */
 class JavaCompiler internal constructor(private val ecj: Ecj, private val messages: JavaMessages) {
@@ -21,18 +25,19 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
      * Compiles all [sources] together. Never throws for any input. Takes bounded time, because it rejects long sources.
      *
      * @param library the class files of the brick's class library by internal name, such as `java/lang/Object`. The map
-     * must not change. If the caller passes the same map again, its classes are not read again.
+     * must not change. If the caller passes the same map again for a target, its classes are not read again.
      * @param missing what a program must not use although it is in [library], since a real brick lacks it.
      */
     fun compile(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         missing: List<LejosDifference> = emptyList(),
+        target: BrickTarget = BrickTarget.LEJOS_RCX,
     ): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
         val gaps = MissingMembers(missing)
-        val compilation = ecj.compile(texts, library, gaps.keys)
-        val diagnosis = Diagnosis(texts, library.keys, compilation, messages, gaps)
+        val compilation = compile(texts, library, gaps, target)
+        val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
         val diagnostics = diagnosis.diagnostics()
         val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
         return if (errors.isEmpty()) {
@@ -45,6 +50,28 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
         } else {
             CompilationResult.Rejected(errors)
         }
+    }
+
+    private fun compile(
+        texts: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: MissingMembers,
+        target: BrickTarget,
+    ): EcjCompilation {
+        val first = ecj.compile(texts, library, gaps.keys, target)
+        if (target != BrickTarget.LEJOS_NXJ || first.problems.none { it.isError }) return first
+        val diamonds = Diamonds(texts)
+        if (diamonds.isEmpty) return first
+        val second = ecj.compile(diamonds.blanked(), library, gaps.keys, target)
+        val syntaxErrors = second.problems.filter { it.isSyntax }
+        if (syntaxErrors.isEmpty() && first.problems.none { it.isSyntax }) return first
+        val others = first.problems.filterNot { it.isSyntax || it.number == ProblemId.DIAMOND }
+        return EcjCompilation(
+            first.classes,
+            first.mainClasses,
+            diamonds.problems() + syntaxErrors + others,
+            first.completed,
+        )
     }
 
     private companion object {

@@ -2,6 +2,7 @@ package robotran.javacompiler
 
 import robotran.ecj.EcjCompiler
 import robotran.ecj.Library
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
@@ -11,16 +12,21 @@ import robotran.javacompiler.messages.JavaMessages
 actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler = JavaCompiler(JvmEcj(), messages)
 
 private class JvmEcj : Ecj {
-    private var loadedLibrary: Map<String, ByteArray>? = null
-    private var library = Library()
+    private class LoadedLibrary(val classFiles: Map<String, ByteArray>) {
+        val library = Library().apply { classFiles.forEach { (name, bytes) -> add(name, bytes) } }
+    }
+
+    private val loaded = mutableMapOf<BrickTarget, LoadedLibrary>()
 
     override fun compile(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
+        target: BrickTarget,
     ): EcjCompilation {
-        read(library)
-        val compiler = EcjCompiler(this.library)
+        val known = loaded[target]?.takeIf { it.classFiles === library }
+            ?: LoadedLibrary(library).also { loaded[target] = it }
+        val compiler = EcjCompiler(known.library, robotran.ecj.BrickTarget.entries[target.ordinal])
         gaps.forEach(compiler::addGap)
         sources.forEach { compiler.addSource(it.path, it.text) }
         val result = compiler.compile()
@@ -38,12 +44,5 @@ private class JvmEcj : Ecj {
             )
         }
         return EcjCompilation(result.classes(), result.mainClasses(), problems, completed = !result.crashed())
-    }
-
-    private fun read(classFiles: Map<String, ByteArray>) {
-        if (classFiles === loadedLibrary) return
-        library = Library()
-        classFiles.forEach { (name, bytes) -> library.add(name, bytes) }
-        loadedLibrary = classFiles
     }
 }

@@ -10,6 +10,7 @@ class ProblemIdTest {
     fun `the numbers are those of ECJ`() {
         val pairs = listOf(
             ProblemId.UNDEFINED_TYPE to IProblem.UndefinedType,
+            ProblemId.AMBIGUOUS_TYPE to IProblem.AmbiguousType,
             ProblemId.TYPE_MISMATCH to IProblem.TypeMismatch,
             ProblemId.UNDEFINED_NAME to IProblem.UndefinedName,
             ProblemId.UNINITIALIZED_LOCAL_VARIABLE to IProblem.UninitializedLocalVariable,
@@ -77,6 +78,8 @@ class ProblemIdTest {
             ProblemId.STATIC_INTERFACE_METHOD to IProblem.StaticInterfaceMethodNotBelow18,
             ProblemId.RESOURCE_TOO_OLD to IProblem.AutoManagedResourceNotBelow17,
             ProblemId.MULTI_CATCH to IProblem.MultiCatchNotBelow17,
+            ProblemId.TEXT_IN_SWITCH to IProblem.SwitchOnStringsNotBelow17,
+            ProblemId.DIAMOND to IProblem.DiamondNotBelow17,
             ProblemId.PREVIEW_FEATURE to IProblem.FeatureNotSupported,
             ProblemId.ARROW_IN_CASE to IProblem.ArrowInCaseStatementsNotSupported,
             ProblemId.SWITCH_EXPRESSION to IProblem.SwitchExpressionsNotSupported,

@@ -6,6 +6,8 @@ import kotlin.js.Promise
 
 /** The functions of `EcjModule.java`, compiled to WebAssembly. */
 internal external interface EcjModule : JsAny {
+    fun setTarget(number: Int)
+
     fun clearLibrary()
 
     fun addLibraryClass(internalName: String, classFile: JsAny)

@@ -3,6 +3,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.await
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
@@ -13,14 +14,16 @@ actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler =
     JavaCompiler(WasmEcj(importEcjModule().await()), messages)
 
 private class WasmEcj(private val module: EcjModule) : Ecj {
-    private var loadedLibrary: Map<String, ByteArray>? = null
+    private val loadedLibraries = mutableMapOf<BrickTarget, Map<String, ByteArray>>()
 
     override fun compile(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
+        target: BrickTarget,
     ): EcjCompilation {
-        read(library)
+        module.setTarget(target.ordinal)
+        read(library, target)
         gaps.forEach { module.addGap(it) }
         sources.forEach { module.addSource(it.path, it.text) }
         val completed = module.compile()
@@ -30,11 +33,11 @@ private class WasmEcj(private val module: EcjModule) : Ecj {
         return EcjCompilation(classes, mainClasses, List(module.problemCount(), ::problem), completed)
     }
 
-    private fun read(library: Map<String, ByteArray>) {
-        if (library === loadedLibrary) return
+    private fun read(library: Map<String, ByteArray>, target: BrickTarget) {
+        if (library === loadedLibraries[target]) return
         module.clearLibrary()
         library.forEach { (name, bytes) -> module.addLibraryClass(name, bytes.toJsArray()) }
-        loadedLibrary = library
+        loadedLibraries[target] = library
     }
 
     private fun problem(index: Int) = EcjProblem(

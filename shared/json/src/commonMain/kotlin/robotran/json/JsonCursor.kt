@@ -78,6 +78,8 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         return text
     }
 
+    val isNull: Boolean get() = element is JsonNull
+
     /** The string, or null for another type. */
     fun textOrNull(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
 
@@ -116,6 +118,10 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
 
     /** Stops reading with an error; [reason], in any language, follows the path: `must be a number`. */
     fun refuse(reason: (Language) -> String): Nothing = throw JsonValidationException(path, reason)
+
+    /** Stops reading with an error that [sentence], in any language, describes by itself. */
+    fun refuseInSentence(sentence: (Language) -> String): Nothing =
+        throw JsonValidationException(path, isSentence = true, sentence)
 
     /** Rejects what the parser accepts: unquoted words other than a number, `true`, `false` or `null`. */
     internal fun checkLiterals() {

@@ -59,7 +59,10 @@ fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: 
 private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Rejected {
     val path = refusal.path ?: return JsonReading.Rejected(refusal.reason(language), null, "")
     val line = lineOf(path, text)
-    val sentence = JsonMessages.of(language).refused(line, path.toString(), refusal.reason(language))
+    val messages = JsonMessages.of(language)
+    val reason = refusal.reason(language)
+    val sentence =
+        if (refusal.isSentence) messages.at(line, "$path", reason) else messages.refused(line, "$path", reason)
     return JsonReading.Rejected(sentence, line, path.toString())
 }
 

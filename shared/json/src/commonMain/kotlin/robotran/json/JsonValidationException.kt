@@ -7,7 +7,9 @@ import robotran.language.Language
  *
  * @property path the invalid value; null if [reason] needs none.
  * @property reason what is wrong, in any language, to follow the path: `must be a number`. A whole sentence if there is
- * no path.
+ * no path, or if it [isSentence].
  */
-class JsonValidationException(val path: JsonPath?, val reason: (Language) -> String) :
-    Exception(reason(Language.ENGLISH))
+class JsonValidationException(val path: JsonPath?, val isSentence: Boolean, val reason: (Language) -> String) :
+    Exception(reason(Language.ENGLISH)) {
+    constructor(path: JsonPath?, reason: (Language) -> String) : this(path, isSentence = false, reason)
+}

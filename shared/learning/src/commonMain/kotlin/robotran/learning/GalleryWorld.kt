@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.programs.SourceFile
 import robotran.world.World
 
 enum class WorldLevel { EASY, MEDIUM, HARD }
@@ -9,6 +10,7 @@ enum class WorldLevel { EASY, MEDIUM, HARD }
  * A world that comes with the app, or a harder variation of one.
  *
  * @property name the name of its file without the extension, such as `line-loop`; `line-loop/harder-1` for a variation.
+ * @param given the programs that come with it, under the names of their tabs.
  * @property harder worlds in which the same task is harder; a variation has none.
  */
 class GalleryWorld internal constructor(
@@ -16,6 +18,7 @@ class GalleryWorld internal constructor(
     val level: WorldLevel,
     val harder: List<GalleryWorld>,
     file: String,
+    private val given: List<SourceFile>,
     titles: (Language) -> WorldTitle,
     task: (World) -> Lesson?,
 ) {
@@ -24,6 +27,9 @@ class GalleryWorld internal constructor(
 
     /** What to do here, with a program to begin with, hints and a solution; null where one does what one likes. */
     val lesson: Lesson? by lazy { task(plainWorld) }
+
+    /** Whether the file [name] with [text] is this world's program to begin with, or a solution that it shows. */
+    fun gives(name: String, text: String): Boolean = given.any { it.name == name && it.text == text }
 
     private val titles by lazy { Language.entries.associateWith(titles) }
 

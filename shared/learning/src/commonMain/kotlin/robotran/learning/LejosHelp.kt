@@ -1,50 +1,56 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 
 /**
  * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: from the help files, or else from
  * the comments of the library.
  */
-internal fun lejosHelp(word: String, language: Language): WordHelp? = lejosWords.help(word, language)
-    ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
+internal fun lejosHelp(word: String, language: Language, brick: BrickKind): WordHelp? =
+    javaWords(brick).help(word, language)
+        ?: commentOf(word, brick)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
 
-private fun commentOf(word: String): LejosMember? {
-    val owner = word.substringBefore('.')
-    return if ('.' in word) lejosClass(owner)?.members?.get(word.substringAfter('.')) else lejosClass(owner)?.about
+private fun commentOf(word: String, brick: BrickKind): LejosMember? {
+    val owner = lejosClass(word.substringBefore('.'), brick)
+    return if ('.' in word) owner?.members?.get(word.substringAfter('.')) else owner?.about
 }
 
 /** The help on the word at [range] in the Java program [text]. A class or variable and dots may be before it. */
-internal fun helpInJava(language: Language, text: String, range: IntRange): WordHelp? {
+internal fun helpInJava(language: Language, text: String, range: IntRange, brick: BrickKind): WordHelp? {
     val chain = chainUpTo(text, range)
     val word = chain.last()
     if (chain.size == 1) {
-        return lejosHelp(word, language) ?: inheritedMemberOwner(text, word)?.let { lejosHelp("$it.$word", language) }
+        return lejosHelp(word, language, brick)
+            ?: inheritedMemberOwner(text, word, brick)?.let { lejosHelp("$it.$word", language, brick) }
     }
-    val owner = chain.dropLast(1).fold(null as String?) { type, name -> typeOf(text, type, name) } ?: return null
-    return lejosMember(owner, word)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language) }
+    // Motors of an NXT are of a class of their own, but pupils know them as those of Motor.
+    if (brick == BrickKind.NXT) javaWords(brick).help("${chain.first()}.$word", language)?.let { return it }
+    val owner = chain.dropLast(1).fold(null as String?) { type, name -> typeOf(text, type, name, brick) } ?: return null
+    return lejosMember(owner, word, brick)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language, brick) }
 }
 
 /**
  * The class of [name]: the type of a member of [owner] or, if that is null, a class or a variable's type in the
  * program.
  */
-private fun typeOf(text: String, owner: String?, name: String): String? = when {
-    owner != null -> lejosMember(owner, name)?.second?.type
-    lejosClass(name) != null -> name
-    else -> typeOfVariable(text, name)
+private fun typeOf(text: String, owner: String?, name: String, brick: BrickKind): String? = when {
+    owner != null -> lejosMember(owner, name, brick)?.second?.type
+    lejosClass(name, brick) != null -> name
+    else -> typeOfVariable(text, name, brick)
 }
 
 /** The class that the variable [name] is declared with somewhere in [text]. */
-private fun typeOfVariable(text: String, name: String): String? {
+private fun typeOfVariable(text: String, name: String, brick: BrickKind): String? {
     val tokens = words(text)
-    return tokens.zipWithNext().firstOrNull { (type, variable) -> variable == name && lejosClass(type) != null }?.first
+    return tokens.zipWithNext().firstOrNull { (type, variable) -> variable == name && lejosClass(type, brick) != null }
+        ?.first
 }
 
 /** The class that declares the inherited member [word], which is used without a qualifier in a subclass. */
-private fun inheritedMemberOwner(text: String, word: String): String? =
+private fun inheritedMemberOwner(text: String, word: String, brick: BrickKind): String? =
     words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) ->
-        lejosMember(parent, word)?.first
+        lejosMember(parent, word, brick)?.first
     }
 
 private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(', ')', ';', ',', '{', '}', '=').filter {

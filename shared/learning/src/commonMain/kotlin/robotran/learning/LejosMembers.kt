@@ -1,6 +1,8 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.lejoslibrary.LejosLibrary
+import robotran.nxjlibrary.NxjSources
 
 /**
  * A class or member of the brick's class library.
@@ -18,18 +20,21 @@ internal class LejosMember(val sentence: String, val form: String, val type: Str
  */
 internal class LejosClass(val about: LejosMember, val superclass: String?, val members: Map<String, LejosMember>)
 
-/** The class of the brick's library with this simple name; null if there is none. */
-internal fun lejosClass(simpleName: String): LejosClass? =
-    classes.getOrPut(simpleName) { CachedClass(readClass(simpleName)) }.lejosClass
+/** The class of the library of a [brick] with this simple name; null if there is none or the library is not loaded. */
+internal fun lejosClass(simpleName: String, brick: BrickKind): LejosClass? {
+    val source = sourceOf(simpleName, brick)
+    if (source == null && brick == BrickKind.NXT && NxjSources.known == null) return null
+    return classes.getOrPut(brick to simpleName) { CachedClass(source?.let { readClass(simpleName, it) }) }.lejosClass
+}
 
 /**
  * Finds the member [name] of the class [simpleName] or a superclass, and the name of its declaring class; null if there
  * is none.
  */
-internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMember>? {
+internal fun lejosMember(simpleName: String, name: String, brick: BrickKind): Pair<String, LejosMember>? {
     var owner: String? = simpleName
     while (owner != null) {
-        val found = lejosClass(owner) ?: return null
+        val found = lejosClass(owner, brick) ?: return null
         found.members[name]?.let { return owner to it }
         owner = found.superclass
     }
@@ -38,11 +43,21 @@ internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMe
 
 private class CachedClass(val lejosClass: LejosClass?)
 
-private val classes = mutableMapOf<String, CachedClass>()
+private val classes = mutableMapOf<Pair<BrickKind, String>, CachedClass>()
 
-private fun readClass(simpleName: String): LejosClass? {
-    val qualified = LejosLibrary.classNames.firstOrNull { it.substringAfterLast('/') == simpleName } ?: return null
-    val declarations = documented(LejosLibrary.source(qualified) ?: return null)
+private fun sourceOf(simpleName: String, brick: BrickKind): String? = when (brick) {
+    BrickKind.RCX -> LejosLibrary.classNames.named(simpleName).firstOrNull()?.let(LejosLibrary::source)
+
+    // A program means the NXT's own Color and Point rather than what else is called so.
+    BrickKind.NXT -> NxjSources.known?.let { sources ->
+        sources.classNames.named(simpleName).minByOrNull { name -> name.count { it == '/' } }?.let(sources::source)
+    }
+}
+
+private fun Set<String>.named(simpleName: String) = filter { it.substringAfterLast('/') == simpleName }
+
+private fun readClass(simpleName: String, source: String): LejosClass? {
+    val declarations = documented(source)
     val head =
         declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) }
             ?: return null

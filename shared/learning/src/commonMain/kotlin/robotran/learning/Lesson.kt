@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.hint.Attempt
@@ -18,15 +19,22 @@ import robotran.world.World
  * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
  * @property program the program that the pupil tries and changes.
  * @property solution the same program with the task done.
+ * @property javaSolution the task done in Java, for a pupil who writes Java where [program] is in Robolang; null if there
+ * is none.
+ * @param forNxt makes the same lesson with a robot that has an NXT; null for such a lesson itself, and for the task of a
+ * [GalleryWorld].
  */
 class Lesson internal constructor(
     val name: String,
     val strand: String,
     val program: SourceFile,
     val solution: SourceFile,
+    val javaSolution: SourceFile?,
     private val plainWorld: World,
+    private val forNxt: (() -> Lesson)? = null,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
+    private val onNxt by lazy { forNxt?.invoke() }
     private val texts by lazy { Language.entries.associateWith { read(it, false) } }
     private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }
 
@@ -38,23 +46,41 @@ class Lesson internal constructor(
     fun world(language: Language): World =
         text(language).let { plainWorld.copy(title = it.title, task = withoutBackticks(it.task)) }
 
-    /** Whether [world] is the lesson's, in any language. */
+    /** The same lesson with a robot that has a [brick], or this one if there is none. */
+    fun on(brick: BrickKind): Lesson = if (brick == BrickKind.NXT) onNxt ?: this else this
+
+    /** The brick of the pupil's robot. */
+    val brick: BrickKind get() = plainWorld.robots.first().description.brick
+
+    /** Whether [world] is the lesson's, in any language, on this brick. */
     internal fun isIn(world: World): Boolean = plainWorld.isSameWorldAs(world)
 
+    /** The lesson with the brick for which [world] is its world, in any language; null if it is another's. */
+    internal fun foundIn(world: World): Lesson? =
+        takeIf { isIn(world) } ?: onNxt?.takeIf { it.isIn(world.withPupilsPenbot()) }
+
     /** The language of [program]. */
-    val code: ProgramLanguage
-        get() = if (program.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+    val code: ProgramLanguage get() = languageOf(program)
+
+    /** [solution] and [javaSolution]. */
+    val solutions: List<SourceFile> get() = listOfNotNull(solution, javaSolution)
 
     /**
      * Creates a project for the lesson.
      *
-     * @param files the pupil's own version of [program], such as [solution]; the first file may have any name.
+     * @param files the pupil's own version of [program], such as [solution]; the first file may have any name, whose
+     * extension tells the language.
      */
     fun project(language: Language, files: List<SourceFile> = listOf(program)): Project {
         val world = world(language)
         return Project(
             world,
-            listOf(ProjectRobot(world.robots.first().name, listOf(ProjectProgram(files.first().name, code, files)))),
+            listOf(
+                ProjectRobot(
+                    world.robots.first().name,
+                    listOf(ProjectProgram(files.first().name, languageOf(files.first()), files)),
+                ),
+            ),
         )
     }
 
@@ -62,5 +88,8 @@ class Lesson internal constructor(
     fun attempt(program: String, run: SessionState): Attempt =
         Attempt(program, this.program.text, solution.text, plainWorld, run)
 }
+
+private fun languageOf(file: SourceFile): ProgramLanguage =
+    if (file.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
 
 internal const val JAVA_FILE = ".java"

@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.learning.hint.HintCondition
 
 /**
@@ -38,11 +39,14 @@ data class LessonText(
             )
         }
 
-        /** The text in [file] for a pupil who sees programs in blocks, or as text. Fails if the file is invalid. */
-        fun of(file: String, inBlocks: Boolean): LessonText {
+        /**
+         * The text in [file] for a pupil who sees programs in blocks, or as text, and whose robot has a [brick]. Fails if
+         * the file is invalid.
+         */
+        fun of(file: String, inBlocks: Boolean, brick: BrickKind = BrickKind.RCX): LessonText {
             val whole = sections(file).single()
             val parts = sections(whole.body, "## ").associate { it.heading to it.body }
-            val told = { body: String -> toldFor(inBlocks, paragraphs(body)) }
+            val told = { body: String -> toldFor(inBlocks, toldOn(brick, paragraphs(body))) }
             val under = { heading: String -> told(parts.getValue(heading)).joinToString(" ") }
             return LessonText(
                 whole.heading,
@@ -66,7 +70,7 @@ private fun conditionalHints(parts: Map<String, String>, told: (String) -> List<
         val phrase = heading.removePrefix(WHEN)
         val condition = requireNotNull(HintCondition.of(phrase)) { "There is no condition \"$phrase\"." }
         ConditionalHint(condition, told(body).joinToString(" "))
-    }
+    }.filter { it.text.isNotEmpty() }
 
 /** The hints in [file] that every lesson falls back on. */
 internal fun commonHints(file: String): List<ConditionalHint> =
@@ -78,6 +82,12 @@ private fun toldFor(inBlocks: Boolean, paragraphs: List<String>): List<String> {
     return paragraphs.filterNot { it.startsWith(other) }.map { it.removePrefix(own).trim() }
 }
 
+/** The [paragraphs] for a pupil whose robot has a [brick]. */
+private fun toldOn(brick: BrickKind, paragraphs: List<String>): List<String> {
+    val (own, other) = if (brick == BrickKind.NXT) FOR_NXT to FOR_RCX else FOR_RCX to FOR_NXT
+    return paragraphs.filterNot { it.startsWith(other) }.map { it.removePrefix(own).trim() }
+}
+
 /** [text] without the backticks around program text. */
 internal fun withoutBackticks(text: String): String = text.replace("`", "")
 
@@ -85,3 +95,5 @@ private const val WHEN = "When "
 private const val HARDER = "Harder: "
 private const val FOR_TEXT = "(text) "
 private const val FOR_BLOCKS = "(blocks) "
+private const val FOR_RCX = "(rcx) "
+private const val FOR_NXT = "(nxt) "

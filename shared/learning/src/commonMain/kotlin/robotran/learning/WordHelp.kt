@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 
@@ -21,18 +22,19 @@ data class WordHelp(
 ) {
     companion object {
         /**
-         * Returns the help in [language] on a [word] of [code], such as `forward` or `Motor.forward`; null if there is
-         * none.
+         * Returns the help in [language] on a [word] of [code] for a [brick], such as `forward` or `Motor.forward`;
+         * null if there is none.
          */
-        fun of(language: Language, code: ProgramLanguage, word: String): WordHelp? = when (code) {
-            ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
-            ProgramLanguage.JAVA -> lejosHelp(word, language)
-        }
+        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind = BrickKind.RCX): WordHelp? =
+            when (code) {
+                ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
+                ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
+            }
 
         /** The words of a programming language that have an entry, in the order of their file. */
-        fun words(code: ProgramLanguage): List<String> = when (code) {
+        fun words(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<String> = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.words
-            ProgramLanguage.JAVA -> lejosWords.words
+            ProgramLanguage.JAVA -> javaWords(brick).words
         }
     }
 }
@@ -43,12 +45,19 @@ data class WordHelp(
  *
  * @param language the pupil's language.
  * @param code the language of the program.
+ * @param brick the robot's brick; the imports of a Java program may name another.
  */
-fun helpOn(language: Language, code: ProgramLanguage, text: String, offset: Int): WordHelp? {
+fun helpOn(
+    language: Language,
+    code: ProgramLanguage,
+    text: String,
+    offset: Int,
+    brick: BrickKind = BrickKind.RCX,
+): WordHelp? {
     val range = wordRange(text, offset) ?: return null
     return when (code) {
         ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(range.first, range.last + 1))
-        ProgramLanguage.JAVA -> helpInJava(language, text, range)
+        ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)
     }
 }
 
@@ -71,6 +80,15 @@ private fun isInComment(text: String, offset: Int): Boolean {
     val slashes = before.indexOf("//")
     return slashes >= 0 && before.take(slashes).count { it == '"' } % 2 == 0
 }
+
+/** The brick that the imports of the Java program [text] name; null if none does. */
+fun brickOfImports(text: String): BrickKind? = when (IMPORT.find(text)?.groupValues?.get(1)) {
+    "lejos" -> BrickKind.NXT
+    "josx" -> BrickKind.RCX
+    else -> null
+}
+
+private val IMPORT = Regex("""(?m)^\s*import\s+(lejos|josx)\.""")
 
 /** Lowercases only ASCII, which Robolang's words consist of: the platforms differ on some other letters. */
 private fun lowercaseWord(word: String): String =

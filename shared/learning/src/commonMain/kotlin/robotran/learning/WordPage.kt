@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 
 /** The help on the words of one programming language, read from a file in the folder `learning/words`. */
@@ -46,4 +47,12 @@ private const val FENCE = "```"
 
 internal val robolangWords: WordPage by lazy { WordPage(wordTexts.getValue("robolang.md")) }
 
-internal val lejosWords: WordPage by lazy { WordPage(wordTexts.getValue("lejos.md")) }
+private val lejosWords: WordPage by lazy { WordPage(wordTexts.getValue("lejos.md")) }
+
+private val nxjWords: WordPage by lazy { WordPage(wordTexts.getValue("nxj.md")) }
+
+/** The words of Java for a [brick]. */
+internal fun javaWords(brick: BrickKind): WordPage = when (brick) {
+    BrickKind.RCX -> lejosWords
+    BrickKind.NXT -> nxjWords
+}

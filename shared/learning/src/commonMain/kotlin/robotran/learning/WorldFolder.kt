@@ -2,12 +2,14 @@ package robotran.learning
 
 import robotran.language.Language
 import robotran.programs.SourceFile
+import robotran.world.World
 
 /**
  * What `learning/worlds/NAME` has about a world.
  *
  * @param files their texts by name: `text.en.md` and the others, the program to begin with, `solution` with its
- * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension.
+ * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension. Where
+ * the program to begin with is in Robolang, each solution may be there in Java, too.
  */
 internal class WorldFolder(
     private val name: String,
@@ -26,10 +28,11 @@ internal class WorldFolder(
             level,
             harder.mapIndexed { index, world -> variation(index, world) },
             file,
+            given(SOLUTION),
             { titleIn(textIn(it)) },
             { plainWorld ->
                 start?.let {
-                    Lesson("world/$name", "", it, solution(SOLUTION, it), plainWorld) { language, inBlocks ->
+                    lesson("world/$name", it, SOLUTION, plainWorld) { language, inBlocks ->
                         LessonText.of(textIn(language), inBlocks)
                     }
                 }
@@ -48,20 +51,46 @@ internal class WorldFolder(
             level,
             emptyList(),
             files.getValue(worldFile),
+            given("$stem."),
             { language -> text(language, false).let { WorldTitle(it.title, withoutBackticks(it.task)) } },
-            { Lesson("world/$name/$stem", "", given, solution("$stem.", given), it, text) },
+            { lesson("world/$name/$stem", given, "$stem.", it, text) },
         )
     }
 
-    private fun solution(prefix: String, given: SourceFile): SourceFile = SourceFile(
-        given.name,
-        files.entries.single { it.key.startsWith(prefix) && isProgram(it.key) }.value,
-    )
+    /** The program to begin with, and the files that begin with [solution], named as in the app. */
+    private fun given(solution: String): List<SourceFile> {
+        val solutions = files.entries.filter { it.key.startsWith(solution) && isProgram(it.key) }
+        return listOfNotNull(start) + solutions.map { SourceFile(tabOfSolution(it.key), it.value) }
+    }
+
+    /** The task called [name], whose solutions are the files that begin with [solution]. */
+    private fun lesson(
+        name: String,
+        given: SourceFile,
+        solution: String,
+        world: World,
+        read: (language: Language, inBlocks: Boolean) -> LessonText,
+    ): Lesson {
+        val language = given.name.substringAfterLast('.')
+        val inJava = if ("$solution$language".endsWith(JAVA_FILE)) null else files[solution + JAVA_FILE.drop(1)]
+        return Lesson(
+            name,
+            "",
+            given,
+            SourceFile(given.name, files.getValue(solution + language)),
+            inJava?.let { SourceFile(JAVA_SOLUTION, it) },
+            world,
+            read = read,
+        )
+    }
 
     private fun textIn(language: Language): String = files.getValue("text.${language.tag}.md")
 
     private companion object {
         const val HARDER = "harder-"
+        const val JAVA_SOLUTION = "Solution.java"
+
+        fun tabOfSolution(file: String) = if (file.endsWith(JAVA_FILE)) JAVA_SOLUTION else "solution.robo"
     }
 }
 

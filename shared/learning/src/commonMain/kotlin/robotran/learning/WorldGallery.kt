@@ -33,15 +33,27 @@ object WorldGallery {
     fun harderThan(world: GalleryWorld): List<GalleryWorld> =
         worlds.first { it === world || world in it.harder }.harder - world
 
-    /** The worlds whose title or task in [language] contains all words of [query]; all worlds if it has no words. */
-    fun search(query: String, language: Language): List<GalleryWorld> {
+    /**
+     * The worlds that have all words of [query] in their title or task in [language], in what [robotLine] says about
+     * their robot, or in the names of its sensors; those that say them in title or task come first. All worlds if
+     * [query] has no words.
+     */
+    fun search(query: String, language: Language, robotLine: (GalleryWorld) -> String = { "" }): List<GalleryWorld> {
         val words = query.lowercase().split(' ').filter { it.isNotEmpty() }
-        return worlds.filter { found ->
+        return worlds.mapNotNull { found ->
             val world = found.world(language)
-            val text = "${world.title} ${world.task}".lowercase()
-            words.all { it in text }
-        }
+            val told = "${world.title} ${world.task}".lowercase()
+            val robot = "${robotLine(found)} ${robotWords(world.robots.first().description, language)}".lowercase()
+            when {
+                words.all { it in told } -> found to 0
+                words.all { it in told || it in robot } -> found to 1
+                else -> null
+            }
+        }.sortedBy { it.second }.map { it.first }
     }
+
+    /** Whether the file [name] with [text] is a program that comes with a world: one to begin with or a solution. */
+    fun isGiven(name: String, text: String): Boolean = withHarder.any { it.gives(name, text) }
 
     internal const val WORLD_FILE = ".world.json"
 }

@@ -1,6 +1,8 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
+import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -8,9 +10,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -19,13 +19,26 @@ import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** The example programs of the help. */
 class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
-        for (help in examples(ProgramLanguage.ROBOLANG)) {
+        for (help in examples(ProgramLanguage.ROBOLANG).filterNot(::isForNxt)) {
             runs(help.word, ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+        }
+    }
+
+    @Test
+    fun `every example for an NXT is a program`() = runTest {
+        val examples = examples(ProgramLanguage.ROBOLANG).filter(::isForNxt)
+        assertTrue(examples.size > 5, "${examples.size} examples")
+        for (help in examples) {
+            val result = nxtReader.read(ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+            val told = (result as? ProgramResult.HasErrors)?.diagnostics
+            val ready = assertIs<ProgramResult.Ready>(result, "${help.word}: $told")
+            assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, help.word)
         }
     }
 
@@ -37,15 +50,27 @@ class ExampleTest {
         }
     }
 
-    private fun examples(code: ProgramLanguage): List<WordHelp> = WordHelp.words(code).mapNotNull {
-        WordHelp.of(Language.ENGLISH, code, it)
-    }.filter { it.example != null }.distinctBy { it.example }
+    @Test
+    fun `every example in Java for an NXT runs to its end on the plain sheet`() = runTest {
+        val examples = examples(ProgramLanguage.JAVA, BrickKind.NXT)
+        assertTrue(examples.size > 20, "${examples.size} examples")
+        for (help in examples) {
+            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty(), BrickKind.NXT))
+            runs(help.word, ProgramSource.Java(file.name, listOf(file)), BrickKind.NXT)
+        }
+    }
 
-    private suspend fun runs(word: String, source: ProgramSource) {
-        val result = reader.read(source)
+    private fun isForNxt(help: WordHelp): Boolean = "brick nxt" in help.example.orEmpty()
+
+    private fun examples(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<WordHelp> =
+        WordHelp.words(code, brick).mapNotNull { WordHelp.of(Language.ENGLISH, code, it, brick) }
+            .filter { it.example != null }.distinctBy { it.example }
+
+    private suspend fun runs(word: String, source: ProgramSource, brick: BrickKind = BrickKind.RCX) {
+        val result = (if (brick == BrickKind.NXT) nxtReader else reader).read(source)
         val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
         assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, word)
-        val session = Session(BuiltInWorlds.plain, listOf<RcxProgram?>(ready.program), loadPhysicsEngine())
+        val session = Session(BuiltInWorlds.plainFor(brick), listOf(ready.program), loadPhysicsEngine())
         session.pressRun()
         session.advance(LONG_ENOUGH)
         assertEquals(RunState.Ended(stopped = false), session.state.brick.run, "$word does not end")
@@ -53,7 +78,9 @@ class ExampleTest {
     }
 
     private companion object {
-        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader =
+            ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val nxtReader = ProgramCompiler(RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4))
         const val LONG_ENOUGH = 30_000
     }
 }

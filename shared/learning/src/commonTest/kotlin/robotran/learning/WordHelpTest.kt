@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import kotlin.test.Test
@@ -40,10 +41,12 @@ class WordHelpTest {
     @Test
     fun `every sentence is one line that ends in a full stop, and each language has its own`() {
         for (code in ProgramLanguage.entries) {
-            for (word in WordHelp.words(code)) {
-                val said = Language.entries.map { assertNotNull(WordHelp.of(it, code, word)).sentence }
-                assertTrue(said.all { it.endsWith(".") && it.length <= 130 && '!' !in it }, "$word: $said")
-                assertEquals(Language.entries.size, said.toSet().size, "$word: $said")
+            for (brick in BrickKind.entries) {
+                for (word in WordHelp.words(code, brick)) {
+                    val said = Language.entries.map { assertNotNull(WordHelp.of(it, code, word, brick)).sentence }
+                    assertTrue(said.all { it.endsWith(".") && it.length <= 130 && '!' !in it }, "$word: $said")
+                    assertEquals(Language.entries.size, said.toSet().size, "$word: $said")
+                }
             }
         }
     }
@@ -113,16 +116,16 @@ class WordHelpTest {
             val (owner, member) = word.split('.')
             assertEquals(
                 WordHelp.of(Language.ENGLISH, ProgramLanguage.JAVA, word)?.sentence,
-                lejosMember(owner, member)?.second?.sentence,
+                lejosMember(owner, member, BrickKind.RCX)?.second?.sentence,
             )
         }
     }
 
     @Test
     fun `the members of the library are written as they are declared`() {
-        assertEquals("setPower(int power)", lejosMember("Motor", "setPower")?.second?.form)
-        assertEquals("Motor", lejosMember("Motor", "A")?.second?.type)
-        assertNull(lejosMember("Motor", "run"))
-        assertNull(lejosMember("Nothing", "run"))
+        assertEquals("setPower(int power)", lejosMember("Motor", "setPower", BrickKind.RCX)?.second?.form)
+        assertEquals("Motor", lejosMember("Motor", "A", BrickKind.RCX)?.second?.type)
+        assertNull(lejosMember("Motor", "run", BrickKind.RCX))
+        assertNull(lejosMember("Nothing", "run", BrickKind.RCX))
     }
 }

@@ -1,9 +1,12 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertNotEquals
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
@@ -70,9 +73,43 @@ class WorldGalleryTest {
 
     @Test
     fun `a world is found by words of its title or task in the pupil's language`() {
-        assertEquals(listOf("sumo"), WorldGallery.search("SUMO", Language.ENGLISH).map { it.name })
+        assertEquals(listOf("sumo", "nxt-sumo"), WorldGallery.search("SUMO", Language.ENGLISH).map { it.name })
         assertEquals(listOf("maze"), WorldGallery.search("wand labyrinth", Language.GERMAN).map { it.name })
         assertEquals(WorldGallery.worlds, WorldGallery.search("  ", Language.SPANISH))
         assertEquals(emptyList(), WorldGallery.search("submarine", Language.ENGLISH))
     }
+
+    @Test
+    fun `a world is found by its robot's line, brick and sensors, and one that tells of them comes first`() {
+        val nxt = WorldGallery.worlds.filter { it.plainWorld.robots.first().description.brick == BrickKind.NXT }
+        assertTrue(nxt.size >= 6)
+        assertEquals(nxt.map { it.name }.toSet(), found("NXT", Language.GERMAN).toSet())
+        val sonar = WorldGallery.search("sonar", Language.ENGLISH)
+        assertEquals(sonar.sortedBy { "sonar" !in it.plainWorld.task }, sonar)
+        val withSonar = nxt.filter { world ->
+            world.plainWorld.robots.first().description.parts.any { it.kind == SensorKind.ULTRASONIC }
+        }
+        for ((word, language) in listOf("Abstand" to Language.GERMAN, "distancia" to Language.SPANISH)) {
+            assertTrue(found(word, language).containsAll(withSonar.map { it.name }), word)
+        }
+        val line = WorldGallery.search("zeichenroboter", Language.GERMAN) {
+            if (it == nxt.last()) "Zeichenroboter" else ""
+        }
+        assertEquals(listOf(nxt.last()), line)
+    }
+
+    @Test
+    fun `a program that comes with a world is known by name and text`() {
+        for (found in all) {
+            val lesson = found.lesson ?: continue
+            val solutions = lesson.solutions.map { if (it.name.endsWith(".java")) "Solution.java" else "solution.robo" }
+            assertTrue(found.gives(lesson.program.name, lesson.program.text), found.name)
+            for ((name, file) in solutions.zip(lesson.solutions)) assertTrue(found.gives(name, file.text), found.name)
+            assertTrue(WorldGallery.isGiven(lesson.program.name, lesson.program.text))
+            assertFalse(WorldGallery.isGiven(lesson.program.name, lesson.program.text + "beep\n"))
+            assertFalse(WorldGallery.isGiven("my own.robo", lesson.solution.text))
+        }
+    }
+
+    private fun found(query: String, language: Language) = WorldGallery.search(query, language).map { it.name }
 }

@@ -1,13 +1,13 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
-import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import kotlin.test.Test
@@ -15,9 +15,11 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LessonProgramsTest {
+    private val tasks = Lessons.all + Lessons.all.map { it.on(BrickKind.NXT) } + worldTasks
+
     @Test
     fun `programs and solutions in Robolang look as the formatter writes them`() {
-        for (lesson in (Lessons.all + worldTasks).filter { it.code == ProgramLanguage.ROBOLANG }) {
+        for (lesson in tasks.filter { it.code == ProgramLanguage.ROBOLANG }) {
             for (file in listOf(lesson.program, lesson.solution)) {
                 assertEquals(file.text, assertIs<FormatResult.Formatted>(formatRobolang(file.text)).text, lesson.name)
             }
@@ -26,15 +28,12 @@ class LessonProgramsTest {
 
     @Test
     fun `no solution gets a warning`() = runTest {
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION)
-        for (lesson in Lessons.all + worldTasks) {
-            val ready = assertIs<ProgramResult.Ready>(compiler.read(sourceOf(lesson, lesson.solution)), lesson.name)
-            assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, lesson.name)
+        val compiler = ProgramCompiler(PENBOT_TARGET)
+        for (lesson in tasks) {
+            for (solution in lesson.solutions) {
+                val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(solution)), compiler)
+                assertEquals(emptyList(), assertIs<RobotLoads.Ready>(ready, lesson.name).warnings, lesson.name)
+            }
         }
-    }
-
-    private fun sourceOf(lesson: Lesson, file: SourceFile): ProgramSource = when (lesson.code) {
-        ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(file.name, file.text)
-        ProgramLanguage.JAVA -> ProgramSource.Java(file.name, listOf(file))
     }
 }

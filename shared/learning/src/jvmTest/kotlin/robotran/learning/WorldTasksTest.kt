@@ -1,6 +1,7 @@
 package robotran.learning
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.time.Duration.Companion.minutes
@@ -9,9 +10,22 @@ class WorldTasksTest {
     @Test
     fun `every solution reaches the goals with 20 seeds`() = runTest(timeout = 10.minutes) {
         val failed = worldTasks.flatMap { task ->
-            (1..SEEDS).filterNot { runIn(task, task.solution.text, it).isSolved }.map { "${task.name}, seed $it" }
+            task.solutions.flatMap { solution ->
+                (1..SEEDS).filterNot { runIn(task, solution, it).isSolved }
+                    .map { "${task.name}, ${solution.name}, seed $it" }
+            }
         }
         assertEquals(emptyList(), failed)
+    }
+
+    @Test
+    fun `every world with an NXT has solutions in Robolang and in Java`() {
+        val withNxt = WorldGallery.worlds.filter { it.plainWorld.robots.first().description.brick == BrickKind.NXT }
+        for (world in withNxt) {
+            val solutions = checkNotNull(world.lesson).solutions.map { it.name.substringAfterLast('.') }
+            assertEquals(listOf("robo", "java"), solutions, world.name)
+        }
+        assertEquals(NXT_WORLDS, withNxt.size)
     }
 
     @Test
@@ -22,13 +36,14 @@ class WorldTasksTest {
     @Test
     fun `the solution of a world does not solve its harder variations`() = runTest(timeout = 5.minutes) {
         val solved = WorldGallery.worlds.flatMap { world ->
-            val solution = world.lesson?.solution?.text.orEmpty()
-            world.harder.mapNotNull { it.lesson }.filter { runIn(it, solution).isSolved }
+            val solutions = world.lesson?.solutions.orEmpty()
+            world.harder.mapNotNull { it.lesson }.filter { harder -> solutions.any { runIn(harder, it, 1).isSolved } }
         }
         assertEquals(emptyList(), solved.map { it.name })
     }
 
     private companion object {
         const val SEEDS = 20
+        const val NXT_WORLDS = 6
     }
 }

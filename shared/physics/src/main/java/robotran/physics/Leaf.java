@@ -90,6 +90,43 @@ final class Leaf extends TreeNode {
             || other.bottom0 - top0 > distance;
     }
 
+    boolean isRound() {
+        return corners == null;
+    }
+
+    /** The direction in which the surface looks at a point of it: away from the middle, or across the nearest edge. */
+    Vector2 normalAt(double x, double y) {
+        Transform pose = body.getTransform();
+        if (corners == null) {
+            Vector2 outwards = pose.getTransformed(shape.getCenter()).to(new Vector2(x, y));
+            outwards.normalize();
+            return outwards;
+        }
+        Vector2 place = pose.getInverseTransformed(new Vector2(x, y));
+        double nearest = Double.POSITIVE_INFINITY;
+        int edge = 0;
+        for (int i = 0; i < corners.length; i++) {
+            double distance = squaredDistance(place, corners[i], corners[(i + 1) % corners.length]);
+            if (distance < nearest) {
+                nearest = distance;
+                edge = i;
+            }
+        }
+        return pose.getTransformedR(((Polygon) shape).getNormals()[edge]);
+    }
+
+    private static double squaredDistance(Vector2 place, Vector2 from, Vector2 to) {
+        double alongX = to.x - from.x;
+        double alongY = to.y - from.y;
+        double x = place.x - from.x;
+        double y = place.y - from.y;
+        double part = (x * alongX + y * alongY) / (alongX * alongX + alongY * alongY);
+        double part01 = part < 0 ? 0 : part > 1 ? 1 : part;
+        double awayX = x - part01 * alongX;
+        double awayY = y - part01 * alongY;
+        return awayX * awayX + awayY * awayY;
+    }
+
     /** Measures the bounds of the fixture at the current pose of its body. */
     void measure() {
         Transform pose = body.getTransform();

@@ -13,6 +13,12 @@ final class RayCaster {
     private final Raycast hit = new Raycast();
     private final Beam beam = new Beam();
 
+    /** What the last ray has met; null if nothing. */
+    private Leaf met;
+
+    private double metX;
+    private double metY;
+
     RayCaster(BoundsTree tree) {
         this.tree = tree;
     }
@@ -27,6 +33,7 @@ final class RayCaster {
         Ray ray = new Ray(from, way);
         beam.set(from, ray.getDirectionVector(), length);
         double free = length;
+        met = null;
         TreeNode node = tree.root();
         while (node != null) {
             // dyn4j takes a length of 0 for no limit.
@@ -40,11 +47,24 @@ final class RayCaster {
                 if (leaf.body != own
                     && detector.raycast(ray, free, leaf.fixture.getShape(), leaf.body.getTransform(), hit)) {
                     free = hit.getDistance();
+                    met = leaf;
+                    metX = hit.getPoint().x;
+                    metY = hit.getPoint().y;
                 }
             }
             node = BoundsTree.after(node);
         }
         return free;
+    }
+
+    /** What the last ray has met; null if nothing. */
+    Leaf met() {
+        return met;
+    }
+
+    /** The direction in which the surface looks that the last ray has met. */
+    Vector2 metNormal() {
+        return met.normalAt(metX, metY);
     }
 
     /** A ray and its bounds. */

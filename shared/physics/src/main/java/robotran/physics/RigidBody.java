@@ -8,6 +8,9 @@ import org.dyn4j.geometry.Transform;
 
 /** A body with what detection and solver need to know of it, so that they look up nothing in maps. */
 final class RigidBody extends Body {
+    /** Its index in the world; -1 for the floor. */
+    int number = -1;
+
     /** Identifies it in the contacts of others. */
     final int kind;
 

@@ -49,6 +49,8 @@ public final class RigidWorld {
     private final double partSeconds;
     private final int stepParts;
     private boolean contactsAreOld = true;
+    private Leaf met;
+    private Vector2 normal;
 
     /**
      * @param stepSeconds the fixed time of one {@link #step}
@@ -85,8 +87,9 @@ public final class RigidWorld {
         body.translate(x, y);
         body.setAtRestDetectionEnabled(false);
         body.setMass(MassType.INFINITE);
+        body.number = bodies.size();
         bodies.add(body);
-        return bodies.size() - 1;
+        return body.number;
     }
 
     /**
@@ -297,5 +300,39 @@ public final class RigidWorld {
             return 0;
         }
         return rays.freeDistance(body < 0 ? null : bodies.get(body), from, way, length, contactsAreOld);
+    }
+
+    /**
+     * The distance from one point to what is in the way towards another, like {@link #freeDistance}; negative if nothing
+     * is. The next functions tell what it is, until another ray is cast.
+     */
+    public double ray(int body, double fromX, double fromY, double toX, double toY) {
+        double distance = freeDistance(body, fromX, fromY, toX, toY);
+        met = fromX == toX && fromY == toY ? null : rays.met();
+        if (met == null) {
+            return -1;
+        }
+        normal = rays.metNormal();
+        return distance;
+    }
+
+    /** The body that the last {@link #ray} has met. */
+    public int rayBody() {
+        return met.body.number;
+    }
+
+    /** Whether that was a circle. */
+    public boolean rayMetCircle() {
+        return met.isRound();
+    }
+
+    /** The x component of the direction, of length 1, in which the surface looks that it has met. */
+    public double rayNormalX() {
+        return normal.x;
+    }
+
+    /** The y component of the same. */
+    public double rayNormalY() {
+        return normal.y;
     }
 }

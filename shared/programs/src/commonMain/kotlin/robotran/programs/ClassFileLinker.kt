@@ -10,12 +10,12 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
-/** Links class files from our own compiler or another one. */
+/** Links class files for an RCX with leJOS, from our own compiler or another one. */
 internal class ClassFileLinker(
     private val settings: JavaSettings,
     private val messages: TinyVmMessages,
     private val imageMessages: ImageMessages,
-) {
+) : ProgramLinker {
     /** Links what another compiler made, unless it uses what the brick that it is for does not have. */
     fun read(source: ProgramSource.CompiledClasses, gaps: CompiledGaps): ProgramResult {
         val result = link(compiledOf(source))
@@ -23,13 +23,8 @@ internal class ClassFileLinker(
         return if (mistakes.isEmpty()) result else ProgramResult.HasErrors(mistakes)
     }
 
-    fun compiledOf(source: ProgramSource.CompiledClasses) =
-        CompiledProgram(source.name, source.classFiles, source.mainClass, emptyList()) {
-            diagnosticOf(it, it.sourceFile)
-        }
-
     /** Links [program] for the simulated brick. True to the brick, it must fit a real one. */
-    fun link(program: CompiledProgram): ProgramResult {
+    override fun link(program: CompiledProgram): ProgramResult {
         if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
         return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
             is ImageResult.Refused -> {

@@ -24,6 +24,12 @@ internal sealed interface CompiledSource {
     class HasErrors(val diagnostics: List<ProgramDiagnostic>) : CompiledSource
 }
 
+/** What another compiler made. */
+internal fun compiledOf(source: ProgramSource.CompiledClasses) =
+    CompiledProgram(source.name, source.classFiles, source.mainClass, emptyList()) {
+        diagnosticOf(it, it.sourceFile)
+    }
+
 /** [error] in [file]; null if its file is unknown. */
 internal fun diagnosticOf(error: LinkError, file: String?): ProgramDiagnostic {
     val place = listOfNotNull(error.className.ifEmpty { null }, error.methodName).joinToString(".")

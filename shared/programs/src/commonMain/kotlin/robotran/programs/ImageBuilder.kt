@@ -4,13 +4,13 @@ import robotran.lejoslinker.ImageResult
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.LinkMessages
 
 /** Builds one image of several programs. */
 internal class ImageBuilder(
-    private val calibration: Calibration,
+    private val target: RobotTarget,
     private val robolang: RobolangMessages,
     private val java: JavaProgramCompiler?,
     private val translated: TranslatedProgramCompiler?,
@@ -51,12 +51,12 @@ internal class ImageBuilder(
     }
 
     private fun compile(source: ProgramSource): CompiledSource = when (source) {
-        is ProgramSource.CompiledClasses -> CompiledSource.Compiled(linker.compiledOf(source))
+        is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
 
         is ProgramSource.Java -> checkNotNull(java) { NOT_LOADED }.compile(source)
 
         is ProgramSource.Robolang -> when (
-            val result = compileRobolang(source.name, source.text, calibration, robolang)
+            val result = compileRobolang(source.name, source.text, target, robolang)
         ) {
             is RobolangResult.Ready -> checkNotNull(translated) { NOT_LOADED }
                 .compile(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })

@@ -9,21 +9,23 @@ import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
 
-/** Compiles and links leJOS programs. */
+/** Compiles and links Java programs. */
 internal class JavaProgramCompiler(
     private val compiler: JavaCompiler,
-    private val classFiles: ClassFileLinker,
-    private val settings: JavaSettings,
+    private val linker: ProgramLinker,
+    private val library: JavaLibrary,
 ) {
-    fun read(source: ProgramSource.Java): ProgramResult = when (val compiled = compile(source)) {
-        is CompiledSource.Compiled -> classFiles.link(compiled.program)
+    fun read(source: ProgramSource.Java): ProgramResult = link(compile(source))
+
+    /** Links what [compile] has compiled. */
+    fun link(compiled: CompiledSource): ProgramResult = when (compiled) {
+        is CompiledSource.Compiled -> linker.link(compiled.program)
         is CompiledSource.HasErrors -> ProgramResult.HasErrors(compiled.diagnostics)
     }
 
     fun compile(source: ProgramSource.Java): CompiledSource {
         val files = source.files.map { JavaSource(it.name, it.text) }
-        val library = BrickLibrary.classFilesFor(settings)
-        return when (val result = compiler.compile(files, library, BrickLibrary.missingFor(settings))) {
+        return when (val result = compiler.compile(files, library.classFiles, library.missing, library.target)) {
             is CompilationResult.Rejected -> CompiledSource.HasErrors(result.diagnostics.map(::diagnosticOf))
             is CompilationResult.Compiled -> compiledOf(source, result)
         }

@@ -1,95 +1,104 @@
 package robotran.programs
 
+import robotran.brick.kind.BrickKind
 import robotran.javacompiler.JavaCompiler
-import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.programs.messages.ProgramMessages
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.coroutines.cancellation.CancellationException
 
 /**
- * Compiles a pupil's program, in either language, to a program for the brick. It loads the Java compiler on first use,
- * which takes a while in a browser.
+ * Compiles a pupil's program, in either language, to a program for the robot's brick. It loads the Java compiler and the
+ * classes of leJOS NXJ on first use, which takes a while in a browser. Copies for another language, robot or settings
+ * share what is loaded.
  *
- * @param calibration the calibration of the robot that Robolang programs run on.
+ * @param target the robot that programs run on. Java for another kind of brick has a mistake.
  * @param java how Java programs run.
  * @property language the language of compiler messages and runtime messages.
  */
-class ProgramCompiler(
-    private val calibration: Calibration,
-    private val java: JavaSettings = JavaSettings(),
-    val language: Language = Language.ENGLISH,
+class ProgramCompiler private constructor(
+    private val target: RobotTarget,
+    private val java: JavaSettings,
+    val language: Language,
+    private val loaded: LoadedJava,
 ) {
-    private val robolang = RobolangProgramCompiler(calibration, RobolangMessages.of(language))
-    private val classFiles = linkerFor(java)
-    private var compiler: JavaCompiler? = null
+    constructor(
+        target: RobotTarget,
+        java: JavaSettings = JavaSettings(),
+        language: Language = Language.ENGLISH,
+    ) : this(target, java, language, LoadedJava())
 
-    /** Returns a compiler with messages in [language]. It reuses the Java compiler if it is loaded. */
-    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(calibration, java, language).also {
-        it.compiler = compiler?.withLanguage(JavaMessages.of(language))
-    }
+    private val robolang = RobolangProgramCompiler(target, RobolangMessages.of(language))
+    private val classFiles = linkerFor(java)
+    private val otherBrick = OtherBrick(target.kind, ProgramMessages.of(language))
+
+    /** Returns a compiler with messages in [language]. */
+    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(target, java, language, loaded)
 
     /** Returns a compiler that runs Java with the settings [java]; this one if it already does. */
     fun withJava(java: JavaSettings): ProgramCompiler =
-        if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
+        if (java == this.java) this else ProgramCompiler(target, java, language, loaded)
 
-    /** Loads the compiler that [source] needs. */
-    suspend fun prepareFor(source: ProgramSource): CompilerLoading {
-        if (source !is ProgramSource.Java) return CompilerLoading.Loaded
-        return try {
-            loadedCompiler()
-            CompilerLoading.Loaded
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (cause: Throwable) {
-            // The exception's type depends on the platform.
-            CompilerLoading.Failed(cause)
+    /** Returns a compiler for the robot [target]; this one if it already is. */
+    fun forTarget(target: RobotTarget): ProgramCompiler =
+        if (target == this.target) this else ProgramCompiler(target, java, language, loaded)
+
+    /** Loads what compiling [source] needs. */
+    suspend fun prepareFor(source: ProgramSource): CompilerLoading = try {
+        if (otherBrick.mistakeIn(source) == null) {
+            if (source is ProgramSource.Java) loaded.loadCompiler()
+            if (source !is ProgramSource.Robolang && target.kind == BrickKind.NXT) loaded.loadNxj()
         }
+        CompilerLoading.Loaded
+    } catch (cancelled: CancellationException) {
+        throw cancelled
+    } catch (cause: Throwable) {
+        // The exception's type depends on the platform.
+        CompilerLoading.Failed(cause)
     }
 
-    /** Compiles any [source], after [prepareFor] has loaded its compiler. Not thread-safe. */
-    fun compileNow(source: ProgramSource): ProgramResult = when (source) {
-        is ProgramSource.Robolang -> {
-            robolang.read(source)
-        }
+    /** Compiles any [source], after [prepareFor] has loaded what that needs. Not thread-safe. */
+    fun compileNow(source: ProgramSource): ProgramResult {
+        otherBrick.mistakeIn(source)?.let { return ProgramResult.HasErrors(listOf(it)) }
+        return when (source) {
+            is ProgramSource.Robolang -> robolang.read(source)
 
-        is ProgramSource.Java -> {
-            JavaProgramCompiler(
-                checkNotNull(compiler) {
-                    "The compiler for Java is not loaded."
-                },
-                classFiles,
-                java,
-            ).read(source)
-        }
+            is ProgramSource.Java -> javaCompiler().read(source)
 
-        is ProgramSource.CompiledClasses -> {
-            classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
+            is ProgramSource.CompiledClasses -> when (target.kind) {
+                BrickKind.RCX -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
+                BrickKind.NXT -> nxjLinker().link(compiledOf(source))
+            }
         }
     }
 
     /**
-     * Builds the image of [sources] for a real brick with leJOS [version]; the Prgm button goes through them in this
-     * order. Robolang programs become Java first, so they need the Java compiler, too.
+     * Builds the image of [sources] for a real RCX with leJOS [version]; the Prgm button goes through them in this
+     * order. Robolang programs become Java first, so they need the Java compiler, too. A program for another brick has a
+     * mistake.
      *
      * @param sources at least one program.
      * @throws Throwable whatever the platform throws if the Java compiler cannot be loaded; see [CompilerLoading.Failed].
      */
     suspend fun buildImage(sources: List<ProgramSource>, version: LejosVersion = java.version): ImageBuildResult {
         require(sources.isNotEmpty()) { "There is no program to build an image of." }
+        val others = sources.mapNotNull { otherBrick.mistakeInImage(it) }
+        if (others.isNotEmpty()) return ImageBuildResult.HasErrors(others)
         val settings = JavaSettings(TinyVmMode.BRICK, version = version)
         val linker = linkerFor(settings)
-        val loaded = if (sources.all { it is ProgramSource.CompiledClasses }) null else loadedCompiler()
-        val java = loaded?.let { JavaProgramCompiler(it, linker, settings) }
+        if (sources.any { it !is ProgramSource.CompiledClasses }) loaded.loadCompiler()
+        val java = loaded.compiler?.let { JavaProgramCompiler(speaking(it), linker, JavaLibrary.ofLejos(settings)) }
         val translated = java?.let { TranslatedProgramCompiler(it, ProgramMessages.of(language)) }
         val messages = TinyVmMessages.of(language)
-        return ImageBuilder(calibration, RobolangMessages.of(language), java, translated, linker, messages)
+        return ImageBuilder(target, RobolangMessages.of(language), java, translated, linker, messages)
             .build(sources)
     }
 
@@ -103,8 +112,38 @@ class ProgramCompiler(
         is CompilerLoading.Failed -> throw loading.cause
     }
 
-    private suspend fun loadedCompiler(): JavaCompiler =
-        compiler ?: loadJavaCompiler(JavaMessages.of(language)).also { compiler = it }
+    /**
+     * Compiles the Java that [source] becomes for the robot. Mistakes are told at the lines of [source].
+     *
+     * @throws Throwable like [read].
+     */
+    suspend fun readTranslation(source: ProgramSource.Robolang): ProgramResult =
+        when (val result = compileRobolang(source.name, source.text, target, RobolangMessages.of(language))) {
+            is RobolangResult.HasErrors -> {
+                ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source.name, it) })
+            }
+
+            is RobolangResult.Ready -> {
+                loaded.loadCompiler()
+                if (target.kind == BrickKind.NXT) loaded.loadNxj()
+                TranslatedProgramCompiler(javaCompiler(), ProgramMessages.of(language))
+                    .read(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
+            }
+        }
+
+    private fun javaCompiler(): JavaProgramCompiler {
+        val compiler = speaking(checkNotNull(loaded.compiler) { "The compiler for Java is not loaded." })
+        return when (target.kind) {
+            BrickKind.RCX -> JavaProgramCompiler(compiler, classFiles, JavaLibrary.ofLejos(java))
+            BrickKind.NXT -> JavaProgramCompiler(compiler, nxjLinker(), JavaLibrary.ofNxj(nxjLibrary()))
+        }
+    }
+
+    private fun nxjLinker() = NxjLinker(nxjLibrary(), java.speed, TinyVmMessages.of(language))
+
+    private fun nxjLibrary() = checkNotNull(loaded.nxj) { "The classes of leJOS NXJ are not loaded." }
+
+    private fun speaking(compiler: JavaCompiler) = compiler.withLanguage(JavaMessages.of(language))
 
     private fun linkerFor(settings: JavaSettings) =
         ClassFileLinker(settings, TinyVmMessages.of(language), ImageMessages.of(language))

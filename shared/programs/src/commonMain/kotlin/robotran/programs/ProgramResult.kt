@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.rcxrom.program.RcxProgram
+import robotran.brick.program.BrickProgram
 
 /** The result of compiling a program. */
 sealed interface ProgramResult {
@@ -10,7 +10,7 @@ sealed interface ProgramResult {
      * @property mainClass the main class of a program in Java, with slashes; null for other programs.
      */
     data class Ready(
-        val program: RcxProgram,
+        val program: BrickProgram,
         val warnings: List<ProgramDiagnostic> = emptyList(),
         val mainClass: String? = null,
     ) : ProgramResult

@@ -9,7 +9,7 @@ sealed interface ProgramSource {
     data class Robolang(override val name: String, val text: String) : ProgramSource
 
     /**
-     * A leJOS program in Java.
+     * A program in Java, for leJOS on an RCX or for leJOS NXJ on an NXT.
      *
      * @property files one or more source files. The main class is the class of the first file if it has a main method,
      * or else the first class that has one.
@@ -17,7 +17,7 @@ sealed interface ProgramSource {
     data class Java(override val name: String, val files: List<SourceFile>) : ProgramSource
 
     /**
-     * A leJOS program that was compiled elsewhere.
+     * A program in Java that was compiled elsewhere.
      *
      * @property classFiles the contents of its class files by file name.
      * @property mainClass the main class, with slashes; null for the first class with a main method.

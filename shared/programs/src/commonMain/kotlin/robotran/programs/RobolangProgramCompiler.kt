@@ -4,11 +4,11 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 
-internal class RobolangProgramCompiler(private val calibration: Calibration, private val messages: RobolangMessages) {
+internal class RobolangProgramCompiler(private val target: RobotTarget, private val messages: RobolangMessages) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
-        when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
+        when (val result = compileRobolang(source.name, source.text, target, messages)) {
             is RobolangResult.Ready -> ProgramResult.Ready(
                 result.program,
                 result.warnings.map {

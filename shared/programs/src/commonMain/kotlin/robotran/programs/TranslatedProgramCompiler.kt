@@ -11,6 +11,10 @@ internal class TranslatedProgramCompiler(
     private val compiler: JavaProgramCompiler,
     private val messages: ProgramMessages,
 ) {
+    /** Compiles and links, see [compile]. */
+    fun read(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): ProgramResult =
+        compiler.link(compile(name, program, warnings))
+
     /**
      * @param name the Robolang program's file.
      * @param warnings about the program itself.

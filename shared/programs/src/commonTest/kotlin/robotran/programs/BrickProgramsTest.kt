@@ -15,7 +15,7 @@ import kotlin.test.assertTrue
 
 /** The programs in `resources/brick` are told and do what their comments say; the README there explains the comments. */
 class BrickProgramsTest {
-    private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testCalibration, settings)
+    private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings)
 
     private suspend fun ProgramCompiler.compile(name: String, text: String): ProgramResult =
         read(ProgramSource.Java(name, listOf(SourceFile(name, text))))

@@ -1,20 +1,20 @@
 package robotran.programs
 
-import robotran.rcxrom.Brick
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramRun
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.ProgramRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import robotran.rcxrom.state.RunState
 
 /**
  * A brick that runs [program] and records its ROM calls, without those of the firmware.
  *
  * @param happen called before each millisecond with its number, to press buttons and to set what sensors measure.
  */
-internal class CallRecorder(private val program: RcxProgram, private val happen: (Brick, Long) -> Unit) {
-    private val brick = Brick(listOf(Recorded()))
+internal class CallRecorder(private val program: RcxProgram, private val happen: (RcxBrick, Long) -> Unit) {
+    private val brick = RcxBrick(listOf(Recorded()))
 
     val calls = ArrayList<TimedCall>()
 

@@ -1,8 +1,9 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.log.toLogText
-import robotran.robolang.robot.Calibration
+import robotran.brick.kind.BrickKind
+import robotran.brick.log.toLogText
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -24,12 +25,19 @@ import kotlin.time.Duration.Companion.minutes
  */
 class JavaExampleRunTest {
     private val reader =
-        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
-    private suspend fun run(name: String, text: String, physics: PhysicsEngine): Session {
-        val result =
-            assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)
-        return Session(BuiltInWorlds.plain, listOf(result.program), physics).apply {
+    private suspend fun run(
+        name: String,
+        text: String,
+        physics: PhysicsEngine,
+        brick: BrickKind = BrickKind.RCX,
+    ): Session {
+        val compiler = if (brick == BrickKind.NXT) reader.forTarget(nxtTestTarget) else reader
+        val result = compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, text))))
+        assertIs<ProgramResult.Ready>(result, name)
+        assertEquals(emptyList(), result.warnings, name)
+        return Session(BuiltInWorlds.plainFor(brick), listOf(result.program), physics).apply {
             runUnattended(60_000)
             close()
         }
@@ -47,6 +55,19 @@ class JavaExampleRunTest {
             assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
         }
     }
+
+    @Test
+    fun `every Java example for an NXT makes its recorded run`() = runTest(timeout = 5.minutes) {
+        val physics = loadPhysicsEngine()
+        assertTrue(nxjExamples.size >= 12, "${nxjExamples.size} examples")
+        assertEquals(nxjExamples.keys.map { it.removeSuffix(".java") }.toSet(), nxjRuns.keys.map(::recordOf).toSet())
+        for ((name, text) in nxjExamples) {
+            val session = run(name, text, physics, BrickKind.NXT)
+            assertEquals(nxjRuns[name.removeSuffix(".java") + ".report.json"], session.report().toJson() + "\n", name)
+        }
+    }
+
+    private fun recordOf(file: String) = file.substringBefore('.')
 
     @Test
     fun `every recorded run is that of an example`() {

@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomCall
 import kotlin.io.encoding.Base64
 
@@ -43,7 +43,7 @@ internal object OriginalCalls {
 }
 
 /** What the sensors measured when the original machine ran: a light plain sheet below, and nothing in the way. */
-internal fun originalSensors(brick: Brick, time: Long) {
+internal fun originalSensors(brick: RcxBrick, time: Long) {
     if (time == 0L) listOf(1023, 697, 1023).forEachIndexed { port, raw -> brick.setRawSensorValue(port, raw) }
 }
 

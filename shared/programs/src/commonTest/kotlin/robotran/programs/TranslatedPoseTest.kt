@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
+import robotran.brick.program.BrickProgram
+import robotran.brick.state.RunState
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -22,7 +22,7 @@ import kotlin.time.Duration.Companion.minutes
  * here: a real brick starts its wheels about a millisecond apart.
  */
 class TranslatedPoseTest {
-    private val reader = ProgramCompiler(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+    private val reader = ProgramCompiler(testTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
 
     @Test
     fun theTranslationOfEveryProgramLeavesTheRobotAtTheSamePlace() = runTest(timeout = 10.minutes) {
@@ -44,7 +44,7 @@ class TranslatedPoseTest {
         assertTrue(compared >= MIN_COMPARED, "only $compared programs were compared")
     }
 
-    private fun drive(program: RcxProgram, physics: PhysicsEngine): Drive {
+    private fun drive(program: BrickProgram, physics: PhysicsEngine): Drive {
         val session = Session(BuiltInWorlds.plain, listOf(program), physics)
         session.runUnattended(MILLISECONDS)
         session.close()

@@ -1,28 +1,31 @@
 package robotran.programs
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramStatus
+import robotran.brick.state.RunState
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.translateRobolang
 
-/** The calibration of the test programs, with round numbers. */
-internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+/** The robot of the test programs, with round numbers. */
+internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** Compiles [text]; null if it has errors. */
-internal fun robolangOf(name: String, text: String): RobolangProgram? =
-    (compileRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
+internal fun robolangOf(name: String, text: String): RobolangRcxProgram? =
+    (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)
+        ?.program as? RobolangRcxProgram
 
 /** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
@@ -86,7 +89,7 @@ internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
 
 /** Runs [program] on a simulated brick for [milliseconds] with the given [sensors]. */
 internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
-    val brick = Brick(listOf(program))
+    val brick = RcxBrick(listOf(program))
     sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
     // The firmware reads a sensor's new value some milliseconds after it changes.
     repeat(SETTLING_MILLISECONDS) { brick.tick() }
@@ -98,7 +101,9 @@ internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, millise
         brick.tick()
         if (brick.state.run !is RunState.Running) break
     }
-    val calls = brick.log.entries.filter { it.sourceLine > 0 }.map { TimedCall(it.milliseconds - start, it.call) }
+    val calls = brick.log.entries.romCalls().filter {
+        it.sourceLine > 0
+    }.map { TimedCall(it.milliseconds - start, it.call) }
     return BrickRun(calls, isOver = brick.state.run !is RunState.Running)
 }
 

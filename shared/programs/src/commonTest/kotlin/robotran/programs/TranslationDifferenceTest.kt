@@ -2,7 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.program.RcxProgram
-import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -11,8 +11,8 @@ import kotlin.time.Duration.Companion.minutes
 
 /** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
 class TranslationDifferenceTest {
-    private val brickCompiler = ProgramCompiler(testCalibration)
-    private val forgivingCompiler = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
+    private val brickCompiler = ProgramCompiler(testTarget)
+    private val forgivingCompiler = ProgramCompiler(testTarget, JavaSettings(TinyVmMode.FORGIVING))
 
     @Test
     fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {
@@ -58,7 +58,7 @@ class TranslationDifferenceTest {
         for (program in programs) {
             val reader = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
             val words = when (val result = reader.translated(program.robolang)) {
-                is ProgramResult.Ready -> difference(program, result.program) ?: continue
+                is ProgramResult.Ready -> difference(program, result.program as RcxProgram) ?: continue
                 is ProgramResult.HasErrors -> result.diagnostics.joinToString()
             }
             compared++
@@ -80,7 +80,7 @@ class TranslationDifferenceTest {
         return "after $same calls ${interpreted.drop(same).take(3)}, translated ${translated.drop(same).take(3)}"
     }
 
-    private class Robolang(val path: String, text: String, val robolang: RobolangProgram) {
+    private class Robolang(val path: String, text: String, val robolang: RobolangRcxProgram) {
         val sensors = sensorsIn(text)
         val hasBehaviours = text.lines().any { it.trim().startsWith("whenever") }
     }

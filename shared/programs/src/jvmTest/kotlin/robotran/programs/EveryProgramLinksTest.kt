@@ -10,13 +10,13 @@ import kotlin.time.Duration.Companion.minutes
 
 /** All programs of the tree fit a real brick. */
 class EveryProgramLinksTest {
-    private val compiler = ProgramCompiler(testCalibration)
+    private val compiler = ProgramCompiler(testTarget)
 
     @Test
     fun `every example and every solution becomes an image for both versions of leJOS`() =
         runTest(timeout = 5.minutes) {
             val programs =
-                robolangExamples + lejosExamples + solutions
+                robolangExamples + lejosExamples + solutions.filterKeys { !it.startsWith(FOR_NXT) }
             assertTrue(programs.size > 50, "${programs.size}")
             for (version in LejosVersion.entries) {
                 val refused = programs.mapNotNull { (name, text) -> refusalOf(name, text, version) }
@@ -73,6 +73,9 @@ class EveryProgramLinksTest {
     }
 
     private companion object {
+        /** How the names of worlds begin whose robots have an NXT. */
+        const val FOR_NXT = "nxt-"
+
         const val ROWS = 10
 
         /** Programs that use classes which leJOS 2.1 does not have. */

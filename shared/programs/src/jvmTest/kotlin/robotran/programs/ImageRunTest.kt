@@ -1,12 +1,12 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.controls.BrickButton
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.programs.image.ImageComparison
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.RcxBrick
 import robotran.robolang.translate.translateRobolang
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -56,7 +56,7 @@ class ImageRunTest {
         "\n// sensor ${it.port} at ${it.milliseconds}: raw ${it.raw}"
     }
 
-    private fun eventsIn(text: String): (Brick, Long) -> Unit {
+    private fun eventsIn(text: String): (RcxBrick, Long) -> Unit {
         val sensors = sensorsIn(text).groupBy { it.milliseconds }
         val buttons = BUTTON.findAll(text).map { it.destructured }.groupBy { it.component2().toLong() }
         return { brick, time ->

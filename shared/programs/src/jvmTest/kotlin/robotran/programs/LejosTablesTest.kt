@@ -95,7 +95,7 @@ class LejosTablesTest {
     @Test
     fun `translated programs are programs for every version of leJOS`() = runTest(timeout = 10.minutes) {
         val translations = (robolangExamples + robolangPrograms).mapNotNull { (path, text) ->
-            val result = compileRobolang(path, text, testCalibration)
+            val result = compileRobolang(path, text, testTarget)
             (result as? RobolangResult.Ready)?.let { translateRobolang(it.program) }?.let { it.fileName to it.java }
         }
         assertTrue(translations.size > 200, "${translations.size} translations")
@@ -107,7 +107,7 @@ class LejosTablesTest {
     private suspend fun diagnosticsOf(programs: Map<String, String>, withWarnings: Boolean = true): String =
         LejosVersion.entries.flatMap { version ->
             val compiler = compilers.getOrPut(version) {
-                ProgramCompiler(testCalibration, JavaSettings(version = version))
+                ProgramCompiler(testTarget, JavaSettings(version = version))
             }
             programs.flatMap { (name, text) ->
                 val told = when (val result = compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, text))))) {

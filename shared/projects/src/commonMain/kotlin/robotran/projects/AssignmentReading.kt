@@ -1,8 +1,8 @@
 package robotran.projects
 
+import robotran.brick.program.BrickProgram
 import robotran.json.JsonCursor
 import robotran.projects.messages.told
-import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.WorldLimits
 import robotran.world.file.unknownOf
@@ -27,7 +27,7 @@ internal fun assignmentIn(place: JsonCursor): Assignment = Assignment(
 )
 
 internal fun programsIn(place: JsonCursor?): List<ProjectProgram> =
-    place?.items(0..Brick.MAX_PROGRAMS).orEmpty().map(::programIn)
+    place?.items(0..BrickProgram.MAX_PROGRAMS).orEmpty().map(::programIn)
 
 private fun pictureIn(place: JsonCursor) = AssignmentPicture(
     place.member("name").text(AssignmentLimits.MAXIMUM_NAME_CHARACTERS),

@@ -13,9 +13,6 @@ internal object InputKind {
     const val TEMPERATURE = "temperature"
     const val TOUCH = "touch"
 
-    /** Number of input ports of a brick. */
-    const val PORTS = 3
-
     val COMMON = setOf("at", "kind")
 
     val FIELDS: Map<String, Set<String>> = mapOf(

@@ -66,7 +66,10 @@ internal class InputReader(private val world: World) {
 
     private fun pose(place: JsonCursor) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))
 
-    private fun port(place: JsonCursor): Int = place.member("port").wholeNumber(1..InputKind.PORTS) - 1
+    private fun port(place: JsonCursor): Int {
+        val brick = world.robots[robot(place)].description.brick
+        return place.member("port").wholeNumber(1..brick.inputPorts) - 1
+    }
 
     private fun number(place: JsonCursor, name: String): Double =
         place.member(name).number(-ProjectLimits.MAXIMUM_INPUT_NUMBER..ProjectLimits.MAXIMUM_INPUT_NUMBER)

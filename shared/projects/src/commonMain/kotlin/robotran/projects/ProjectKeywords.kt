@@ -1,7 +1,7 @@
 package robotran.projects
 
+import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
-import robotran.rcxrom.controls.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.wordFor

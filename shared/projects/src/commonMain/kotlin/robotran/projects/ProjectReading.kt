@@ -7,7 +7,6 @@ import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.projects.messages.told
-import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.file.FACINGS
 import robotran.world.file.unknownOf

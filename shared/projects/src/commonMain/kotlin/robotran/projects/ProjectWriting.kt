@@ -3,12 +3,12 @@ package robotran.projects
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.brick.controls.BrickButton
 import robotran.json.decimal
 import robotran.json.jsonObject
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World
@@ -85,13 +85,17 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Press -> input.robot in world.robots.indices
     is SessionInput.Release -> input.robot in world.robots.indices
     is SessionInput.PlaceRobot -> input.robot in world.robots.indices
-    is SessionInput.TouchSensor -> input.robot in world.robots.indices && input.port in 0..<InputKind.PORTS
+    is SessionInput.TouchSensor -> input.port in 0..<inputPortsOf(input.robot, world)
     is SessionInput.PlaceBlock -> input.block in world.blocks.indices
     is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
     is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices
     is SessionInput.RunNow -> false
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
+
+/** The number of input ports of the robot with this number; 0 if there is none. */
+private fun inputPortsOf(robot: Int, world: World): Int =
+    world.robots.getOrNull(robot)?.description?.brick?.inputPorts ?: 0
 
 /** An input that is [repeatable], as JSON; [world] must contain its object. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {

@@ -1,19 +1,21 @@
 package robotran.projects
 
+import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.projects.messages.ProjectMessages
 import robotran.projects.messages.RobotMessages
-import robotran.rcxrom.Brick
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
 import robotran.simulation.RobotLoad
 import robotran.world.LightFacing
 import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.messages.sentence
+import robotran.world.robot.robotErrors
 
 /** The result of compiling the programs of all robots of a world. */
 sealed interface RobotLoads {
@@ -34,30 +36,48 @@ sealed interface RobotLoads {
 }
 
 /**
- * Compiles the programs of all robots of [world] for the slots of their bricks, in order. A robot without a program in
- * [given] uses the world's default program, if any.
+ * Compiles the programs of all robots of [world] for the slots of their bricks, in order; each for its robot. A robot
+ * without a program in [given] uses the world's default program, if any. None can run as long as a robot is unfinished,
+ * see [unfinishedRobot].
  *
  * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
  * @throws Throwable like [ProgramCompiler.read].
  */
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
-    assignmentError(world, given, ProjectMessages.of(reader.language))?.let { return it }
+    val messages = ProjectMessages.of(reader.language)
+    assignmentError(world, given, messages)?.let { return it }
+    unfinishedRobot(world, reader.language)?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
-        val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { reader.read(it) }
+        val compiler = reader.forTarget(robot.description.target)
+        val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { compiler.read(it) }
         val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
         if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
         val facing = ready.firstOrNull()?.let { lightFacingOf(it.program) }
-        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = facing)
+        loads += RobotLoad(ready.map<ProgramResult.Ready, BrickProgram?> { it.program }, lightFacing = facing)
         if (sources.isNotEmpty()) warnings += ready.flatMap { it.warnings }
     }
     return RobotLoads.Ready(loads, warnings)
 }
 
-/** The same for [project], in its [Project.worldToRun] and with the configurations of its robots. */
+/**
+ * The error of the first robot of [world] that is still being built and is impossible so far ([RobotPlacement.draft]);
+ * null if there is none.
+ */
+fun unfinishedRobot(world: World, language: Language): RobotLoads.HasErrors? {
+    val messages = ProjectMessages.of(language)
+    return world.robots.firstNotNullOfOrNull { robot ->
+        val draft = robot.draft ?: return@firstNotNullOfOrNull null
+        val error = robotErrors(draft).firstOrNull() ?: return@firstNotNullOfOrNull null
+        val message = messages.robotUnfinished(robot.name, draft.title, error.sentence(language))
+        RobotLoads.HasErrors(robot.name, listOf(ProgramDiagnostic("", null, message)))
+    }
+}
+
+/** As [readRobotLoads] of a world, for [project], in its [Project.worldToRun] and with the configurations of its robots. */
 suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.HasErrors -> result
@@ -77,7 +97,7 @@ fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>):
     }
 
 /** The light sensor's direction in the header of [program]; null if it has none, like all Java programs. */
-fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
+fun lightFacingOf(program: BrickProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
     LightSensorFacing.DOWN -> LightFacing.DOWN
     LightSensorFacing.FORWARD -> LightFacing.FORWARD
     null -> null
@@ -100,10 +120,12 @@ private fun assignmentError(
     given.keys.firstOrNull { it !in names }?.let { name ->
         return RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.unknownRobot(name, names))))
     }
-    return given.entries.firstOrNull { it.value.size > Brick.MAX_PROGRAMS }?.let { (name, programs) ->
+    return given.entries.firstOrNull { it.value.size > BrickProgram.MAX_PROGRAMS }?.let { (name, programs) ->
         RobotLoads.HasErrors(
             name,
-            listOf(ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, Brick.MAX_PROGRAMS))),
+            listOf(
+                ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, BrickProgram.MAX_PROGRAMS)),
+            ),
         )
     }
 }

@@ -6,8 +6,8 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.program.RcxProgram
-import robotran.robolang.robot.Calibration
+import robotran.rcxrom.log.romCalls
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
@@ -28,7 +28,7 @@ import kotlin.test.assertIs
 class LanguagesTest {
     private val toldIn = listOf(Language.ENGLISH, Language.SPANISH, Language.GERMAN)
     private val reader =
-        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),
@@ -42,7 +42,7 @@ class LanguagesTest {
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = ProgramSource.Robolang("a.robo", text)
-        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
+        val program = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
         return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
     }
 
@@ -78,7 +78,7 @@ class LanguagesTest {
         val (english, spanish, german) = sessions
         assertEquals(1, sessions.map { it.traceHash }.toSet().size)
         assertEquals(1, sessions.map { session -> session.state.robots.map { it.robot.pose } }.toSet().size)
-        assertEquals(1, sessions.map { session -> session.romLog.entries.map { it.call } }.toSet().size)
+        assertEquals(1, sessions.map { session -> session.romLog.entries.romCalls().map { it.call } }.toSet().size)
         assertEquals(listOf("Draw 20.5 cm or more.", "Never touch anything."), english.state.goals.map { it.sentence })
         assertEquals(listOf("Dibuja 20,5 cm o más.", "No toques nunca nada."), spanish.state.goals.map { it.sentence })
         assertEquals(listOf("Zeichne 20,5 cm oder mehr.", "Berühr nie etwas."), german.state.goals.map { it.sentence })

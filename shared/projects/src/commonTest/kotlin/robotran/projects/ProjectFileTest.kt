@@ -1,8 +1,8 @@
 package robotran.projects
 
+import robotran.brick.program.ProgramRun
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.program.ProgramRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.simulation.RecordedInput
@@ -180,7 +180,8 @@ class ProjectFileTest {
         assertEquals("settings.java.mode must be \"brick\" or \"forgiving\".", refusalWith("\"forgiving\"", "\"kind\""))
         assertEquals("inputs[1].at must not be before the input above it.", refusalWith("\"at\": 0,", "\"at\": 11,"))
         assertEquals(
-            "inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".",
+            "inputs[0].button must be \"on-off\", \"view\", \"prgm\", \"run\", \"enter\", \"left\", \"right\" or " +
+                "\"escape\".",
             refusalWith("\"on-off\"", "\"off\""),
         )
         assertEquals(

@@ -1,9 +1,9 @@
 package robotran.projects
 
+import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode

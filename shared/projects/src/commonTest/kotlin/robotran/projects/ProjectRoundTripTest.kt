@@ -3,11 +3,11 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.brick.controls.BrickButton
 import robotran.json.nearestDecimal
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode

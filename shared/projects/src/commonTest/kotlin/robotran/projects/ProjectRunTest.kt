@@ -2,7 +2,7 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.programs.ProgramCompiler
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.report
@@ -28,7 +28,7 @@ class ProjectRunTest {
             val project = assertIs<ProjectFileResult.Loaded>(readProject(text)).project
             val reader =
                 ProgramCompiler(
-                    Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+                    RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
                     project.settings.java,
                 )
             val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads

@@ -1,21 +1,26 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.controls.MotorPort
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.world.LightFacing
 import robotran.world.Penbot
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class RobotLoadsTest {
     private val reader =
-        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
             RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),
@@ -105,5 +110,26 @@ class RobotLoadsTest {
             "The robot ann has been given 6 programs, but a brick has room for 5.",
             mistaken.diagnostics.single().message,
         )
+    }
+
+    @Test
+    fun `no program can run as long as a robot is unfinished and impossible`() = runTest {
+        val crossed = ReadyRobots.RCX_PENBOT.drive.copy(left = MotorPort.C)
+        val draft = ReadyRobots.RCX_PENBOT.copy(title = "One motor", drive = crossed)
+
+        fun with(draft: RobotDescription) =
+            world.copy(robots = world.robots.map { if (it.name == "bob") it.copy(draft = draft) else it })
+
+        for ((language, begin) in listOf(
+            Language.ENGLISH to "The robot bob is not finished: \"One motor\" cannot drive. Two motors are needed",
+            Language.GERMAN to "Der Roboter bob ist nicht fertig: „One motor“ kann nicht fahren. ",
+            Language.SPANISH to "El robot bob no está terminado: «One motor» no puede conducir. ",
+        )) {
+            val result = readRobotLoads(with(draft), reader.withLanguage(language), emptyMap())
+            val mistaken = assertIs<RobotLoads.HasErrors>(result)
+            assertEquals("bob", mistaken.robot)
+            assertTrue(mistaken.diagnostics.single().message.startsWith(begin), "${mistaken.diagnostics}")
+        }
+        assertIs<RobotLoads.Ready>(readRobotLoads(with(ReadyRobots.SUMO), reader, emptyMap()))
     }
 }

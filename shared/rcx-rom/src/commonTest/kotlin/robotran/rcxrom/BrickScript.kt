@@ -1,16 +1,16 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorPort
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.infrared.InfraredAir
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.sensors.SensorField
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
 
 /**
  * Runs a script of `resources/scripts`, in the format of its README; [differences] lists deviations from the expected
@@ -19,7 +19,7 @@ import robotran.rcxrom.state.RunState
 internal class BrickScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
     private val air = InfraredAir()
-    private var brick = Brick(emptyList(), air)
+    private var brick = RcxBrick(emptyList(), air)
     private val tower = air.placeTower()
     private var soundsHeard = 0L
     private var line = 0
@@ -48,7 +48,7 @@ internal class BrickScript(private val path: String, private val text: String) {
             }
 
             "programs" -> {
-                brick = Brick(rest.split(' ').map(::scriptedProgram), InfraredAir())
+                brick = RcxBrick(rest.split(' ').map(::scriptedProgram), InfraredAir())
             }
 
             in ACTIONS -> {

@@ -1,9 +1,10 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.kind.BrickKind
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
 import kotlin.test.Test
@@ -23,7 +24,7 @@ class ButtonRoutineTest {
             setOf(BrickButton.RUN, BrickButton.VIEW, BrickButton.PRGM, BrickButton.ON_OFF) to 7,
         )
         for ((held, bits) in combinations) {
-            BrickButton.entries.forEach { hardware.buttons.hold(it, it in held) }
+            BrickButton.of(BrickKind.RCX).forEach { hardware.buttons.hold(it, it in held) }
             hardware.memory.writeShort(RESULT, -1)
             hardware.call(RomAddress.READ_BUTTONS, 0x3000, RESULT)
             assertEquals(bits, hardware.memory.readShort(RESULT))
@@ -66,7 +67,7 @@ class ButtonRoutineTest {
     @Test
     fun `other power codes are reported and write nothing`() {
         hardware.memory.writeShort(RESULT, 1234)
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_POWER_STATUS, 0x4002, RESULT).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_POWER_STATUS, 0x4002, RESULT).outcome)
         assertEquals(1234, hardware.memory.readShort(RESULT))
     }
 
@@ -83,7 +84,7 @@ class ButtonRoutineTest {
     fun `the pins of the buttons can be seen in memory`() {
         val pins = { hardware.memory.readByte(0xFFB7) and 0x06 to (hardware.memory.readByte(0xFFBE) and 0xC0) }
         assertEquals(0x02 to 0x00, pins())
-        BrickButton.entries.forEach { hardware.buttons.hold(it, down = true) }
+        BrickButton.of(BrickKind.RCX).forEach { hardware.buttons.hold(it, down = true) }
         assertEquals(0x04 to 0xC0, pins())
     }
 
@@ -101,6 +102,6 @@ class ButtonRoutineTest {
 
     @Test
     fun `another code than that of the buttons is reported`() {
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_BUTTONS, 0x3001, RESULT).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_BUTTONS, 0x3001, RESULT).outcome)
     }
 }

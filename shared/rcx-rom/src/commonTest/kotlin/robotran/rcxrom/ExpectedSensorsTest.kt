@@ -1,12 +1,12 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramStatus
+import robotran.brick.sensors.ExpectedSensor
+import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.Rom
-import robotran.rcxrom.sensors.ExpectedSensor
 import robotran.rcxrom.sensors.SensorCode
-import robotran.rcxrom.sensors.SensorKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -22,8 +22,8 @@ class ExpectedSensorsTest {
     /** What leJOS's class `Sensor` does when a program first uses it. */
     private val initialising = (1..SensorCode.PORTS).map { setting(it, SensorCode.TYPE_LIGHT) }
 
-    private fun brickAfter(actions: List<(Rom) -> ProgramStatus>): Brick {
-        val brick = Brick(listOf(ScriptedProgram(actions, statusAtEnd = ProgramStatus.Running)))
+    private fun brickAfter(actions: List<(Rom) -> ProgramStatus>): RcxBrick {
+        val brick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd = ProgramStatus.Running)))
         brick.push(BrickButton.RUN)
         brick.tick(20)
         return brick

@@ -1,12 +1,13 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredLine
 import robotran.rcxrom.infrared.InfraredPacket
-import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
@@ -130,11 +131,11 @@ class InfraredLineTest {
                 if (takesIt) rom.infraredLine.begin()
                 ProgramStatus.Running
             }
-            val brick = Brick(listOf(ScriptedProgram(listOf(take))))
+            val brick = RcxBrick(listOf(ScriptedProgram(listOf(take))))
             brick.press(BrickButton.RUN)
             brick.release(BrickButton.RUN)
             repeat(5) { brick.tick() }
-            assertEquals(calls, brick.log.entries.count { it.call.address == RomAddress.INIT_SERIAL })
+            assertEquals(calls, brick.log.entries.romCalls().count { it.call.address == RomAddress.INIT_SERIAL })
         }
     }
 

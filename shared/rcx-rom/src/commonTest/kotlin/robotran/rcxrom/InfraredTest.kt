@@ -1,15 +1,15 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.CallOutcome
+import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredPacket
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.infrared.SerialReceiver
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
-import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -151,7 +151,7 @@ class InfraredTest {
     fun `a message can start the program of a brick by P1 of the remote control`() {
         val room = InfraredAir()
         val program = endlessProgram()
-        val brick = Brick(listOf(program), room)
+        val brick = RcxBrick(listOf(program), room)
         val remote = room.placeTower()
         remote.send(listOf(0xD2, 0x02, 0x00))
         repeat(200) {
@@ -165,21 +165,21 @@ class InfraredTest {
     @Test
     fun `a message that would load a program is reported with the reason`() {
         val room = InfraredAir()
-        val brick = Brick(emptyList(), room)
+        val brick = RcxBrick(emptyList(), room)
         val tower = room.placeTower()
         tower.send(listOf(0x65, 1, 3, 5, 7, 0xB))
         repeat(200) {
             brick.tick()
             tower.tick()
         }
-        val reported = brick.log.entries.filter(RomLogFilter(onlyReported = true)::accepts)
+        val reported = brick.log.entries.filter(CallLogFilter(onlyReported = true)::accepts)
         assertEquals(
             listOf("receive 6 bytes, but nothing happens: programs come into this brick without infrared"),
             reported.map {
                 it.meaning
             },
         )
-        assertEquals(RomOutcome.NOT_MODELLED, reported.single().outcome)
+        assertEquals(CallOutcome.NOT_MODELLED, reported.single().outcome)
     }
 
     @Test

@@ -82,7 +82,7 @@ class LcdGlassTest {
 
     @Test
     fun `everything there is to see can be told in words`() {
-        assertEquals("9.0 0, standing man", Brick(listOf(endlessProgram())).state.glass.describe())
+        assertEquals("9.0 0, standing man", RcxBrick(listOf(endlessProgram())).state.glass.describe())
         assertEquals("", LcdGlass.BLANK.describe())
         val memory = RcxMemory()
         LcdIcon.LOW_BATTERY.segments.forEach { it.set(memory, on = true) }

@@ -1,10 +1,10 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -129,7 +129,7 @@ class LcdNumberTest {
     fun `an unknown way to show a number is reported and shows nothing`() {
         val entry = hardware.number(0x3000, 42)
         hardware.lcd.refresh()
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, entry.outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, entry.outcome)
         assertEquals(LcdGlass.BLANK, hardware.lcd.glass)
     }
 

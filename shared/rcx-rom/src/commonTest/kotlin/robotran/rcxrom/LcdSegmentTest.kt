@@ -1,10 +1,10 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -119,14 +119,14 @@ class LcdSegmentTest {
         hardware.lcd.refresh()
         assertEquals(LcdIcon.entries.toSet(), hardware.lcd.glass.litIcons)
         assertEquals("-8.8.8.8 8", hardware.lcd.glass.text)
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hide(RomCode.SEGMENT_ALL).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hide(RomCode.SEGMENT_ALL).outcome)
     }
 
     @Test
     fun `codes without a segment are reported and change nothing`() {
         for (code in listOf(0x3000, 0x3001, 0x3005, 0x3017, 0x301E, 0x301F, 0x3021, 0x30FF)) {
-            assertEquals(RomOutcome.WRONG_ARGUMENTS, show(code).outcome)
-            assertEquals(RomOutcome.WRONG_ARGUMENTS, hide(code).outcome)
+            assertEquals(CallOutcome.WRONG_ARGUMENTS, show(code).outcome)
+            assertEquals(CallOutcome.WRONG_ARGUMENTS, hide(code).outcome)
         }
         assertEquals(emptyMap(), litBytes())
     }

@@ -1,6 +1,6 @@
 package robotran.rcxrom
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.memory.MemoryRegion
 import robotran.rcxrom.memory.RcxMemory
 import kotlin.test.Test
@@ -62,7 +62,7 @@ class MemoryTest {
 
     @Test
     fun `a brick shows its memory as it is at the moment`() {
-        val brick = Brick(listOf(endlessProgram()))
+        val brick = RcxBrick(listOf(endlessProgram()))
         val before = brick.memory()
         assertEquals(0x06, before.byte(0xEF43) and 0x0F)
         brick.push(BrickButton.RUN)

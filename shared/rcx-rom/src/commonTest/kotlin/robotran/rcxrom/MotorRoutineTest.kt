@@ -1,10 +1,11 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.controls.MotorState
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
-import robotran.rcxrom.controls.MotorState
-import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -64,7 +65,7 @@ class MotorRoutineTest {
     fun `an unknown motor is reported and changes nothing`() {
         val before = hardware.motors.states
         val entry = hardware.call(RomAddress.CONTROL_MOTOR, 0x2003, 1, 3)
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, entry.outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, entry.outcome)
         assertEquals("0 0x1a4e 0x2003 1 3 ; nothing happens, there is no code 0x2003 here ; 7", entry.text)
         assertEquals(before, hardware.motors.states)
     }
@@ -100,7 +101,7 @@ class MotorRoutineTest {
     }
 
     private fun Hardware.control(port: MotorPort, mode: Int, power: Int) =
-        call(RomAddress.CONTROL_MOTOR, port.code, mode, power)
+        call(RomAddress.CONTROL_MOTOR, port.romCode, mode, power)
 
     private fun Hardware.slots(port: MotorPort, milliseconds: Int): String = (1..milliseconds).joinToString("") {
         tick()

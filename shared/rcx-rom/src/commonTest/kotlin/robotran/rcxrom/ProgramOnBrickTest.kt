@@ -1,19 +1,21 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.program.BrickProgram
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.messages.describe
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
@@ -28,7 +30,7 @@ class ProgramOnBrickTest {
             brick.tick()
             steps
         }
-        assertEquals(List(4) { (it + 1) * Brick.STEPS_PER_MILLISECOND }, done)
+        assertEquals(List(4) { (it + 1) * RcxBrick.STEPS_PER_MILLISECOND }, done)
     }
 
     @Test
@@ -106,7 +108,7 @@ class ProgramOnBrickTest {
     fun `a program that ends while it drives is told why the robot stops, until the next one begins`() {
         val brick =
             started(
-                listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.FORWARD.code, 3), waiting(100)),
+                listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.romCode, MotorMode.FORWARD.code, 3), waiting(100)),
             )
         assertEquals(null, brick.state.explanation)
         brick.tick(200)
@@ -119,7 +121,7 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a program that has stopped its motors ends without a word`() {
-        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.BRAKE.code, 3)))
+        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.romCode, MotorMode.BRAKE.code, 3)))
         brick.tick(200)
         assertEquals(RunState.Ended(stopped = false), brick.state.run)
         assertEquals(null, brick.state.explanation)
@@ -158,7 +160,7 @@ class ProgramOnBrickTest {
     @Test
     fun `a slot without a program that could run is passed by Prgm and not started by Run`() {
         val program = ScriptedProgram(emptyList())
-        val brick = Brick(listOf(program, null), firstSlot = 1)
+        val brick = RcxBrick(listOf(program, null), firstSlot = 1)
         brick.tick(10)
         assertEquals("9.0 1", brick.state.glass.describe())
         brick.push(BrickButton.RUN)
@@ -171,8 +173,8 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a brick takes five programs and no more`() {
-        Brick(List(Brick.MAX_PROGRAMS) { endlessProgram() })
-        assertFailsWith<IllegalArgumentException> { Brick(List(Brick.MAX_PROGRAMS + 1) { endlessProgram() }) }
+        RcxBrick(List(BrickProgram.MAX_PROGRAMS) { endlessProgram() })
+        assertFailsWith<IllegalArgumentException> { RcxBrick(List(BrickProgram.MAX_PROGRAMS + 1) { endlessProgram() }) }
     }
 
     @Test
@@ -189,7 +191,7 @@ class ProgramOnBrickTest {
                 override fun resume(steps: Int) = ProgramStatus.Ended
             }.also { isFirst = false }
         }
-        val brick = Brick(listOf(program))
+        val brick = RcxBrick(listOf(program))
         assertEquals(emptyList(), brick.remarks)
         for (expected in listOf(listOf(remark), emptyList())) {
             brick.push(BrickButton.RUN)
@@ -221,7 +223,7 @@ class ProgramOnBrickTest {
     @Test
     fun `a program can be run again from its beginning`() {
         val program = ScriptedProgram(listOf(calling(RomAddress.REFRESH_LCD)))
-        val brick = Brick(listOf(program))
+        val brick = RcxBrick(listOf(program))
         repeat(3) {
             brick.push(BrickButton.RUN)
             brick.tick()
@@ -265,5 +267,5 @@ class ProgramOnBrickTest {
     private fun started(
         actions: List<(Rom) -> ProgramStatus>,
         statusAtEnd: ProgramStatus = ProgramStatus.Ended,
-    ): Brick = Brick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
+    ): RcxBrick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
 }

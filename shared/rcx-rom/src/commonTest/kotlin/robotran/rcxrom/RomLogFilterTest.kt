@@ -1,15 +1,16 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallGroup
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.CallOutcome
+import robotran.brick.log.toCsv
+import robotran.brick.log.toLogText
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.call.RomGroup
 import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.log.RomOutcome
-import robotran.rcxrom.log.toCsv
-import robotran.rcxrom.log.toLogText
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -26,42 +27,45 @@ class RomLogFilterTest {
         hardware.rom.call(RomCall(RomAddress.PLAY_TONE, listOf(RomCode.TONE, 440, 10)), sourceLine = 0)
     }
 
-    private fun chosen(filter: RomLogFilter) = hardware.log.entries.filter(filter::accepts).map {
+    private fun chosen(filter: CallLogFilter) = hardware.log.entries.filter(filter::accepts).romCalls().map {
         RomCallText.hexadecimal(it.call.address)
     }
 
     @Test
     fun `without conditions everything is chosen`() {
-        assertEquals(listOf("0x1a4e", "0x27c8", "0x1234", "0x327c"), chosen(RomLogFilter()))
+        assertEquals(listOf("0x1a4e", "0x27c8", "0x1234", "0x327c"), chosen(CallLogFilter()))
     }
 
     @Test
     fun `entries are chosen by what they are about`() {
-        assertEquals(listOf("0x1a4e", "0x327c"), chosen(RomLogFilter(groups = setOf(RomGroup.MOTORS, RomGroup.SOUND))))
-        assertEquals(listOf("0x1234"), chosen(RomLogFilter(groups = setOf(RomGroup.UNKNOWN))))
+        assertEquals(
+            listOf("0x1a4e", "0x327c"),
+            chosen(CallLogFilter(groups = setOf(CallGroup.MOTORS, CallGroup.SOUND))),
+        )
+        assertEquals(listOf("0x1234"), chosen(CallLogFilter(groups = setOf(CallGroup.UNKNOWN))))
     }
 
     @Test
     fun `entries are chosen by their line`() {
-        assertEquals(listOf("0x27c8", "0x1234"), chosen(RomLogFilter(sourceLines = 8..13)))
-        assertEquals(listOf("0x327c"), chosen(RomLogFilter(sourceLines = 0..0)))
+        assertEquals(listOf("0x27c8", "0x1234"), chosen(CallLogFilter(sourceLines = 8..13)))
+        assertEquals(listOf("0x327c"), chosen(CallLogFilter(sourceLines = 0..0)))
     }
 
     @Test
     fun `entries are chosen by their time`() {
-        assertEquals(listOf("0x27c8"), chosen(RomLogFilter(milliseconds = 1L..10L)))
+        assertEquals(listOf("0x27c8"), chosen(CallLogFilter(milliseconds = 1L..10L)))
     }
 
     @Test
     fun `entries are chosen by words and figures of their line in the written log`() {
-        assertEquals(listOf("0x1a4e"), chosen(RomLogFilter(text = "Motor A")))
-        assertEquals(listOf("0x327c"), chosen(RomLogFilter(text = "0x1773")))
-        assertEquals(emptyList(), chosen(RomLogFilter(text = "Motor A", sourceLines = 12..12)))
+        assertEquals(listOf("0x1a4e"), chosen(CallLogFilter(text = "Motor A")))
+        assertEquals(listOf("0x327c"), chosen(CallLogFilter(text = "0x1773")))
+        assertEquals(emptyList(), chosen(CallLogFilter(text = "Motor A", sourceLines = 12..12)))
     }
 
     @Test
     fun `those that did nothing can be chosen alone`() {
-        assertEquals(listOf("0x1234"), chosen(RomLogFilter(onlyReported = true)))
+        assertEquals(listOf("0x1234"), chosen(CallLogFilter(onlyReported = true)))
     }
 
     @Test
@@ -95,7 +99,7 @@ class RomLogFilterTest {
 
     @Test
     fun `marks in a table are kept apart from its own`() {
-        val entry = RomLogEntry(5, RomCall(RomAddress.REFRESH_LCD, emptyList()), "says \"so\"", 1, RomOutcome.DONE)
+        val entry = RomLogEntry(5, RomCall(RomAddress.REFRESH_LCD, emptyList()), "says \"so\"", 1, CallOutcome.DONE)
         assertEquals("5,display,0x27c8,,\"says \"\"so\"\"\",1,done\r\n", listOf(entry).toCsv().substringAfter("\r\n"))
     }
 
@@ -107,7 +111,7 @@ class RomLogFilterTest {
                 RomCall(RomAddress.REFRESH_LCD, emptyList()),
                 "refresh the LCD",
                 7,
-                RomOutcome.DONE,
+                CallOutcome.DONE,
                 "Robot.java",
             )
         assertEquals("5 0x27c8 ; refresh the LCD ; Robot.java:7", entry.text)

@@ -1,11 +1,11 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomTable
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -20,7 +20,7 @@ class RomReportTest {
             "0 0x1234 1 -2 0x2000 ; nothing happens, no routine is known here ; 7",
             hardware.call(0x1234, 1, -2, 0x2000).text,
         )
-        assertEquals(RomOutcome.UNKNOWN_ROUTINE, hardware.log.entries.single().outcome)
+        assertEquals(CallOutcome.UNKNOWN_ROUTINE, hardware.log.entries.single().outcome)
         assertEquals("motor A forward 3", hardware.call(RomAddress.CONTROL_MOTOR, 0x2000, 1, 3).meaning)
     }
 
@@ -31,7 +31,7 @@ class RomReportTest {
             "0 0x1a4e 0x3000 1 3 ; nothing happens, control motor wants a code that begins with 0x20 ; 7",
             entry.text,
         )
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, entry.outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, entry.outcome)
         assertTrue(hardware.motors.states.all { it.mode == MotorMode.FLOAT })
     }
 
@@ -39,12 +39,12 @@ class RomReportTest {
     fun `too few arguments are reported`() {
         val entry = hardware.call(RomAddress.SET_LCD_NUMBER, 0x3001)
         assertEquals("0 0x1ff2 0x3001 ; nothing happens, set LCD number needs 3 arguments, not 1 ; 7", entry.text)
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, entry.outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, entry.outcome)
     }
 
     @Test
     fun `arguments too many do no harm`() {
-        assertEquals(RomOutcome.DONE, hardware.call(RomAddress.REFRESH_LCD, 1, 2, 3, 4).outcome)
+        assertEquals(CallOutcome.DONE, hardware.call(RomAddress.REFRESH_LCD, 1, 2, 3, 4).outcome)
     }
 
     @Test
@@ -54,7 +54,7 @@ class RomReportTest {
             "nothing happens, handle timer tick is not modelled: the brick does this by itself every millisecond",
             entry.meaning,
         )
-        assertEquals(RomOutcome.NOT_MODELLED, entry.outcome)
+        assertEquals(CallOutcome.NOT_MODELLED, entry.outcome)
         assertEquals(listOf(0x36BA), RomTable.signatures.filter { it.gap != null }.map { it.address })
     }
 
@@ -62,7 +62,10 @@ class RomReportTest {
     fun `every other routine is there`() {
         for (signature in RomTable.signatures - RomTable.signatures.filter { it.gap != null }.toSet()) {
             val entry = Hardware().call(signature.address, (signature.codeGroup ?: 0x90) shl 8, 0x9000, 0x9010, 4)
-            assertTrue(entry.outcome == RomOutcome.DONE || entry.outcome == RomOutcome.WRONG_ARGUMENTS, signature.name)
+            assertTrue(
+                entry.outcome == CallOutcome.DONE || entry.outcome == CallOutcome.WRONG_ARGUMENTS,
+                signature.name,
+            )
         }
     }
 

@@ -1,8 +1,8 @@
 package robotran.rcxrom
 
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 

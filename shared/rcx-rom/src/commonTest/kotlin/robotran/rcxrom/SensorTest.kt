@@ -1,7 +1,8 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorField
@@ -89,7 +90,7 @@ class SensorTest {
         assertEquals(2, hardware.memory.readByte(0xEFD5))
         assertEquals("sensor 2 passive", hardware.call(RomAddress.PASSIVATE_SENSOR, 0x1001).meaning)
         assertFalse(hardware.sensors.isActive(1))
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.ACTIVATE_SENSOR, 0x1003).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.ACTIVATE_SENSOR, 0x1003).outcome)
     }
 
     @Test
@@ -103,11 +104,11 @@ class SensorTest {
 
     @Test
     fun `a brick's sensors are measured from outside`() {
-        val brick = Brick(emptyList())
+        val brick = RcxBrick(emptyList())
         brick.setRawSensorValue(0, 200)
         repeat(3) { brick.tick() }
         assertFalse(brick.sensorIsActive(0))
-        assertEquals(emptyList(), brick.log.entries.filter { it.call.address == RomAddress.READ_SENSOR })
+        assertEquals(emptyList(), brick.log.entries.romCalls().filter { it.call.address == RomAddress.READ_SENSOR })
     }
 
     @Test

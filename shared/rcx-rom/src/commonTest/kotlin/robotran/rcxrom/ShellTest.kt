@@ -1,15 +1,15 @@
 package robotran.rcxrom
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.program.ProgramStatus
+import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.sound.SystemSounds
-import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -17,7 +17,7 @@ import kotlin.test.assertTrue
 
 class ShellTest {
     private val endless = endlessProgram()
-    private val brick = Brick(listOf(endless))
+    private val brick = RcxBrick(listOf(endless))
 
     @Test
     fun `a brick begins switched on and shows its volts and the standing man`() {
@@ -32,7 +32,7 @@ class ShellTest {
 
     @Test
     fun `a brick without programs shows no man and cannot run`() {
-        val empty = Brick(emptyList())
+        val empty = RcxBrick(emptyList())
         assertEquals("9.0 0", empty.state.glass.text)
         assertFalse(empty.state.glass.isLit(LcdIcon.STANDING_MAN))
         empty.push(BrickButton.PRGM)
@@ -54,7 +54,7 @@ class ShellTest {
 
     @Test
     fun `Prgm beeps when pressed and chooses the next program when let go`() {
-        val three = Brick(List(3) { endlessProgram() })
+        val three = RcxBrick(List(3) { endlessProgram() })
         val shown = List(4) {
             three.press(BrickButton.PRGM)
             assertEquals("queue system sound 0 (beep)", three.log.entries.last().meaning)
@@ -67,7 +67,7 @@ class ShellTest {
     @Test
     fun `Run starts the program that was chosen`() {
         val programs = List(3) { endlessProgram() }
-        val three = Brick(programs)
+        val three = RcxBrick(programs)
         three.push(BrickButton.PRGM)
         three.push(BrickButton.RUN)
         assertEquals(listOf(0, 1, 0), programs.map { it.starts })
@@ -194,19 +194,19 @@ class ShellTest {
     fun `the sounds of the firmware are told from those that a program asks for`() {
         val beeping =
             ScriptedProgram(listOf(calling(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, SystemSounds.TWO_BEEPS)))
-        val brick = Brick(listOf(beeping))
+        val brick = RcxBrick(listOf(beeping))
         brick.push(BrickButton.RUN)
         brick.tick(2_000)
         assertEquals(listOf(true, true, false, false, true, true), brick.tones().map { it.isFirmware })
     }
 
-    private fun brickThatDrives(): Brick {
+    private fun brickThatDrives(): RcxBrick {
         val program =
             ScriptedProgram(
                 listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)),
                 statusAtEnd = ProgramStatus.Running,
             )
-        return Brick(listOf(program)).apply {
+        return RcxBrick(listOf(program)).apply {
             push(BrickButton.RUN)
             tick(2)
             assertEquals(MotorMode.FORWARD, motorOutput(MotorPort.A))
@@ -214,9 +214,9 @@ class ShellTest {
     }
 }
 
-internal fun Brick.push(button: BrickButton) {
+internal fun RcxBrick.push(button: BrickButton) {
     press(button)
     release(button)
 }
 
-internal fun Brick.tick(milliseconds: Int) = repeat(milliseconds) { tick() }
+internal fun RcxBrick.tick(milliseconds: Int) = repeat(milliseconds) { tick() }

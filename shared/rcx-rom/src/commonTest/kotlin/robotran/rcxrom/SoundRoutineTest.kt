@@ -1,11 +1,11 @@
 package robotran.rcxrom
 
+import robotran.brick.log.CallOutcome
+import robotran.brick.sound.SoundEvent
+import robotran.brick.sound.SoundTrack
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.sound.SoundTrack
 import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -108,7 +108,7 @@ class SoundRoutineTest {
     fun `nine sounds can wait and a tenth is dropped and reported`() {
         repeat(9) { assertEquals("queue system sound 0 (beep)", hardware.systemSound(0).meaning) }
         assertEquals("drop system sound 0 (beep), for the sound queue is full", hardware.systemSound(0).meaning)
-        assertEquals(RomOutcome.DONE, hardware.systemSound(0).outcome)
+        assertEquals(CallOutcome.DONE, hardware.systemSound(0).outcome)
         hardware.tick(1_000)
         assertEquals(9, hardware.tones().size)
     }
@@ -159,8 +159,8 @@ class SoundRoutineTest {
 
     @Test
     fun `sound codes that are not known are reported and play nothing`() {
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.PLAY_SYSTEM_SOUND, 0x4002, 0).outcome)
-        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.PLAY_TONE, 0x1774, 440, 10).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.PLAY_SYSTEM_SOUND, 0x4002, 0).outcome)
+        assertEquals(CallOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.PLAY_TONE, 0x1774, 440, 10).outcome)
         assertEquals(0, hardware.speaker.waitingCount)
     }
 

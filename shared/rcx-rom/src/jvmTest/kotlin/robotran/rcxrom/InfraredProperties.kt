@@ -8,10 +8,10 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import robotran.brick.log.CallGroup
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.call.RomGroup
 import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredPacket
@@ -63,20 +63,20 @@ class InfraredProperties :
         }
 
         "bricks that use their infrared in any order come to rest again" {
-            val address = Arb.element(RomTable.signatures.filter { it.group == RomGroup.INFRARED }.map { it.address })
+            val address = Arb.element(RomTable.signatures.filter { it.group == CallGroup.INFRARED }.map { it.address })
             val call = Arb.bind(address, Arb.list(Arb.int(0..0xFFFF), 4..4), Arb.int(0..40), ::Triple)
             checkAll(iterations = 60, Arb.list(call, 1..30)) { calls ->
                 val air = InfraredAir()
-                val bricks = List(2) { Brick(listOf(endlessProgram()), air) }
+                val bricks = List(2) { RcxBrick(listOf(endlessProgram()), air) }
                 calls.forEachIndexed { number, (address, arguments, wait) ->
                     val message =
                         listOf(if (number % 3 == 0) RomCode.SEND_LONG else RomCode.SEND_SHORT) + arguments.slice(1..2) +
                             arguments[3] % 40
                     val given = if (address == RomAddress.SEND_DATA) message else arguments
                     bricks[number % 2].hardware.rom.call(RomCall(address, given), TEST_LINE)
-                    repeat(wait) { bricks.forEach(Brick::tick) }
+                    repeat(wait) { bricks.forEach(RcxBrick::tick) }
                 }
-                repeat(500) { bricks.forEach(Brick::tick) }
+                repeat(500) { bricks.forEach(RcxBrick::tick) }
                 bricks.forEach { it.state.infrared.sending shouldBe false }
             }
         }

@@ -12,12 +12,13 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomTable
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.Speaker
 import kotlin.math.abs
@@ -63,7 +64,7 @@ class RomProperties :
                 hardware.rom.call(RomCall(address, arguments), TEST_LINE)
                 hardware.tick()
                 hardware.log.total shouldBe before + 1
-                hardware.log.entries.last().run {
+                (hardware.log.entries.last() as RomLogEntry).run {
                     call shouldBe RomCall(address, arguments)
                     text.endsWith("; $meaning ; $TEST_LINE") shouldBe true
                 }

@@ -11,19 +11,19 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.log.toLogText
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
+import robotran.brick.state.RunState
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomTable
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
-import robotran.rcxrom.log.toLogText
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.state.RunState
 
 /** An event that can happen to a brick in any state. */
-private typealias Deed = (Brick) -> Unit
+private typealias Deed = (RcxBrick) -> Unit
 
 class ShellProperties :
     StringSpec({
@@ -36,18 +36,18 @@ class ShellProperties :
             ),
         )
         val anyDeed: Arb<Deed> = Arb.choice(
-            Arb.enum<BrickButton>().map { button -> { brick: Brick -> brick.press(button) } },
-            Arb.enum<BrickButton>().map { button -> { brick: Brick -> brick.release(button) } },
-            Arb.enum<BrickButton>().map { button -> { brick: Brick -> brick.push(button) } },
-            Arb.int(1..700).map { time -> { brick: Brick -> brick.tick(time) } },
-            Arb.constant { brick: Brick -> brick.stopProgram() },
+            Arb.enum<BrickButton>().map { button -> { brick: RcxBrick -> brick.press(button) } },
+            Arb.enum<BrickButton>().map { button -> { brick: RcxBrick -> brick.release(button) } },
+            Arb.enum<BrickButton>().map { button -> { brick: RcxBrick -> brick.push(button) } },
+            Arb.int(1..700).map { time -> { brick: RcxBrick -> brick.tick(time) } },
+            Arb.constant { brick: RcxBrick -> brick.stopProgram() },
             Arb.bind(Arb.int(0..2), Arb.int(-10..1100)) { port, raw ->
-                { brick: Brick ->
+                { brick: RcxBrick ->
                     brick.setRawSensorValue(port, raw)
                 }
             },
             Arb.bind(anyAddress, Arb.list(Arb.int(0..0xFFFF), 0..4)) { address, arguments ->
-                { brick: Brick -> brick.hardware.rom.call(RomCall(address, arguments), TEST_LINE) }
+                { brick: RcxBrick -> brick.hardware.rom.call(RomCall(address, arguments), TEST_LINE) }
             },
         )
 
@@ -98,10 +98,10 @@ class ShellProperties :
         }
     })
 
-private fun newBrick(): Brick {
+private fun newBrick(): RcxBrick {
     val drives = calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)
     val failure = ProgramStatus.Failed(ProgramFailure("There is nothing to divide by.", sourceLine = 7))
-    return Brick(
+    return RcxBrick(
         listOf(
             ScriptedProgram(listOf(drives, waiting(50)), statusAtEnd = failure),
             ScriptedProgram(listOf(drives, waiting(50), drives)),

@@ -6,9 +6,10 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.brickIn
 import robotran.robolang.syntax.scan
 
 /**
@@ -17,13 +18,13 @@ import robotran.robolang.syntax.scan
  *
  * @param name the name shown to the pupil, usually the file name.
  * @param source the text of the program, with any line ends, with or without a byte order mark.
- * @param calibration the figures of the robot that it will run on.
+ * @param robot the robot that it will run on. A program whose header names another brick has a mistake.
  * @param messages the diagnostics in the pupil's language.
  */
 fun compileRobolang(
     name: String,
     source: String,
-    calibration: Calibration,
+    robot: RobotTarget,
     messages: RobolangMessages = EnglishRobolangMessages,
 ): RobolangResult {
     val diagnostics = DiagnosticSink(messages)
@@ -37,10 +38,12 @@ fun compileRobolang(
         )
         return RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
-    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
-    val checked = Checker(calibration, diagnostics).check(parsed)
+    val lines = scan(source, diagnostics)
+    diagnostics.brick = brickIn(lines) ?: robot.kind
+    val parsed = Parser(lines, diagnostics).program()
+    val checked = Checker(robot, diagnostics).check(parsed)
     return if (diagnostics.isEmpty) {
-        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), diagnostics.warningsInSourceOrder())
+        RobolangResult.Ready(RobolangProgram.of(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
     } else {
         RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }

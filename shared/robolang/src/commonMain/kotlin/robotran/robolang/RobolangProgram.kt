@@ -1,26 +1,35 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.DebuggableRun
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
+import robotran.brick.program.DebuggableRun
+import robotran.nxt.program.Nxt
+import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RunMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
+import robotran.robolang.robot.RobotTarget
+import robotran.robolang.run.NxtDevice
+import robotran.robolang.run.RcxDevice
 import robotran.robolang.run.RobolangRun
+import robotran.robolang.run.RobotDevice
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
 
 /**
- * A valid Robolang program, made by [compileRobolang], ready to be loaded into a brick. Immutable, so several threads
- * can start it.
+ * A valid Robolang program, made by [compileRobolang], ready to be loaded into the brick of the robot that it was
+ * compiled for. Immutable, so several threads can start it.
  */
-class RobolangProgram internal constructor(
+sealed class RobolangProgram(
     override val name: String,
     internal val checked: CheckedProgram,
-    internal val calibration: Calibration,
     private val messages: RunMessages,
-) : RcxProgram {
-    private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name) }
+) : BrickProgram {
+    internal abstract val robot: RobotTarget
+
+    private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name, robot.kind) }
 
     /** The direction of the light sensor in its header; null if the header does not name it. */
     val lightSensorFacing: LightSensorFacing?
@@ -30,5 +39,43 @@ class RobolangProgram internal constructor(
             null -> null
         }
 
-    override fun start(rom: Rom): DebuggableRun = RobolangRun(code, calibration, rom, messages)
+    internal fun run(device: RobotDevice, durations: Durations): DebuggableRun =
+        RobolangRun(code, device, durations, messages)
+
+    internal companion object {
+        fun of(name: String, checked: CheckedProgram, robot: RobotTarget, messages: RunMessages): RobolangProgram =
+            when (robot) {
+                is RobotTarget.Rcx -> RobolangRcxProgram(name, checked, robot, messages)
+                is RobotTarget.Nxt -> RobolangNxtProgram(name, checked, robot, messages)
+            }
+    }
+}
+
+/** A Robolang program for a robot with an RCX. */
+class RobolangRcxProgram internal constructor(
+    name: String,
+    checked: CheckedProgram,
+    override val robot: RobotTarget.Rcx,
+    messages: RunMessages,
+) : RobolangProgram(name, checked, messages),
+    RcxProgram {
+    override val kind: BrickKind get() = BrickKind.RCX
+
+    override fun start(rom: Rom): DebuggableRun {
+        val durations = Durations(robot)
+        return run(RcxDevice(rom, robot, durations), durations)
+    }
+}
+
+/** A Robolang program for a robot with an NXT. */
+class RobolangNxtProgram internal constructor(
+    name: String,
+    checked: CheckedProgram,
+    override val robot: RobotTarget.Nxt,
+    messages: RunMessages,
+) : RobolangProgram(name, checked, messages),
+    NxtProgram {
+    override val kind: BrickKind get() = BrickKind.NXT
+
+    override fun start(nxt: Nxt): DebuggableRun = run(NxtDevice(nxt, robot), Durations(robot))
 }

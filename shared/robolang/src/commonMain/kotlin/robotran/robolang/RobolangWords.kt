@@ -1,7 +1,9 @@
 package robotran.robolang
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.syntax.Keyword
+import robotran.robolang.syntax.lowercaseKeyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */
 object RobolangWords {
@@ -10,6 +12,16 @@ object RobolangWords {
 
     /** All words of the language. */
     val keywords: List<String> = Keyword.entries.map { it.text }
+
+    /** Whether [text] is a word that is a name instead in a program that declares it. */
+    fun isNewerWord(text: String): Boolean = Keyword.of(text)?.yields == true
+
+    /** The usual spelling of a word of the language, such as `colour` for `Color`; null for any other [text]. */
+    fun spellingOf(text: String): String? = Keyword.of(text)?.text ?: BuiltIn.of(lowercaseKeyword(text))?.text
+
+    /** All words of the language that a program for [brick] can have. */
+    fun keywordsOn(brick: BrickKind): List<String> =
+        Keyword.entries.filter { it.brick == null || it.brick == brick }.map { it.text }
 
     /** The built-in functions with their number of parameters. */
     val functions: Map<String, Int> = BuiltIn.entries.associate { it.text to it.parameters }

@@ -3,6 +3,7 @@ package robotran.robolang
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.syntax.ScannedLine
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.syntax.lowercaseKeyword
@@ -19,15 +20,18 @@ data class SourceToken(val kind: SourceTokenKind, val start: Int, val end: Int)
 enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMENT }
 
 /** Splits one [line] into tokens like the scanner; skips unknown characters. Never throws. */
-fun robolangTokens(line: String): List<SourceToken> {
-    val scanned = scan(line, DiagnosticSink(EnglishRobolangMessages)).first()
-    return (scanned.tokens + listOfNotNull(scanned.comment)).map {
-        SourceToken(
-            kindOf(it),
-            it.range.column - 1,
-            it.range.endColumn - 1,
-        )
-    }
+fun robolangTokens(line: String): List<SourceToken> =
+    tokensOf(scan(line, DiagnosticSink(EnglishRobolangMessages)).first())
+
+/**
+ * The tokens of each line of [program]. A word that the program declares as a name is one on all its lines, see
+ * [RobolangWords.isNewerWord]. Never throws.
+ */
+fun robolangTokensOfLines(program: String): List<List<SourceToken>> =
+    scan(program, DiagnosticSink(EnglishRobolangMessages)).map(::tokensOf)
+
+private fun tokensOf(line: ScannedLine): List<SourceToken> = (line.tokens + listOfNotNull(line.comment)).map {
+    SourceToken(kindOf(it), it.range.column - 1, it.range.endColumn - 1)
 }
 
 private fun kindOf(token: Token): SourceTokenKind = when (token.kind) {

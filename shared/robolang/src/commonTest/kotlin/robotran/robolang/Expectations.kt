@@ -29,8 +29,15 @@ internal class Expectations(text: String) {
     var failure: String? = null
         private set
 
+    /** What an NXT senses that is no number of a port: `distance`, `colour` or `button` from a millisecond on. */
+    val senses = mutableListOf<NxtSense>()
+
+    /** The calls of each line that has any, on an NXT. */
+    val nxtCalls = mutableMapOf<Int, List<String>>()
+
     val isEmpty: Boolean
-        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() &&
+        get() = nxtCalls.isEmpty() && errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null &&
+            shown.isEmpty() &&
             failure == null &&
             warnings.isEmpty()
 
@@ -44,6 +51,10 @@ internal class Expectations(text: String) {
         SENSOR.matchEntire(comment)?.destructured?.let { (port, milliseconds, raw) ->
             sensors += SensorEvent(port.toInt(), milliseconds.toLong(), raw.toInt())
         }
+        SENSE.matchEntire(comment)?.destructured?.let { (what, port, milliseconds, value) ->
+            senses += NxtSense(what, port.toIntOrNull(), milliseconds.toLong(), value)
+        }
+        NXT.matchEntire(comment)?.let { nxtCalls[line] = it.groupValues[1].split(" | ") }
         ERROR.matchEntire(comment)?.let { errors += it.groupValues[1] }
         WARNING.matchEntire(comment)?.let { warnings += it.groupValues[1] }
         END.matchEntire(comment)?.let { end = it.groupValues[1].toLong() }
@@ -65,9 +76,14 @@ internal class Expectations(text: String) {
         val SHOWS = Regex("""shows: (.+)""")
         val FAILS = Regex("""fails (\d+ .+)""")
         val SENSOR = Regex("""sensor (\d) at (\d+): raw (\d+)""")
+        val SENSE = Regex("""(distance|colour|button)(?: on (\d))? at (\d+): (\w+)""")
+        val NXT = Regex("""nxt: (.+)""")
         val LOG = Regex("""log: (\d+) (.+) ; (\d+)""")
     }
 }
+
+/** From [milliseconds] on, [what] on the [port] 1..4, or on all if it is null, has a [value]. */
+internal data class NxtSense(val what: String, val port: Int?, val milliseconds: Long, val value: String)
 
 private fun callOf(text: String): RomCall {
     val words = text.trim().split(" ").map(::wordOf)

@@ -3,7 +3,6 @@ package robotran.robolang
 import robotran.language.Language
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.Calibration
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -15,6 +14,8 @@ class LanguagesTest {
         Language.ENGLISH,
         "fowrard 20" to "There is no command \"fowrard\". Did you mean \"forward\"?",
         "forward" to "After \"forward\" comes a number, such as \"forward 20\".",
+        "forward\nwait until left bumper" to "After \"forward\" comes a number, such as \"forward 20\". " +
+            "To drive until something happens, write \"start forward\".",
         "repeat 4 times\nforward 20" to
             "This \"repeat\" has no \"end\". Write \"end\" on a line of its own where the block stops.",
     )
@@ -78,5 +79,5 @@ class LanguagesTest {
         }
 
     private fun read(source: String, language: Language) =
-        compileRobolang("test.robo", source, Calibration(1.0, 1.0), RobolangMessages.of(language))
+        compileRobolang("test.robo", source, robotFor(source), RobolangMessages.of(language))
 }

@@ -8,7 +8,7 @@ import robotran.robolang.diagnostic.Diagnostic
 /** Compares a program's run with its expectations; returns each difference as a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
-    val differences = when (val result = compileRobolang(program.path, program.text, testCalibration)) {
+    val differences = when (val result = compileRobolang(program.path, program.text, robotFor(program.text))) {
         is RobolangResult.HasErrors -> differencesOfMistakes(expected, result.diagnostics)
 
         is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings)
@@ -37,7 +37,12 @@ private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnos
 }
 
 private fun differencesOfReady(expected: Expectations, program: RobolangProgram): List<String> =
-    if (expected.errors.isEmpty()) {
+    if (expected.errors.isNotEmpty()) {
+        listOf("has no mistakes, but should have ${expected.errors}")
+    } else if (program is RobolangNxtProgram) {
+        differencesOnNxt(expected, program)
+    } else {
+        program as RobolangRcxProgram
         val rom = RecordingRom(expected.sensors)
         val failure = runOn(rom, program)?.let { "${it.sourceLine} ${it.message}" }
         differencesOfRun(expected, rom) +
@@ -46,8 +51,6 @@ private fun differencesOfReady(expected: Expectations, program: RobolangProgram)
                     failure != expected.failure
                 },
             )
-    } else {
-        listOf("has no mistakes, but should have ${expected.errors}")
     }
 
 private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<String> = buildList {

@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -27,17 +27,17 @@ class ProgramsTest {
     fun `every example runs for a minute, or to its end, without a mistake or a warning`() {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
-            when (val result = compileRobolang(path, text, testCalibration)) {
+            when (val result = compileRobolang(path, text, testTarget)) {
                 is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
 
                 is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } +
-                    failureOf(result.program)
+                    failureOf(result.rcxProgram)
             }
         }
         assertEquals(emptyList(), problems)
     }
 
-    private fun failureOf(program: RobolangProgram): List<String> {
+    private fun failureOf(program: RobolangRcxProgram): List<String> {
         val rom = RecordingRom()
         val run = program.start(rom)
         while (rom.milliseconds < 60_000) {

@@ -1,7 +1,7 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.ProgramStatus
-import robotran.robolang.robot.Calibration
+import robotran.brick.program.ProgramStatus
+import robotran.robolang.robot.RobotTarget
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -108,7 +108,7 @@ class RobolangRunTest {
         val program =
             programOf(
                 "forward 10\nturn left 90",
-                Calibration(millisecondsPerCentimetre = 33.35, millisecondsPerDegree = 4.7),
+                RobotTarget.Rcx(millisecondsPerCentimetre = 33.35, millisecondsPerDegree = 4.7),
             )
         assertEquals(
             listOf(0L, 0L, 334L, 334L, 334L, 334L, 757L, 757L),

@@ -1,15 +1,15 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 
 /** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */
-internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-internal fun read(source: String, calibration: Calibration = testCalibration): RobolangResult =
+internal fun read(source: String, calibration: RobotTarget = testTarget): RobolangResult =
     compileRobolang("test", source, calibration)
 
 /** The errors of [source]; empty if it can run. */
@@ -18,9 +18,19 @@ internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = r
     is RobolangResult.HasErrors -> result.diagnostics
 }
 
-internal fun programOf(source: String, calibration: Calibration = testCalibration): RcxProgram =
+/** A robot with an NXT, on the wheels of its construction kit. */
+internal val testNxt = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
+
+/** The robot for a test program: one with an NXT if the header of [text] says so. */
+internal fun robotFor(text: String): RobotTarget = if (NXT_HEADER.containsMatchIn(text)) testNxt else testTarget
+
+private val NXT_HEADER = Regex("""(^|\n)\s*brick nxt\b""")
+
+internal val RobolangResult.Ready.rcxProgram: RobolangRcxProgram get() = program as RobolangRcxProgram
+
+internal fun programOf(source: String, calibration: RobotTarget = testTarget): RcxProgram =
     when (val result = read(source, calibration)) {
-        is RobolangResult.Ready -> result.program
+        is RobolangResult.Ready -> result.rcxProgram
         is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 

@@ -64,12 +64,13 @@ class RobolangFuzzTest :
             val seen = FormsOfTrees()
             val random = Random(2005)
             repeat(1_000) { seen.add(treeOf(ProgramWriter(random).write())) }
+            repeat(300) { seen.add(treeOf(ProgramWriter(random, isForNxt = true).write())) }
             seen.missing().shouldBeEmpty()
         }
 
         "a generated program runs as far as it may, twice in the same way" {
             checkAll(PropTestConfig(seed = 2005, iterations = 1_000), programs) { source ->
-                val program = (read(source) as RobolangResult.Ready).program
+                val program = (read(source) as RobolangResult.Ready).rcxProgram
                 runFor(program, 2_000) shouldBe runFor(program, 2_000)
             }
         }

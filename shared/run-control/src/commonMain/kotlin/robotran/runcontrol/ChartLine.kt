@@ -3,6 +3,7 @@ package robotran.runcontrol
 /** The values of one [lane] of a robot's chart, in intervals of [step] milliseconds from the start of the run. */
 class ChartLine internal constructor(private val track: ChartTrack, private val robot: Int, val lane: ChartLane) {
     val step: Long = track.step
+    val unit: ChartUnit = track.unit(robot, lane)
 
     /** Number of intervals. */
     val size: Int = track.size

@@ -1,29 +1,23 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorState
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
-
-/** The lanes of a robot's chart over time: its sensor readings and motor commands. */
-enum class ChartLane {
-    SENSOR_1,
-    SENSOR_2,
-    SENSOR_3,
-
-    /**
-     * The power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which differs from power 0.
-     */
-    MOTOR_A,
-    MOTOR_B,
-    MOTOR_C,
-    ;
-
-    val isMotor: Boolean get() = this >= MOTOR_A
-}
+import robotran.world.RobotDescription
 
 /** Records the min and the max of each [ChartLane] in equal time intervals, with a bounded number of intervals. */
-internal class ChartTrack(private val robots: Int) {
+internal class ChartTrack(private val descriptions: List<RobotDescription>) {
+    private val robots = descriptions.size
+
+    /** What is plugged into the ports of each robot, whatever its program chose; null on an RCX. */
+    private val kinds: List<List<SensorKind?>> = descriptions.map { robot ->
+        List(robot.brick.inputPorts) { port ->
+            robot.parts.firstOrNull { it.port == port + 1 }?.kind.takeIf { robot.brick == BrickKind.NXT }
+        }
+    }
     private val min = IntArray(CAPACITY * robots * LANES)
     private val greatest = IntArray(CAPACITY * robots * LANES)
 
@@ -39,7 +33,9 @@ internal class ChartTrack(private val robots: Int) {
         while (state.milliseconds / step >= CAPACITY) coarsen()
         val piece = (state.milliseconds / step).toInt()
         state.robots.forEachIndexed { robot, now ->
-            for (lane in ChartLane.entries) add(piece, place(piece, robot, lane), valueOf(now, lane))
+            for (lane in ChartLane.entries) {
+                add(piece, place(piece, robot, lane), valueOf(now, lane, kindOf(robot, lane)))
+            }
         }
         size = maxOf(size, piece + 1)
     }
@@ -48,9 +44,15 @@ internal class ChartTrack(private val robots: Int) {
         size = minOf(size, (time / step).toInt() + 1)
     }
 
+    fun unit(robot: Int, lane: ChartLane): ChartUnit =
+        ChartUnit.of(lane, descriptions[robot].brick, kindOf(robot, lane))
+
     fun min(robot: Int, lane: ChartLane, piece: Int): Int = min[place(piece, robot, lane)]
 
     fun greatest(robot: Int, lane: ChartLane, piece: Int): Int = greatest[place(piece, robot, lane)]
+
+    private fun kindOf(robot: Int, lane: ChartLane): SensorKind? =
+        if (lane.isSensor) kinds[robot].getOrNull(lane.port) else null
 
     private fun add(piece: Int, place: Int, value: Int) {
         val isNew = piece >= size
@@ -79,17 +81,25 @@ internal class ChartTrack(private val robots: Int) {
         const val CAPACITY = 4_096
         private val LANES = ChartLane.entries.size
 
-        /** The value of [lane] for [robot]. */
-        fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = if (lane.isMotor) {
-            signedPower(robot.brick.motors[lane.ordinal - ChartLane.MOTOR_A.ordinal])
-        } else {
-            robot.brick.sensors[lane.ordinal].value
+        /** The value of [lane] for [robot], in the unit of a sensor of this [kind]; null for that of the program. */
+        fun valueOf(robot: RobotSnapshot, lane: ChartLane, kind: SensorKind?): Int = when {
+            lane.isMotor -> signedPower(robot.brick.motors[lane.port], robot.brick.kind)
+
+            lane.isDegrees -> robot.brick.motorDegrees.getOrElse(lane.port) { 0 }
+
+            lane == ChartLane.BATTERY -> robot.brick.batteryMillivolts
+
+            else -> robot.brick.inputs.getOrNull(lane.port)?.let { if (kind == null) it.value else it.measured(kind) }
+                ?: 0
         }
 
-        private fun signedPower(motor: MotorState): Int = when (motor.mode) {
-            MotorMode.FORWARD -> motor.power + 1
-            MotorMode.BACKWARD -> -motor.power - 1
-            MotorMode.BRAKE, MotorMode.FLOAT -> 0
+        private fun signedPower(motor: MotorState, kind: BrickKind): Int {
+            val power = if (kind == BrickKind.RCX) motor.power + 1 else motor.power
+            return when (motor.mode) {
+                MotorMode.FORWARD -> power
+                MotorMode.BACKWARD -> -power
+                MotorMode.BRAKE, MotorMode.FLOAT -> 0
+            }
         }
     }
 }

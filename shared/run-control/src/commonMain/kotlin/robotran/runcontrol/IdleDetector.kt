@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.state.SessionState
 import robotran.world.geometry.Pose
 

@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
@@ -42,7 +42,7 @@ internal class MarkTrack {
         }
         if (now.bumps > last.bumps) add(TimelineMark(time, MarkKind.BUMP, robot))
         if (now.brick.sounding && !last.brick.sounding) add(TimelineMark(time, MarkKind.BEEP, robot))
-        if (now.brick.infrared.sending && !last.brick.infrared.sending) add(TimelineMark(time, MarkKind.MESSAGE, robot))
+        if (now.brick.isSending && !last.brick.isSending) add(TimelineMark(time, MarkKind.MESSAGE, robot))
         if (now.remarks.size > last.remarks.size) {
             val newest = now.remarks.lastOrNull { it !in last.remarks } ?: now.remarks.last()
             add(TimelineMark(time, MarkKind.REMARK, robot, newest.message))

@@ -1,13 +1,13 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.log.RomLog
-import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
+import robotran.brick.log.CallLog
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.LoggedCall
 
 /** The first [count] calls of [log]: those up to a moment of the run, while the log may continue. */
-class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
+class RomCalls internal constructor(internal val log: CallLog, val count: Long) {
     /** The kept calls, oldest first. */
-    val entries: List<RomLogEntry>
+    val entries: List<LoggedCall>
         get() {
             val all = log.entries
             val surplus = (log.total - count).coerceIn(0, all.size.toLong()).toInt()
@@ -19,22 +19,22 @@ class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
  * The ROM calls of a run that [filter] accepts. A frame is too short to search a log of 200,000 calls, so each call of
  * [find] searches at most [MAX_PER_CALL] calls and continues there the next time.
  */
-class FilteredRomCalls(val filter: RomLogFilter) {
-    private var log: RomLog? = null
+class FilteredRomCalls(val filter: CallLogFilter) {
+    private var log: CallLog? = null
     private var numbers = LongArray(FIRST_ROOM)
-    private var accepted = arrayOfNulls<RomLogEntry>(FIRST_ROOM)
+    private var accepted = arrayOfNulls<LoggedCall>(FIRST_ROOM)
     private var size = 0
 
     /** The first call that has not been searched. */
     private var next = 0L
-    private val takesAll = filter == RomLogFilter()
+    private val takesAll = filter == CallLogFilter()
 
     /** Whether all calls have been searched. */
     var isComplete = true
         private set
 
     /** The matches in [calls] found so far, oldest first; the list is immutable. */
-    fun find(calls: RomCalls): List<RomLogEntry> {
+    fun find(calls: RomCalls): List<LoggedCall> {
         if (takesAll) return calls.entries
         if (calls.log !== log) begin(calls.log)
         recordLog(calls.log)
@@ -43,7 +43,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         return Found(accepted, end)
     }
 
-    private fun begin(other: RomLog) {
+    private fun begin(other: CallLog) {
         log = other
         size = 0
         next = 0
@@ -52,7 +52,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         accepted = arrayOfNulls(FIRST_ROOM)
     }
 
-    private fun recordLog(log: RomLog) {
+    private fun recordLog(log: CallLog) {
         val oldest = log.total - log.entries.size
         var number = maxOf(next, oldest)
         val end = minOf(log.total, number + MAX_PER_CALL)
@@ -64,8 +64,8 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         isComplete = next == log.total
     }
 
-    private fun add(number: Long, entry: RomLogEntry) {
-        if (size >= RomLog.CAPACITY) forgetHalf()
+    private fun add(number: Long, entry: LoggedCall) {
+        if (size >= CallLog.CAPACITY) forgetHalf()
         if (size == accepted.size) {
             numbers = numbers.copyOf(size * 2)
             accepted = accepted.copyOf(size * 2)
@@ -81,9 +81,9 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         size -= half
     }
 
-    private class Found(private val entries: Array<RomLogEntry?>, override val size: Int) :
-        AbstractList<RomLogEntry>() {
-        override fun get(index: Int): RomLogEntry {
+    private class Found(private val entries: Array<LoggedCall?>, override val size: Int) :
+        AbstractList<LoggedCall>() {
+        override fun get(index: Int): LoggedCall {
             if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
             return checkNotNull(entries[index])
         }

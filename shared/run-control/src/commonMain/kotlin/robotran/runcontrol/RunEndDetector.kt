@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.grade.isTaskCompleted
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.SessionState

@@ -1,10 +1,10 @@
 package robotran.runcontrol
 
+import robotran.brick.controls.startButton
+import robotran.brick.program.BrickProgram
+import robotran.brick.program.StepKind
+import robotran.brick.sound.SoundTrack
 import robotran.language.Language
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.RobotLoad
@@ -56,7 +56,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     var branchCount = 0
         private set
 
-    /** Index of the robot to debug; its ROM calls and sounds are available here. */
+    /** Index of the robot to debug; its log and sounds are available here. */
     var watched = 0
         set(number) {
             field = number
@@ -105,7 +105,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     fun recorded(): RecordedRun = RecordedRun(setup, inputs, length)
 
     /** The program that [robot] got to run at once, if at [time] it runs or was the last one to run; otherwise null. */
-    fun immediateProgram(robot: Int): RcxProgram? {
+    fun immediateProgram(robot: Int): BrickProgram? {
         if (!state.robots[robot].brick.isImmediate) return null
         val now = time
         val input = whole.lastOrNull {
@@ -115,7 +115,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     }
 
     /**
-     * The robot that got a program to run at once last, if at [time] nobody has pressed Run on a brick since; otherwise
+     * The robot that got a program to run at once last, if at [time] nobody has pressed the start button of a brick since; otherwise
      * null.
      */
     val immediateRobot: Int?
@@ -126,7 +126,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
 
     private fun startsProgram(input: SessionInput): Boolean =
-        input is SessionInput.RunNow || (input is SessionInput.Press && input.button == BrickButton.RUN)
+        input is SessionInput.RunNow || (input is SessionInput.Press && input.button == input.button.kind.startButton)
 
     /** All events of the known run, including those after [time]; the same list until that changes. */
     val marks: List<TimelineMark> get() = shown.timeline

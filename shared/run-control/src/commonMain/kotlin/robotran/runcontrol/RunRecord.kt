@@ -9,7 +9,7 @@ internal class RunRecord(world: World) {
     private val states = StateTrack()
     private val marks = MarkTrack()
     private val ending = RunEndDetector(world)
-    val chart = ChartTrack(world.robots.size)
+    val chart = ChartTrack(world.robots.map { it.description })
     val calls = RomCallTrack(world.robots.size)
     val timeline: List<TimelineMark> get() = marks.marks
 

@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.Session

@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.program.VariableScope
+import robotran.brick.program.VariableScope
 import robotran.simulation.Session
 
 /**

@@ -1,11 +1,11 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
+import robotran.brick.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
@@ -15,9 +15,9 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
-internal fun robolang(source: String): RcxProgram {
-    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    return assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
+internal fun robolang(source: String): BrickProgram {
+    val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    return assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
 }
 
 internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =

@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
 import robotran.simulation.StopReason

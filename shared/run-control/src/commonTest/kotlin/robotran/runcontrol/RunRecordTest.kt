@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.call.RomGroup
-import robotran.rcxrom.log.RomLogFilter
+import robotran.brick.log.CallGroup
+import robotran.brick.log.CallLogFilter
 import robotran.simulation.SessionInput
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
@@ -184,7 +184,7 @@ class RunRecordTest {
     @Test
     fun `a filter finds the same calls whether the run goes on, back or on again`() = runTest {
         val player = started(BUSY)
-        val filter = RomLogFilter(groups = setOf(RomGroup.MOTORS))
+        val filter = CallLogFilter(groups = setOf(CallGroup.MOTORS))
         val calls = FilteredRomCalls(filter)
 
         fun expected() = player.romCalls.entries.filter(filter::accepts)

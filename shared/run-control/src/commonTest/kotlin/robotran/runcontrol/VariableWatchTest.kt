@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.StepKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

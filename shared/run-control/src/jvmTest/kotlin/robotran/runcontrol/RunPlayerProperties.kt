@@ -11,7 +11,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.simulation.Session
 import robotran.simulation.SessionInput

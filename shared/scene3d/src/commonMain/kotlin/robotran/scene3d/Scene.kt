@@ -42,7 +42,7 @@ class SceneBuilder(private val world: World, private val colours: SceneColours, 
     private val things = Things(world, colours, round)
     private val standing = things.standing()
     private val standingShades = standing.map { Scene.Shade(it.footprint, 0.0, Heights.WALL) }
-    private val robots = world.robots.mapIndexed { number, robot -> RobotModel(number, robot, colours.robot, round) }
+    private val robots = world.robots.mapIndexed { number, robot -> RobotModel.of(number, robot, colours.robot, round) }
     private val lampRod = things.rod(0.0, Heights.STANDING, colours.lampShade)
     private val flagRod = things.rod(0.0, Heights.STANDING, colours.flag)
     private val lamps = world.lamps.map { lamp -> listOf(false, true).map { things.lamp(lamp, it) } }

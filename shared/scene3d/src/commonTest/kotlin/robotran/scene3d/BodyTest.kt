@@ -1,18 +1,29 @@
 package robotran.scene3d
 
+import robotran.brick.controls.MotorPort
+import robotran.brick.sensors.SensorKind
 import robotran.scene3d.geometry.Vector3
+import robotran.scene3d.model.Heights
 import robotran.scene3d.model.SceneNode
 import robotran.world.Barrier
 import robotran.world.Block
+import robotran.world.Facing
 import robotran.world.Lamp
 import robotran.world.Paper
+import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
+import robotran.world.SensorPart
 import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
+import robotran.world.penbotPorts
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
 import kotlin.test.Test
+import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 /** The order of drawing needs convex bodies that stand where their footprints say. */
@@ -88,6 +99,55 @@ class BodyTest {
         }
     }
 
+    @Test
+    fun `the parts of all ready robots are convex and do not overlap, and each has its sensors`() {
+        for ((name, robot) in ReadyRobots.all) {
+            for (turned in listOf(false, true)) {
+                val description = robot.copy(brickAt = robot.brickAt.copy(turned = turned))
+                val place = RobotPlacement(Pose(40.0, 40.0, 30.0), description = description, beacon = 1.0)
+                val one = World(name, Paper(100.0, 80.0), listOf(place))
+                for (pressed in listOf(emptySet(), setOf(0, 1))) {
+                    val state = restingState(one).let { state ->
+                        state.copy(robots = state.robots.map { it.copy(robot = it.robot.copy(pressed = pressed)) })
+                    }
+                    val root = SceneBuilder(one, TEST_COLOURS, TestTrigonometry).scene(state).root
+                    checkGroups(root)
+                    for (solid in solidsOf(root)) {
+                        val corners = solid.body.faces.flatMap { face -> cornersOf(face.corners) }
+                        for (face in solid.body.faces) {
+                            for (corner in corners) assertTrue(face.distanceTo(corner) < 1e-6, "$name: $corner")
+                        }
+                        assertTrue(solid.body.top <= Heights.STANDING, name)
+                    }
+                }
+                if (description.penbotPorts != null) continue
+                val model = SceneBuilder(one, TEST_COLOURS, TestTrigonometry).scene(restingState(one)).root
+                val grey = solidsOf(model).count { it.body.bottom in SENSOR_BOTTOMS }
+                assertTrue(grey >= description.parts.count { it is SensorPart }, "$name: $grey sensors")
+            }
+        }
+    }
+
+    @Test
+    fun `a turret turns its sensor, which has room wherever it looks`() {
+        val sonar = SensorPart(4, SensorKind.ULTRASONIC, Point(0.0, 0.0), 10.0, Facing.Ahead(0.0), MotorPort.B)
+        val robot = ReadyRobots.NXT_PENBOT.copy(pen = null, parts = listOf(sonar), base = null)
+        val place = RobotPlacement(Pose(40.0, 40.0, 30.0), description = robot, beacon = 0.0)
+        val one = World("Turret", Paper(100.0, 80.0), listOf(place))
+        val looks = listOf(0.0, 45.0, 90.0, 130.0, 180.0, -100.0).map { turret ->
+            val state = restingState(one).let { state ->
+                state.copy(robots = state.robots.map { it.copy(robot = it.robot.copy(turret = turret)) })
+            }
+            val root = SceneBuilder(one, TEST_COLOURS, TestTrigonometry).scene(state).root
+            checkGroups(root)
+            solidsOf(root).single { it.body.bottom == ON_BRICK && it.body.faces.any { face -> face.decals.size == 4 } }
+        }
+        for ((solid, degrees) in looks.zip(listOf(30.0, 75.0, 120.0, 160.0, 210.0, -70.0))) {
+            assertEquals(cos(degrees * PI / 180), solid.place.cosine, 1e-6)
+            assertEquals(sin(degrees * PI / 180), solid.place.sine, 1e-6)
+        }
+    }
+
     private fun checkGroups(node: SceneNode) {
         when (node) {
             is SceneNode.Solid -> {
@@ -126,5 +186,12 @@ class BodyTest {
         is SceneNode.Solid -> listOf(node)
         is SceneNode.Group -> node.parts.flatMap { solidsOf(it) }
         is SceneNode.Stack -> node.levels.flatMap { solidsOf(it) }
+    }
+
+    private companion object {
+        const val ON_BRICK = 8.0
+
+        /** Of a low sensor, one on the chassis and one on the brick. */
+        val SENSOR_BOTTOMS = listOf(0.35, 4.6, ON_BRICK)
     }
 }

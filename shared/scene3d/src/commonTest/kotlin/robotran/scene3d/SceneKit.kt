@@ -1,6 +1,6 @@
 package robotran.scene3d
 
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.scene3d.camera.Cameras
 import robotran.scene3d.camera.PictureSize
 import robotran.scene3d.camera.PictureWindow
@@ -60,7 +60,7 @@ internal fun restingState(
     blocks: List<Pose> = world.blocks.map { Pose(0.0, 0.0, 0.0) },
 ) = SessionState(
     milliseconds = 0,
-    robots = robots.map { RobotSnapshot(Brick(emptyList()).state, it, 0, emptyList(), 0) },
+    robots = robots.map { RobotSnapshot(RcxBrick(emptyList()).state, it, 0, emptyList(), 0) },
     blocks = blocks,
     lamps = world.lamps.map { LampState(it.place, it.on) },
     ink = Ink.NONE,

@@ -1,14 +1,19 @@
 package robotran.simulation
 
+import robotran.world.Facing
 import robotran.world.Light
 import robotran.world.LightFacing
-import robotran.world.Penbot
+import robotran.world.SensorPart
+import robotran.world.geometry.Direction
 
 /**
- * The light sensor of a robot as a part of the world. It computes its value on demand and caches it while nothing
+ * A light sensor of a robot as a part of the world. It computes its value on demand and caches it while nothing
  * moves.
  */
-internal class LightSensor(private val robot: Int, private val simulation: Simulation) {
+internal class LightSensor(private val robot: Int, private val part: SensorPart, private val simulation: Simulation) {
+    /** Its direction on the robot; null if that is ahead. */
+    private val turned =
+        (part.facing as? Facing.Ahead)?.direction?.takeIf { it != 0.0 }?.let { Direction(it) }
     private var known = Double.NaN
     private var knownFacing = LightFacing.DOWN
     private var knownActive = false
@@ -23,8 +28,17 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
         known = Double.NaN
     }
 
-    /** The measured raw value, before noise and rounding. */
-    fun raw(facing: LightFacing, active: Boolean): Double {
+    /**
+     * The measured raw value, before noise and rounding.
+     *
+     * @param chosen its direction if the robot's description leaves it open.
+     */
+    fun raw(chosen: LightFacing, active: Boolean): Double {
+        val facing = when (part.facing) {
+            Facing.Down -> LightFacing.DOWN
+            is Facing.Ahead -> LightFacing.FORWARD
+            Facing.Free -> chosen
+        }
         val isKnown =
             !known.isNaN() && facing == knownFacing && active == knownActive && simulation.light.version == knownLight
         if (!isKnown) {
@@ -58,18 +72,12 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
     private fun ahead(active: Boolean): Double {
         val body = simulation.machines[robot].body
         val place = place()
-        val arriving =
-            with(body.motion) {
-                simulation.light.ahead(place, cosine, sine, body.body, simulation.beaconsBeside(robot))
-            }
-        return if (active) {
-            arriving + with(body.motion) {
-                simulation.light.echo(place, cosine, sine, body.body)
-            }
-        } else {
-            arriving
-        }
+        val motion = body.motion
+        val cosine = turned?.let { motion.cosine * it.cosine - motion.sine * it.sine } ?: motion.cosine
+        val sine = turned?.let { motion.sine * it.cosine + motion.cosine * it.sine } ?: motion.sine
+        val arriving = simulation.light.ahead(place, cosine, sine, body.body, simulation.beaconsBeside(robot))
+        return if (active) arriving + simulation.light.echo(place, cosine, sine, body.body) else arriving
     }
 
-    private fun place() = simulation.machines[robot].body.pointAhead(Penbot.LIGHT_SENSOR_POSITION)
+    private fun place() = simulation.machines[robot].body.point(part.at.x, part.at.y)
 }

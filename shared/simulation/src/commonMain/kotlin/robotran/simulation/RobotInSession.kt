@@ -1,26 +1,31 @@
 package robotran.simulation
 
+import robotran.brick.Brick
+import robotran.brick.kind.BrickKind
+import robotran.brick.log.CallLog
+import robotran.brick.program.RuntimeWarning
 import robotran.language.Language
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.MotorPort
+import robotran.nxt.NxtBrick
+import robotran.nxt.bluetooth.BluetoothNetwork
+import robotran.nxt.messages.NxtMessages
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
-import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.explain.Explanation
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
-import robotran.simulation.robot.InputPorts
+import robotran.simulation.nxt.NxtPorts
+import robotran.simulation.robot.BrickPorts
 import robotran.simulation.robot.LightReading
 import robotran.simulation.robot.PortComparison
+import robotran.simulation.robot.RcxPorts
 import robotran.simulation.state.MissingSensors
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.LightFacing
-import robotran.world.PortSensor
 import robotran.world.World
-import kotlin.math.floor
 
 /** One robot of a session: its brick and its machine. */
 internal class RobotInSession(
@@ -29,19 +34,17 @@ internal class RobotInSession(
     load: RobotLoad,
     private val simulation: Simulation,
     air: InfraredAir,
+    network: BluetoothNetwork,
     private val language: Language,
 ) {
-    val brick = Brick(load.programs, air, BrickMessages.of(language), load.firstSlot)
-    val machine = simulation.machines[number]
-    val ports = InputPorts(world.robots[number], brick, NoiseStreams(world.seed, number), world.realism)
-    private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
-    private val light = LightReading { active -> simulation.lightOn(number, facing, active) }
-    private var millivolts = 0
+    private val machine = simulation.machines[number]
+    val ports: BrickPorts = portsOf(load, air, network)
+    val brick: Brick = ports.brick
     private var hashedCalls = 0L
 
-    private val comparison = PortComparison(world.robots[number], SimulationMessages.of(language))
+    private val comparison = PortComparison(world.robots[number].description, SimulationMessages.of(language))
 
-    val romLog: RomLog get() = brick.log
+    private val log: CallLog = brick.log
 
     /** What the current or last program expects at the ports, but the robot does not have there; null for nothing. */
     val missingSensors: MissingSensors? get() = comparison.among(brick.expectedSensors)
@@ -56,48 +59,62 @@ internal class RobotInSession(
                 machine.state,
                 machine.bumps,
                 remarks,
-                romLog.total.toInt(),
+                log.total.toInt(),
                 missingSensors,
                 machine.bumpedAt,
             )
 
+    /** How loud it is, in percent of the full volume of a brick. */
+    val loudness: Int
+        get() = when (val brick = brick) {
+            is NxtBrick -> brick.loudness
+            else -> if (brick.isSounding) FULL_VOLUME else 0
+        }
+
     /** The causes of its deviation so far. */
-    fun deviationCauses(): List<DeviationCause> {
-        val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
-        val realism = if (hasLightSensor) world.realism else 0.0
-        val bias = if (hasLightSensor) ports.lightBias else 0.0
-        return Explanation(
-            world.robots[number],
-            machine,
-            bias,
-            realism,
-            SimulationMessages.of(language),
-        ).deviationCauses()
+    fun deviationCauses(): List<DeviationCause> = Explanation(
+        world.robots[number],
+        machine,
+        ports.sensorErrors,
+        SimulationMessages.of(language),
+    ).deviationCauses()
+
+    /** Adds the logged calls since the last call of this function. */
+    fun addCallsTo(hash: TraceHash) {
+        while (hashedCalls < log.total) log[hashedCalls++]?.let(hash::add)
     }
 
-    /** Measures the input ports; call it just before the firmware reads them. */
-    fun sense() {
-        ports.measure(machine, simulation.temperature, light)
-        val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
-        if (world.realism > 0 && kotlin.math.abs(now - millivolts) >= MILLIVOLT_TOLERANCE) {
-            millivolts = now
-            brick.setBattery(now)
+    private fun portsOf(load: RobotLoad, air: InfraredAir, network: BluetoothNetwork): BrickPorts {
+        val place = world.robots[number]
+        val robot = place.description
+        val facing = place.lightFacing ?: load.lightFacing ?: LightFacing.DOWN
+        val streams = NoiseStreams(world.seed, number)
+        return when (robot.brick) {
+            BrickKind.RCX -> RcxPorts(
+                robot,
+                RcxBrick(load.programs.map { it as? RcxProgram }, air, BrickMessages.of(language), load.firstSlot),
+                machine,
+                { part ->
+                    simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } }
+                },
+                { simulation.temperature },
+                streams,
+                world.realism,
+            )
+
+            BrickKind.NXT -> NxtPorts(
+                robot,
+                NxtBrick(load.programs, network, place.name, NxtMessages.of(language), load.firstSlot),
+                simulation.scene,
+                number,
+                facing,
+                streams,
+                world.realism,
+            )
         }
     }
 
-    /** Advances the motors by the millisecond number [tick]. */
-    fun moveMotors(tick: Long) =
-        machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
-
-    /** Adds the ROM calls since the last call of this function. */
-    fun addCallsTo(hash: TraceHash) {
-        while (hashedCalls < romLog.total) romLog[hashedCalls++]?.let(hash::add)
-    }
-
     private companion object {
-        const val MILLIVOLTS_PER_VOLT = 1000
-
-        /** Half of the resolution of the brick's converter. */
-        const val MILLIVOLT_TOLERANCE = 14
+        const val FULL_VOLUME = 100
     }
 }

@@ -1,13 +1,13 @@
 package robotran.simulation
 
-import robotran.rcxrom.program.RcxProgram
+import robotran.brick.program.BrickProgram
 import robotran.world.LightFacing
 
 /**
  * The configuration of a robot for a session.
  *
- * @property programs its brick's program slots, see [robotran.rcxrom.Brick].
+ * @property programs its brick's program slots; one for another kind of brick counts as none.
  * @property firstSlot index of the program that Run starts if Prgm was not pressed.
  * @property lightFacing the light sensor's direction that the pupil chose, if the world leaves it open; null for down.
  */
-data class RobotLoad(val programs: List<RcxProgram?>, val firstSlot: Int = 0, val lightFacing: LightFacing? = null)
+data class RobotLoad(val programs: List<BrickProgram?>, val firstSlot: Int = 0, val lightFacing: LightFacing? = null)

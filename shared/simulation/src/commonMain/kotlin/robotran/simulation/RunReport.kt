@@ -3,10 +3,11 @@ package robotran.simulation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
-import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.place
-import robotran.rcxrom.sensors.SensorKind
-import robotran.rcxrom.state.RunState
+import robotran.brick.kind.BrickKind
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.place
+import robotran.brick.sensors.SensorKind
+import robotran.brick.state.RunState
 import robotran.simulation.messages.ShortfallMessages
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
@@ -19,11 +20,12 @@ import robotran.world.roundToThousandths
  * The result of a run, for people and programs. Lengths are in centimetres; numbers are rounded to thousandths.
  *
  * @property seconds virtual time since the session began.
- * @property lcd the display's content in plain text.
- * @property traceHash a hash of the robot's pose in every tick and of every ROM call; the same on every platform.
+ * @property lcd the display's content in plain text; of an NXT whose program has ended, as the program left it.
+ * @property traceHash a hash of the robot's pose in every tick and of every logged call; the same on every platform.
  * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
  * @property goals the results of the world's goals.
  * @property missingSensors what the program expects at the ports, but the robot does not have there; omitted if nothing.
+ * @property screen the lines of the display of an NXT, as for [lcd]; omitted for an RCX.
  */
 @Serializable
 data class RunReport(
@@ -38,6 +40,7 @@ data class RunReport(
     val error: String?,
     val goals: List<GoalReport>,
     val missingSensors: List<ReportedSensor> = emptyList(),
+    val screen: List<String> = emptyList(),
 ) {
     /** The report as JSON, with its fields in the order above. */
     fun toJson(): String = reportJson.encodeToString(serializer(), this)
@@ -60,7 +63,7 @@ enum class RunStatus {
 /**
  * A [MissingSensor] in a report.
  *
- * @property port 1..3.
+ * @property port from 1.
  * @property remark the sentence that the pupil reads.
  */
 @Serializable
@@ -80,6 +83,21 @@ enum class ReportedSensorKind {
 
     @SerialName("rotation")
     ROTATION,
+
+    @SerialName("ultrasonic")
+    ULTRASONIC,
+
+    @SerialName("sound")
+    SOUND,
+
+    @SerialName("colour")
+    COLOUR,
+
+    @SerialName("compass")
+    COMPASS,
+
+    @SerialName("gyro")
+    GYRO,
 }
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
@@ -137,6 +155,7 @@ enum class GoalReportStatus {
 fun Session.report(): RunReport {
     val now = state
     val run = now.brick.run
+    val shown = now.brick.leftByProgram ?: now.brick.screen
     return RunReport(
         status = statusOf(run),
         seconds = roundToThousandths(now.milliseconds / MILLISECONDS_PER_SECOND),
@@ -145,16 +164,17 @@ fun Session.report(): RunReport {
         },
         inkCentimetres = roundToThousandths(now.ink.lengthCentimetres),
         bumps = now.bumps,
-        lcd = now.brick.glass.text,
+        lcd = shown.text,
         romCalls = now.romCalls,
         traceHash = traceHash,
         error = (run as? RunState.Failed)?.failure?.let {
-            listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
+            listOfNotNull(it.place(PlaceMessages.of(language)), it.message).joinToString(": ")
         },
         goals = now.goals.map { GoalReport.of(it, SimulationMessages.of(language)) },
         missingSensors = now.missingSensors?.sensors.orEmpty().map {
             ReportedSensor(it.port, reported(it.kind), it.remark.message)
         },
+        screen = if (now.brick.kind == BrickKind.NXT) shown.lines else emptyList(),
     )
 }
 
@@ -163,6 +183,11 @@ private fun reported(kind: SensorKind): ReportedSensorKind = when (kind) {
     SensorKind.TEMPERATURE -> ReportedSensorKind.TEMPERATURE
     SensorKind.LIGHT -> ReportedSensorKind.LIGHT
     SensorKind.ROTATION -> ReportedSensorKind.ROTATION
+    SensorKind.ULTRASONIC -> ReportedSensorKind.ULTRASONIC
+    SensorKind.SOUND -> ReportedSensorKind.SOUND
+    SensorKind.COLOUR -> ReportedSensorKind.COLOUR
+    SensorKind.COMPASS -> ReportedSensorKind.COMPASS
+    SensorKind.GYRO -> ReportedSensorKind.GYRO
 }
 
 private fun statusOf(run: RunState): RunStatus = when (run) {

@@ -1,10 +1,11 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.startButton
+import robotran.brick.state.RunState
+import robotran.world.World
 
 /**
- * Presses Run on all bricks and advances time until the first robot's program has ended and the robot stands still, or
+ * Presses the start button of all bricks and advances time until the first robot's program has ended and the robot stands still, or
  * [milliseconds] have passed. The same program in the same world gives the same [report] on every platform.
  */
 fun Session.runUnattended(milliseconds: Int) {
@@ -20,12 +21,13 @@ fun Session.runUnattended(milliseconds: Int) {
     }
 }
 
-/** Presses and releases Run on all bricks. */
-fun Session.pressRun() {
-    for (robot in world.robots.indices) {
-        apply(SessionInput.Press(BrickButton.RUN, robot))
-        apply(SessionInput.Release(BrickButton.RUN, robot))
-    }
+/** Presses and releases the start button of all bricks. */
+fun Session.pressRun() = world.startInputs().forEach(::apply)
+
+/** The inputs that start the programs of all robots of this world: their start buttons are pressed and released. */
+fun World.startInputs(): List<SessionInput> = robots.indices.flatMap { robot ->
+    val button = robots[robot].description.brick.startButton
+    listOf(SessionInput.Press(button, robot), SessionInput.Release(button, robot))
 }
 
 /** Time between two checks whether the run is over: several physics steps. */

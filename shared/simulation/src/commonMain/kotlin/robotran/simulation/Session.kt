@@ -1,16 +1,17 @@
 package robotran.simulation
 
+import robotran.brick.Brick
+import robotran.brick.log.CallLog
+import robotran.brick.program.BrickProgram
+import robotran.brick.program.CallFrame
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.program.StepKind
+import robotran.brick.program.ThreadView
+import robotran.brick.program.VariableScope
+import robotran.brick.sound.SoundTrack
 import robotran.language.Language
-import robotran.rcxrom.Brick
-import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.program.ThreadView
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
@@ -40,7 +41,7 @@ class Session(
      * A session in which only the first robot has programs: [programs] are its brick's slots, Run starts the one in
      * [firstSlot].
      */
-    constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
+    constructor(world: World, programs: List<BrickProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
     private val running = SessionEngine(world, loads, physics, language)
@@ -49,7 +50,7 @@ class Session(
     private var closed = false
     private var step: Stepping? = null
 
-    /** Index of the robot to debug; its ROM calls and sounds are available here. */
+    /** Index of the robot to debug; its log and sounds are available here. */
     var watched = 0
         set(number) {
             require(number in world.robots.indices) { "There is no robot $number." }
@@ -57,8 +58,8 @@ class Session(
             field = number
         }
 
-    /** All ROM calls by the program and the firmware of the [watched] robot. */
-    val romLog: RomLog get() = brick.log
+    /** All calls by the program and the firmware of the [watched] robot. */
+    val romLog: CallLog get() = brick.log
 
     /** The sounds of the [watched] robot's brick, at times of [SessionState.milliseconds]. */
     val sounds: SoundTrack get() = brick.sounds
@@ -82,7 +83,7 @@ class Session(
     val state: SessionState get() = running.state
 
     /**
-     * A hash of all robot and block poses after every physics step and of every ROM call so far, as 16 hexadecimal
+     * A hash of all robot and block poses after every physics step and of every logged call so far, as 16 hexadecimal
      * digits.
      */
     val traceHash: String get() = running.traceHash
@@ -155,8 +156,8 @@ class Session(
      */
     fun explain(): List<DeviationCause> = running.explain()
 
-    /** A copy of the brick's current memory. */
-    fun memory(): MemorySnapshot = brick.memory()
+    /** A copy of the current memory of the [watched] robot's brick; null if it is no RCX. */
+    fun memory(): MemorySnapshot? = (brick as? RcxBrick)?.memory()
 
     /**
      * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.

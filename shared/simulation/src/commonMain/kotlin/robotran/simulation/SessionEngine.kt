@@ -1,16 +1,19 @@
 package robotran.simulation
 
+import robotran.brick.kind.BrickKind
+import robotran.brick.sound.SoundEvent
 import robotran.language.Language
+import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.sensors.SensorCode
-import robotran.rcxrom.sound.SoundEvent
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.goal.GoalJudge
 import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.nxt.Loudness
 import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.robot.BrickPorts
 import robotran.simulation.state.AmbientConditions
 import robotran.simulation.state.LampState
 import robotran.simulation.state.SessionState
@@ -26,6 +29,10 @@ internal class SessionEngine(
 ) {
     private val simulation = Simulation(world, physics)
     private val air = InfraredAir(::reaches)
+    private val network = BluetoothNetwork()
+
+    /** The indices of the robots in the air, in its order. */
+    private val withInfrared = world.robots.indices.filter { world.robots[it].description.brick == BrickKind.RCX }
     private val hash = TraceHash()
     private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
     private val tonesJudged = LongArray(world.robots.size)
@@ -37,14 +44,19 @@ internal class SessionEngine(
 
     /** In the world's order. */
     val robots = world.robots.indices.map {
-        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, language)
+        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, network, language)
     }
+
+    /** Those of the [robots]; an array, since each millisecond asks all of them. */
+    private val ports: Array<BrickPorts> = Array(robots.size) { robots[it].ports }
 
     /** Virtual time since the beginning. */
     var milliseconds = 0L
         private set
 
     init {
+        simulation.scene.loudness = robots.map { robot -> Loudness { robot.loudness } }
+        for (each in ports) each.begin()
         // The initial state, such as the volts on the display, counts for no goal.
         if (world.goals.isNotEmpty()) judgeGoals()
     }
@@ -55,12 +67,12 @@ internal class SessionEngine(
     /** Advances by one millisecond or the rest of one. It is not over if a program is paused in the middle of it. */
     fun tick() {
         latest = null
-        if (!hasSensed && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) {
-            robots.forEach(RobotInSession::sense)
+        if (!hasSensed) {
+            for (each in ports) each.sense(milliseconds + 1)
             hasSensed = true
         }
-        while (nextToTick < robots.size) {
-            val brick = robots[nextToTick].brick
+        while (nextToTick < ports.size) {
+            val brick = ports[nextToTick].brick
             brick.tick()
             if (brick.isPaused) return
             nextToTick++
@@ -119,7 +131,7 @@ internal class SessionEngine(
     fun close() = simulation.close()
 
     private fun move() {
-        for (robot in robots) robot.moveMotors(milliseconds)
+        for (each in ports) each.moveMotors(milliseconds)
         if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
             simulation.step()
             simulation.addTo(hash)
@@ -146,8 +158,8 @@ internal class SessionEngine(
     /** Whether infrared light of one brick reaches another: through a room, or across a table. */
     private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
         if (range == InfraredRange.LONG) return true
-        val from = simulation.machines[sender].body.motion
-        val to = simulation.machines[receiver].body.motion
+        val from = simulation.machines[withInfrared[sender]].body.motion
+        val to = simulation.machines[withInfrared[receiver]].body.motion
         return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
     }
 

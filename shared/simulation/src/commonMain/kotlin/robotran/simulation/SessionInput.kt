@@ -1,8 +1,8 @@
 package robotran.simulation
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.RcxProgram
+import robotran.brick.Brick
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.roundToThousandths
@@ -28,7 +28,7 @@ sealed interface SessionInput {
      * Sends [program] to a brick and runs it at once, see [Brick.runNow]. From then on the goals keep their progress,
      * because what the robots do is no longer the work of their programs alone.
      */
-    data class RunNow(val program: RcxProgram, val robot: Int = 0) : SessionInput
+    data class RunNow(val program: BrickProgram, val robot: Int = 0) : SessionInput
 
     /** Picks a robot up and puts it down elsewhere; positions beside the paper are clamped to its edge. */
     data class PlaceRobot(val robot: Int, val pose: Pose) : SessionInput
@@ -50,7 +50,7 @@ sealed interface SessionInput {
     /** Changes the temperature, in degrees Celsius. */
     data class ChangeTemperature(val celsius: Double) : SessionInput
 
-    /** Presses or releases the touch sensor on the input port [port], 0..2, of a robot. */
+    /** Presses or releases the touch sensor on the input port [port], from 0, of a robot. */
     data class TouchSensor(val robot: Int, val port: Int, val pressed: Boolean) : SessionInput
 }
 

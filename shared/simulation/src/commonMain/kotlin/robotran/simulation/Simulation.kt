@@ -1,5 +1,6 @@
 package robotran.simulation
 
+import robotran.brick.sensors.SensorKind
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.config.TraceHash
 import robotran.simulation.ink.InkWriter
@@ -7,6 +8,7 @@ import robotran.simulation.ink.TrailWriter
 import robotran.simulation.light.LightField
 import robotran.simulation.light.PaperSurface
 import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.nxt.NxtScene
 import robotran.simulation.physics.BodyMotion
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.addBarrier
@@ -15,13 +17,16 @@ import robotran.simulation.physics.addWall
 import robotran.simulation.robot.SimulatedRobot
 import robotran.simulation.state.Ink
 import robotran.simulation.state.TrailPiece
-import robotran.world.LightFacing
+import robotran.world.RobotPart
+import robotran.world.SensorPart
+import robotran.world.Sonar
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.centre
 import robotran.world.geometry.normalHeading
+import robotran.world.robot.things
 
 /** The world outside the bricks: all objects and lights on the paper, and the robots' machines. */
 internal class Simulation(private val world: World, engine: PhysicsEngine) {
@@ -32,13 +37,18 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     private val blockMotions: MutableList<BodyMotion>
     private val pens = InkWriter(world.paper, world.robots.size)
     private val trails = TrailWriter(world.robots.size)
-    private val lightSensors: List<LightSensor>
+
+    /** Of each robot, by the part without its port. */
+    private val lightSensors: List<Map<RobotPart, LightSensor>>
     private val freePlaces by lazy { FreeSpaceFinder(world, trigonometry) }
 
     /** In the world's order. */
     val machines: List<SimulatedRobot>
     val surface = PaperSurface(world.paper, world.marks, trigonometry)
     val light: LightField
+
+    /** What the sensors of NXTs see and hear. */
+    val scene: NxtScene
 
     /** In degrees Celsius. */
     var temperature = world.temperature
@@ -49,10 +59,16 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         blockBodies = world.blocks.map { physics.addBlock(it, trigonometry) }
         blockMotions = blockBodies.mapTo(mutableListOf(), physics::motion)
         machines = world.robots.mapIndexed { number, robot ->
-            SimulatedRobot(physics, trigonometry, robot.start, NoiseStreams(world.seed, number), world.realism)
+            val streams = NoiseStreams(world.seed, number)
+            SimulatedRobot(physics, trigonometry, robot.start, robot.description, streams, world.realism)
         }
         light = LightField(world.lamps, world.ambientLight, physics, trigonometry)
-        lightSensors = machines.indices.map { LightSensor(it, this) }
+        val soft = blockBodies.filterIndexed { number, _ -> world.blocks[number].friction >= Sonar.SOFT_FRICTION }
+        scene = NxtScene(physics, surface, light, machines, soft.toSet(), ::beaconsBeside)
+        lightSensors = world.robots.mapIndexed { number, robot ->
+            val parts = robot.description.things.filterIsInstance<SensorPart>()
+            parts.filter { it.sensor == SensorKind.LIGHT }.associate { it.on(null) to LightSensor(number, it, this) }
+        }
     }
 
     val ink: Ink get() = pens.ink
@@ -66,8 +82,8 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
             Pose(motion.x - centre.x, motion.y - centre.y, normalHeading(turned))
         }
 
-    /** The value of the light sensor of the robot at index [robot], see [LightSensor]. */
-    fun lightOn(robot: Int, facing: LightFacing, active: Boolean): Double = lightSensors[robot].raw(facing, active)
+    /** The light sensor [part] of the robot at index [robot]. */
+    fun lightSensor(robot: Int, part: SensorPart): LightSensor = lightSensors[robot].getValue(part.on(null))
 
     /** The lamps on all robots except the one at index [robot]. */
     fun beaconsBeside(robot: Int): List<Pair<Point, Double>> {
@@ -85,7 +101,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
             if (!physics.isAtRest(body)) blockMotions[number] = physics.motion(body)
         }
         for (number in machines.indices) draw(number)
-        for (sensor in lightSensors) sensor.forget()
+        forgetLight()
     }
 
     /** Puts the robot at index [robot] down elsewhere. */
@@ -93,7 +109,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         machines[robot].body.place(pose.onPaper())
         pens.lift(robot)
         trails.lift(robot)
-        for (sensor in lightSensors) sensor.forget()
+        forgetLight()
     }
 
     /** Puts the block at index [block] down elsewhere; see [SessionInput.PlaceBlock] for the meaning of [pose]. */
@@ -103,7 +119,11 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         val free = freePlaces.nearest(block, wanted, machines.map { it.body.pose }, blocks)
         physics.place(blockBodies[block], centre.x + free.x, centre.y + free.y, free.heading * RADIANS_PER_DEGREE)
         blockMotions[block] = physics.motion(blockBodies[block])
-        for (sensor in lightSensors) sensor.forget()
+        forgetLight()
+    }
+
+    private fun forgetLight() {
+        for (sensors in lightSensors) for (sensor in sensors.values) sensor.forget()
     }
 
     /** Adds the data that identifies a run. */

@@ -1,10 +1,10 @@
 package robotran.simulation
 
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.program.ThreadActivity
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.Statement
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.StepKind
+import robotran.brick.program.ThreadActivity
 
 /**
  * Stops [run] at breakpoints and after a requested [step]. The statement before which the run stands at creation

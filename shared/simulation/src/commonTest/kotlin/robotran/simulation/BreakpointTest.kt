@@ -1,8 +1,8 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.state.RunState
+import robotran.brick.program.StepKind
+import robotran.brick.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

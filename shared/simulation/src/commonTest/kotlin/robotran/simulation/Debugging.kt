@@ -1,11 +1,11 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.StepKind
+import robotran.brick.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.World
@@ -15,8 +15,8 @@ import kotlin.test.assertIs
 
 /** A session that has just started the Robolang program [source], named `test`. */
 internal suspend fun startedForDebugging(source: String, world: World = BuiltInWorlds.plain): Session {
-    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
+    val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
     return Session(world, listOf(program), loadPhysicsEngine()).apply {
         apply(SessionInput.Press(BrickButton.RUN))
         apply(SessionInput.Release(BrickButton.RUN))

@@ -1,10 +1,9 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
 import robotran.world.Penbot
@@ -23,10 +22,10 @@ import kotlin.time.Duration.Companion.minutes
  */
 class ExampleRunTest {
     private suspend fun run(name: String): Session {
-        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), calibration))
+        val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
         val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
-        val load = RobotLoad(listOf<RcxProgram?>(result.program), lightFacing = facing)
+        val load = RobotLoad(listOf(result.program), lightFacing = facing)
         return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine()).apply {
             runUnattended(60_000)
             close()

@@ -1,6 +1,6 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.noise.NoiseStream
 import robotran.simulation.physics.loadPhysicsEngine
@@ -12,6 +12,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Wall
@@ -67,10 +68,12 @@ internal object HeavyWorlds {
                 RobotPlacement(
                     start.copy(heading = from(-180.0, 180.0)),
                     name = "robot $robot",
-                    ports = listOf(
-                        listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE),
-                        listOf(PortSensor.LIGHT),
-                        listOf(PortSensor.RIGHT_ROTATION),
+                    description = ReadyRobots.penbotWith(
+                        listOf(
+                            listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE),
+                            listOf(PortSensor.LIGHT),
+                            listOf(PortSensor.RIGHT_ROTATION),
+                        ),
                     ),
                     lightFacing = LightFacing.entries[robot % 2],
                     beacon = from(0.0, 1.0),

@@ -1,18 +1,19 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
-import robotran.rcxrom.sensors.SensorKind
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.world.PortSensor
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
+import robotran.world.robot.withSensor
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -50,7 +51,7 @@ class MissingSensorTest {
 
     private val SessionState.missing get() = missingSensors?.sensors.orEmpty()
 
-    private fun World.withPorts(ports: List<List<PortSensor>>) = copy(robots = robots.map { it.copy(ports = ports) })
+    private fun World.withPorts(ports: List<List<PortSensor>>) = copy(robots = robots.map { it.withPorts(ports) })
 
     @Test
     fun `a touch sensor on port 2 is missing, since the penbot has its light sensor there`() = runTest {
@@ -112,14 +113,16 @@ class MissingSensorTest {
 
     @Test
     fun `with what it is told to plug in, nothing is missing any more`() = runTest {
-        for (kind in SensorKind.entries) {
+        for (type in SensorCode.TYPE_TOUCH..SensorCode.TYPE_ROTATION) {
+            val kind = SensorCode.kindOf(type)
             for (port in 1..SensorCode.PORTS) {
-                val program = Setting(port to kind.type, port to kind.type)
+                val program = Setting(port to type, port to type)
                 val empty = BuiltInWorlds.plain.withPorts(List(SensorCode.PORTS) { emptyList() })
                 val missing = sessionOf(program, empty).state.missing.single()
                 assertEquals(port to kind, missing.port to missing.kind)
-                val plugged = List(SensorCode.PORTS) { if (it == port - 1) missing.plug else emptyList() }
-                assertNull(sessionOf(program, empty.withPorts(plugged)).state.missingSensors)
+                val robot = empty.robots.single().description.withSensor(missing.kind, missing.port)
+                val plugged = empty.copy(robots = empty.robots.map { it.copy(description = robot) })
+                assertNull(sessionOf(program, plugged).state.missingSensors)
             }
         }
     }

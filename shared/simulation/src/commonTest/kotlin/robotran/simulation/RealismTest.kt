@@ -74,7 +74,7 @@ class RealismTest {
     fun `plugging in another sensor does not change how the wheels stray`() = runTest {
         suspend fun end(ports: List<List<PortSensor>>): Pose {
             val world = world(0.6, 5)
-            return runToEnd(metre, world.copy(robots = world.robots.map { it.copy(ports = ports) })).state.robot.pose
+            return runToEnd(metre, world.copy(robots = world.robots.map { it.withPorts(ports) })).state.robot.pose
         }
         assertEquals(end(RobotPlacement.PENBOT_PORTS), end(List(3) { listOf(PortSensor.TEMPERATURE) }))
     }

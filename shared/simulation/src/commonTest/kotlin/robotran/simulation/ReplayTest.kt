@@ -1,7 +1,7 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.simulation.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,12 +1,13 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
+import robotran.brick.state.RunState
+import robotran.rcxrom.log.romCalls
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
@@ -21,13 +22,13 @@ import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
 class RunNowTest {
-    private fun program(text: String): RcxProgram =
-        (compileRobolang("now.robo", text, Calibration(50.0, 5.0)) as RobolangResult.Ready).program
+    private fun program(text: String): BrickProgram =
+        (compileRobolang("now.robo", text, RobotTarget.Rcx(50.0, 5.0)) as RobolangResult.Ready).program
 
     private suspend fun session(text: String = "beep") =
         Session(BuiltInWorlds.plain, listOf(program(text)), loadPhysicsEngine())
 
-    private fun Session.callsFrom(call: Int) = romLog.entries.drop(call).map { it.call }
+    private fun Session.callsFrom(call: Int) = romLog.entries.drop(call).romCalls().map { it.call }
 
     @Test
     fun `lines run at once make the calls and the way of the same lines in a program`() = runTest {
@@ -132,7 +133,7 @@ class RunNowTest {
     @Test
     fun `it counts for no goal`() = runTest {
         val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(GoalCondition.InkLength(10.0, null))))
-        val session = Session(world, emptyList<RcxProgram>(), loadPhysicsEngine())
+        val session = Session(world, emptyList<BrickProgram>(), loadPhysicsEngine())
         val before = session.state.goals
         session.apply(SessionInput.RunNow(program("pen down\nforward 30\nturn left 90\nforward 30")))
         session.advance(20_000)

@@ -4,9 +4,9 @@ import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.world.Goal

@@ -2,6 +2,7 @@ package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.sensors.TouchSensor
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.state.LampState
 import robotran.world.Barrier
 import robotran.world.Lamp
@@ -39,7 +40,7 @@ class SensorTest {
         return session.raw(2)
     }
 
-    private fun Session.raw(port: Int, robot: Int = 0) = state.robots[robot].brick.sensors[port - 1].raw
+    private fun Session.raw(port: Int, robot: Int = 0) = (state.robots[robot].brick as RcxState).sensors[port - 1].raw
 
     /** A spot under the light sensor of a robot at the sheet's start. */
     private fun spot(size: Double, shade: Shade) =
@@ -195,7 +196,7 @@ class SensorTest {
         }
         val world = sheet.copy(
             robots = sheet.robots.map {
-                it.copy(ports = listOf(listOf(PortSensor.LEFT_ROTATION), emptyList(), emptyList()))
+                it.withPorts(listOf(listOf(PortSensor.LEFT_ROTATION), emptyList(), emptyList()))
             },
         )
         val session = startRun(program, world)
@@ -217,7 +218,7 @@ class SensorTest {
                     ScriptedProgram {
                         pause(9_000)
                     },
-                    sheet.copy(robots = sheet.robots.map { it.copy(ports = ports) }, temperature = 25.0),
+                    sheet.copy(robots = sheet.robots.map { it.withPorts(ports) }, temperature = 25.0),
                 )
             session.advance(10)
             val light = session.raw(1)

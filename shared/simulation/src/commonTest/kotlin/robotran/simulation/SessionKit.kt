@@ -1,8 +1,8 @@
 package robotran.simulation
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.BrickProgram
+import robotran.brick.state.RunState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
@@ -11,7 +11,7 @@ import robotran.world.file.BuiltInWorlds
  * Presses Run on a robot in [world] with [program], and lets it run until half a second after its end, at most a
  * minute.
  */
-suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
+suspend fun runToEnd(program: BrickProgram, world: World = BuiltInWorlds.plain): Session {
     val session = startRun(program, world)
     while (session.state.brick.run is RunState.Running && session.state.milliseconds < 60_000) session.advance(10)
     session.advance(500)
@@ -19,7 +19,7 @@ suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): S
 }
 
 /** A session in which Run has just been pressed and released. */
-suspend fun startRun(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
+suspend fun startRun(program: BrickProgram, world: World = BuiltInWorlds.plain): Session {
     val session = Session(world, listOf(program), loadPhysicsEngine())
     session.apply(SessionInput.Press(BrickButton.RUN))
     session.advance(100)

@@ -1,8 +1,9 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
 import robotran.world.Paper
@@ -85,7 +86,7 @@ class SeveralRobotsTest {
         }
         val raws = listOf(apart, near, lit).map { world ->
             val looks = world.copy(robots = world.robots.map { it.copy(lightFacing = LightFacing.FORWARD) })
-            session(looks, looking, null).apply { advance(50) }.state.brick.sensors[1].raw
+            (session(looks, looking, null).apply { advance(50) }.state.brick as RcxState).sensors[1].raw
         }
         assertEquals(raws.sortedDescending().distinct(), raws)
     }

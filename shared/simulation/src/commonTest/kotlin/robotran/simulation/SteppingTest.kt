@@ -1,14 +1,14 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.CallFrame
+import robotran.brick.program.StepKind
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
@@ -128,8 +128,8 @@ class SteppingTest {
         session.advance(500)
         session.apply(SessionInput.Stop)
         session.advance(100)
-        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
+        val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", target)
         val loads = listOf(RobotLoad(listOf(assertIs<RobolangResult.Ready>(program).program)))
         val again = Session.replay(
             BuiltInWorlds.plain,

@@ -1,17 +1,17 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.CallFrame
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.Statement
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.StepKind
+import robotran.brick.program.ThreadActivity
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.lejoslibrary.LejosLibrary
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.program.ThreadActivity
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.linkTinyVm

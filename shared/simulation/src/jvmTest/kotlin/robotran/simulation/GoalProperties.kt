@@ -14,9 +14,9 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.Brick
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.simulation.goal.GoalJudge
 import robotran.simulation.goal.isDecided
 import robotran.simulation.ink.InkWriter
@@ -56,7 +56,7 @@ import robotran.world.roundToThousandths
 class GoalProperties :
     StringSpec({
         val trigonometry = runBlocking { loadPhysicsEngine() }.trigonometry
-        val brick = Brick(emptyList()).state
+        val brick = RcxBrick(emptyList()).state
         val points = listOf(Point(10.0, 10.0), Point(70.0, 12.0), Point(30.0, 50.0))
         val sheet = World(
             "A sheet",

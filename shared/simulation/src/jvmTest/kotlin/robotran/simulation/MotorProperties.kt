@@ -6,19 +6,20 @@ import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
-import robotran.simulation.robot.Motor
+import robotran.simulation.robot.RcxMotor
 import robotran.world.geometry.distance
+import robotran.world.robot.RobotFigures
 
 class MotorProperties :
     StringSpec({
         fun told(mode: MotorMode, power: Int) = MotorState(MotorPort.A, mode, power)
 
         fun distance(mode: MotorMode, power: Int, milliseconds: Int, brakingPower: Int): Double {
-            val motor = Motor()
+            val motor = RcxMotor(RobotFigures.PENBOT)
 
             fun way(told: MotorState): Double {
                 motor.tick(told)
@@ -30,7 +31,7 @@ class MotorProperties :
 
         "a motor drives as far as it is told to, however hard it brakes" {
             checkAll(Arb.int(0..5000), Arb.int(0..7), Arb.int(0..7)) { milliseconds, power, brakingPower ->
-                val expected = Motor.drivenSpeed(power) * milliseconds / 1000
+                val expected = RcxMotor(RobotFigures.PENBOT).drivenSpeed(power) * milliseconds / 1000
                 distance(MotorMode.FORWARD, power, milliseconds, brakingPower) shouldBe (expected plusOrMinus 1e-6)
                 distance(MotorMode.BACKWARD, power, milliseconds, brakingPower) shouldBe (-expected plusOrMinus 1e-6)
             }

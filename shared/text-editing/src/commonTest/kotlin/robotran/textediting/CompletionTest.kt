@@ -1,7 +1,8 @@
 package robotran.textediting
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.api.LejosApi
+import robotran.textediting.api.BrickApi
 import robotran.textediting.complete.CompletionList
 import robotran.textediting.complete.WordHelp
 import robotran.textediting.complete.completed
@@ -50,6 +51,26 @@ class CompletionTest {
         assertTrue("square()" in labels("procedure square(size)\nend\nsq|"))
         assertTrue("size" in labels("procedure square(size)\nforward s|\nend"))
         assertNull(offered("var zz|"))
+    }
+
+    @Test
+    fun `what is offered depends on the brick`() {
+        fun onNxt(marked: String) =
+            completionsAt(draft(marked), ProgramLanguage.ROBOLANG, help, isExplicit = true, BrickKind.NXT)
+                ?.items?.map { it.label }.orEmpty()
+        assertEquals(emptyList(), labels("show dist|"))
+        assertEquals(listOf("distance"), onNxt("show dist|"))
+        assertEquals(listOf("distance"), labels("robot\n  brick nxt\nend\nshow dist|"))
+        assertEquals(listOf("enter", "left", "right", "escape"), onNxt("wait until button |"))
+        assertEquals(listOf("run", "view", "prgm"), labels("wait until button |", isExplicit = true))
+        assertEquals(listOf("timer", "motor"), onNxt("reset |"))
+    }
+
+    @Test
+    fun `in the header its lines are offered`() {
+        assertEquals(listOf("light sensor on 2 facing down"), labels("robot\n  li|\nend"))
+        assertEquals(listOf("sonar on 4", "sound sensor on 2"), labels("robot\n  brick nxt\n  so|\nend"))
+        assertEquals(listOf("rcx", "nxt"), labels("robot\n  brick |\nend", isExplicit = true))
     }
 
     @Test
@@ -150,11 +171,12 @@ class CompletionTest {
     @Test
     fun `every class of the brick says something about itself and its members`() {
         for (name in listOf("Motor", "Sensor", "Button", "Sound", "LCD", "TextLCD", "Thread", "Math")) {
-            val type = assertNotNull(LejosApi.classOf(name), name)
+            val type = assertNotNull(BrickApi.of(BrickKind.RCX).classOf(name), name)
             assertTrue(type.help.isNotEmpty(), name)
             assertTrue(type.members.isNotEmpty(), name)
             assertEquals(emptyList(), type.members.filter { it.help.isEmpty() }, name)
         }
-        for (name in LejosApi.classNames) assertNotNull(LejosApi.classOf(name), name)
+        val api = BrickApi.of(BrickKind.RCX)
+        for (name in api.classNames) assertNotNull(api.classOf(name), name)
     }
 }

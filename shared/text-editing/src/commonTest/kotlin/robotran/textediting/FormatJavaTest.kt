@@ -7,7 +7,9 @@ import kotlin.test.assertEquals
 class FormatJavaTest {
     @Test
     fun `our examples are laid out already`() {
-        for ((name, source) in lejosExamples) assertEquals(source, formatJava(source), name)
+        for (examples in listOf(lejosExamples, nxjExamples)) {
+            for ((name, source) in examples) assertEquals(source, formatJava(source), name)
+        }
     }
 
     @Test

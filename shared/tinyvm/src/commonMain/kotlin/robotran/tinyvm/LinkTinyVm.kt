@@ -4,6 +4,7 @@ import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
+import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.diagnostic.LinkError
@@ -38,7 +39,7 @@ fun linkTinyVm(
 ): TinyVmResult = try {
     val files = ClassPath(program, library, messages)
     try {
-        val linked = Linker(files, messages, BrickRoom.of(version), layout) {
+        val linked = Linker(files, messages, MachineModel.of(mode), BrickRoom.of(version), layout) {
             NativeMethods.find(it) != null
         }.link(mainClass)
         TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))

@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.DebuggableRun
+import robotran.brick.program.DebuggableRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.tinyvm.config.LejosVersion

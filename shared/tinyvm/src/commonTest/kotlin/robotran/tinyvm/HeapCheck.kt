@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.DebuggableRun
+import robotran.brick.program.DebuggableRun
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
 import robotran.tinyvm.link.LinkedClass
@@ -9,7 +9,7 @@ import kotlin.test.fail
 
 /** Fails if a reference in the heap or in a static field is invalid or refers to an object of the wrong type. */
 internal fun checkHeap(run: DebuggableRun) {
-    val machine = (run as TinyVmRun).machine
+    val machine = (run as ThreadedRun).machine
     val heap = machine.heap
     val byDescriptor = machine.program.types.associateBy { it.descriptor }
 
@@ -28,7 +28,7 @@ internal fun checkHeap(run: DebuggableRun) {
     for (field in machine.program.statics) {
         if (field.isReference) check(machine.statics[field.slot], field.descriptor, "${field.owner.name}.${field.name}")
     }
-    for (place in Heap.FIRST_OBJECT until heap.words.size) {
+    for (place in machine.model.firstObject until heap.words.size) {
         if (!heap.isObject(place)) continue
         when (val type = heap.typeOf(place)) {
             is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter {

@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature

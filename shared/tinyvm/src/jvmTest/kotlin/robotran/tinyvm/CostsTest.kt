@@ -1,7 +1,7 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
+import robotran.rcxrom.RcxBrick
 import robotran.tinyvm.config.TinyVmCosts
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -12,7 +12,7 @@ class CostsTest {
     /** The milliseconds that a brick needs for [ROUNDS] rounds of a loop over [body]. */
     private fun millisecondsOf(body: String): Long {
         val program = linked(program("for (int i = 0; i < $ROUNDS; i++) { $body }", MEMBERS))
-        val ran = run(program, steps = Brick.STEPS_PER_MILLISECOND)
+        val ran = run(program, steps = RcxBrick.STEPS_PER_MILLISECOND)
         assertEquals(ProgramStatus.Ended, ran.status)
         return ran.rom.milliseconds
     }

@@ -1,14 +1,14 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.messages.place
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.VariableView
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.messages.place
+import robotran.brick.program.CallFrame
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.VariableView
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
@@ -73,7 +73,7 @@ class DebuggingTest {
                 "none;\n}\n}"
         val classes = JavaCompiler.compile(mapOf("Program" to main, "Helper" to helper))
         val program = assertIs<TinyVmResult.Ready>(linkTinyVm("Program", classes, libraryClassFiles)).program
-        val brick = Brick(listOf(program))
+        val brick = RcxBrick(listOf(program))
         brick.press(BrickButton.RUN)
         brick.release(BrickButton.RUN)
         val run = checkNotNull(brick.debuggableRun)

@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.EnglishTinyVmMessages

@@ -1,7 +1,7 @@
 package robotran.tinyvm
 
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,8 +1,8 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.programs.libraryClassFiles

@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.Assignment
@@ -12,6 +13,7 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.robotediting.RobotEdit
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -28,6 +30,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
@@ -38,10 +41,13 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.handins.HandInVisits
 import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
+import robotran.workshop.learning.programsLeftBehind
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.robot.RobotEditStateHolder
+import robotran.workshop.robot.draftNotice
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
@@ -65,7 +71,10 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.worldedit.WorldEditStateHolder
+import robotran.world.RobotDescription
+import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.worldediting.ElementKind
 
 /**
  * The view model of the app. Dispatches [WorkshopEvent]s to the state holders of the panes, advances virtual time, and
@@ -118,10 +127,11 @@ class Workshop(
     private val sheet = SheetStateHolder(this)
     private val editedWorld = VariationTarget(this, this, this)
     private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this, editedWorld::origin)
+    private val robotEdit = RobotEditStateHolder(platform, scope, this, this, { worldEdit.state }, ::handleWorldEdit)
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
-        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }) {
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }, ::putRobot) {
             handIns.takes(it)
         }
     private val course: CourseStateHolder =
@@ -145,7 +155,10 @@ class Workshop(
             run = run.state,
             sheet = sheet.state,
             worldEdit = worldEdit.state,
-            document = document.state.copy(hasGoals = run.state.world.goals.isNotEmpty()),
+            document = document.state.copy(
+                hasGoals = run.state.world.goals.isNotEmpty(),
+                canSend = programs.state.brick == BrickKind.RCX,
+            ),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
@@ -162,6 +175,7 @@ class Workshop(
             course = course.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
+            robotEdit = robotEdit.state,
         )
 
     override val project: Project get() = opened.copy(
@@ -169,6 +183,7 @@ class Workshop(
         inputs = emptyList(),
     )
     override val shownProgram: PupilProgram get() = programs.state.program
+    override val shownRobot: RobotPlacement get() = programs.state.robot
 
     /** The recorded inputs of the current session. */
     val inputs: List<RecordedInput> get() = run.inputs
@@ -188,23 +203,78 @@ class Workshop(
     /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
         when (event) {
-            is ProgramEvent -> handleProgram(event)
-            is RunEvent -> handleRun(event)
-            is SheetEvent -> sheet.handle(event)
-            is WorldEditEvent -> handleWorldEdit(event)
-            is DocumentEvent -> document.handle(event)
-            is SettingsEvent -> handleSettings(event)
-            is LearningEvent -> learning.handle(event)
-            is SendEvent -> send.handle(event)
-            is ShowEvent -> show.handle(event)
-            is HandInsEvent -> handIns.handle(event)
-            is AssignmentEvent -> assignment.handle(event)
-            is CourseEvent -> course.handle(event)
-            is WorkshopEvent.PaneChosen -> pane = event.pane
-            is WorkshopEvent.PaneFilled -> fullPane = event.pane
-            is WorkshopEvent.TaskShown -> taskShown = event.shown
-            WorkshopEvent.NoticeDismissed -> notice = null
-            WorkshopEvent.NoticeTaken -> takeNotice()
+            is ProgramEvent -> {
+                handleProgram(event)
+            }
+
+            is RunEvent -> {
+                handleRun(event)
+            }
+
+            is SheetEvent -> {
+                sheet.handle(event)
+            }
+
+            is WorldEditEvent -> {
+                handleWorldEdit(event)
+            }
+
+            is RobotEditEvent -> {
+                if (event is RobotEditEvent.BenchOpened && notice?.action is NoticeAction.BuildOn) notice = null
+                robotEdit.handle(event)
+            }
+
+            is DocumentEvent -> {
+                document.handle(event)
+            }
+
+            is SettingsEvent -> {
+                handleSettings(event)
+            }
+
+            is LearningEvent -> {
+                learning.handle(event)
+            }
+
+            is SendEvent -> {
+                send.handle(event)
+            }
+
+            is ShowEvent -> {
+                show.handle(event)
+            }
+
+            is HandInsEvent -> {
+                handIns.handle(event)
+            }
+
+            is AssignmentEvent -> {
+                assignment.handle(event)
+            }
+
+            is CourseEvent -> {
+                course.handle(event)
+            }
+
+            is WorkshopEvent.PaneChosen -> {
+                pane = event.pane
+            }
+
+            is WorkshopEvent.PaneFilled -> {
+                fullPane = event.pane
+            }
+
+            is WorkshopEvent.TaskShown -> {
+                taskShown = event.shown
+            }
+
+            WorkshopEvent.NoticeDismissed -> {
+                notice = null
+            }
+
+            WorkshopEvent.NoticeTaken -> {
+                takeNotice()
+            }
         }
         document.projectMayHaveChanged()
     }
@@ -261,6 +331,11 @@ class Workshop(
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
     suspend fun compilePrograms() {
+        compile()
+        programs.loadHelp()
+    }
+
+    private suspend fun compile() {
         run.programsCompiled(programs.compile())
         runChanged()
     }
@@ -325,6 +400,7 @@ class Workshop(
             course.projectChanged()
         }
         programs.worldChanged(world)
+        if (isAnother) programs.removePrograms(programsLeftBehind(world))
         run.changeWorld(opened.worldToRun)
         worldChanged(isAnother || before.title != world.title || before.task != world.task)
     }
@@ -373,6 +449,13 @@ class Workshop(
         handle(ProgramEvent.ClosedMessageDismissed)
     }
 
+    override fun removePrograms(isMeant: (PupilProgram) -> Boolean) {
+        programs.removePrograms(isMeant)
+        run.programsChanged()
+        learning.programsChanged()
+        assignment.programsChanged()
+    }
+
     override fun replacePrograms(programs: List<PupilProgram>) {
         this.programs.replacePrograms(programs)
         run.programsChanged()
@@ -390,7 +473,7 @@ class Workshop(
     override fun run() = handle(RunEvent.RunPressed)
 
     override suspend fun playInputs() {
-        compilePrograms()
+        compile()
         handle(RunEvent.RecordingPlayed)
     }
 
@@ -423,6 +506,7 @@ class Workshop(
     private fun withdrawUndo() {
         val isOver = when (notice?.action) {
             NoticeAction.UnplugSensors -> !worldEdit.canUndoPlug
+            NoticeAction.BringRobotBack -> !worldEdit.canBringBack
             NoticeAction.BeginningUndone -> !assignment.canUndoBeginning
             else -> false
         }
@@ -430,7 +514,10 @@ class Workshop(
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
-        val changesWorld = event == WorldEditEvent.EditorOpened || event is WorldEditEvent.SensorsPluggedIn
+        val changesWorld = event == WorldEditEvent.EditorOpened ||
+            event is WorldEditEvent.SensorsPluggedIn ||
+            event is WorldEditEvent.PenbotChosen ||
+            event is WorldEditEvent.RobotReplaced
         if (changesWorld && assignment.state?.isWorldLocked == true) return show(Notice.WorldOfAssignment)
         // Help would cover the palette.
         if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {
@@ -439,10 +526,25 @@ class Workshop(
         val wasOpen = worldEdit.state != null
         // Robots drive in the world itself, not in a variation of it.
         val isVariation = editedWorld.variation != null
+        val drafts = worldEdit.state?.world?.robots.orEmpty()
         worldEdit.handle(if (isVariation && event == WorldEditEvent.TriedOut) WorldEditEvent.EditorClosed else event)
         if (!wasOpen || worldEdit.state != null) return
+        if (isVariation) {
+            if (notice is Notice.RobotKeptAsDraft) notice = null
+        } else if (event == WorldEditEvent.EditorClosed) {
+            drafts.withIndex().firstNotNullOfOrNull { (number, place) -> place.draftNotice(number) }?.let(::show)
+        }
         editedWorld.leave()
         assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
+    }
+
+    /** Puts an opened robot into the workbench, or otherwise in the place of the robot that is chosen or shown. */
+    private fun putRobot(robot: RobotDescription) {
+        if (robotEdit.state != null) return robotEdit.handle(RobotEditEvent.Edited(RobotEdit.Replace(robot)))
+        val chosen = worldEdit.state?.editing?.only?.takeIf { it.kind == ElementKind.ROBOT }
+        val place = chosen?.let { worldEdit.state?.world?.robots?.getOrNull(it.number) } ?: shownRobot
+        handleWorldEdit(WorldEditEvent.RobotReplaced(place.name, robot))
+        show(Pane.WORLD)
     }
 
     private fun openWorldEditor(variation: Int?) {
@@ -451,6 +553,7 @@ class Workshop(
     }
 
     private fun leaveWorldEditor() {
+        robotEdit.leave()
         worldEdit.leave()
         editedWorld.leave()
     }
@@ -493,6 +596,7 @@ class Workshop(
         programs.setLanguage(language)
         run.programsCompiled(programs.state.compileStatus)
         run.setLanguage(language)
+        learning.refresh()
     }
 
     private fun takeNotice() {
@@ -528,8 +632,16 @@ class Workshop(
                 handleWorldEdit(WorldEditEvent.PlugUndone)
             }
 
+            NoticeAction.BringRobotBack -> {
+                handleWorldEdit(WorldEditEvent.RobotBroughtBack)
+            }
+
+            is NoticeAction.BuildOn -> {
+                robotEdit.handle(RobotEditEvent.BenchOpened(action.robot))
+            }
+
             null -> {
-                Unit
+                // Some notices only tell something.
             }
         }
     }

@@ -1,8 +1,8 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
-import robotran.rcxrom.controls.BrickButton
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent

@@ -1,9 +1,9 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.projects.Project
-import robotran.rcxrom.controls.BrickButton
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent

@@ -11,8 +11,8 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
+import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
-import robotran.rcxrom.controls.BrickButton
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent

@@ -1,7 +1,7 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.MemoryPlatform

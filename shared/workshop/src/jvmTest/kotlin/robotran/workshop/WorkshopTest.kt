@@ -1,8 +1,8 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent

@@ -3,8 +3,8 @@ package robotran.worldediting
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.World
-import robotran.world.file.Direction
 import robotran.world.geometry.Bounds
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 
 /** Adds [piece] near [at], where there is free space, and selects it. */

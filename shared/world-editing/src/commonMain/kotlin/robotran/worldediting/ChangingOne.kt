@@ -1,7 +1,7 @@
 package robotran.worldediting
 
 import robotran.json.nearestDecimal
-import robotran.world.file.Direction
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 

@@ -1,15 +1,16 @@
 package robotran.worldediting
 
-import robotran.world.file.Direction
-import robotran.world.file.flat
+import robotran.world.RobotDescription
 import robotran.world.file.outline
 import robotran.world.geometry.Bounds
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Outline
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.geometry.centre
 import robotran.world.geometry.distance
+import robotran.world.geometry.flat
 
 /** The position and size of any element: everything needed to move, rotate and resize it. */
 sealed interface Form {
@@ -23,8 +24,8 @@ sealed interface Form {
      */
     data class Way(val points: List<Point>, val width: Double, val closed: Boolean, val isBent: Boolean) : Form
 
-    /** The start of a robot. */
-    data class Start(val pose: Pose) : Form
+    /** The start of a robot that is built like [robot]. */
+    data class Start(val pose: Pose, val robot: RobotDescription) : Form
 
     /** A lamp; [turns] if it has a direction. */
     data class Light(val place: Point, val direction: Double, val turns: Boolean) : Form
@@ -48,7 +49,7 @@ val Form.bounds: Bounds
     get() = when (this) {
         is Form.Area -> flat(shape).bounds
         is Form.Way -> boundsOf(points).grownBy(width / 2)
-        is Form.Start -> outline(pose).bounds
+        is Form.Start -> outline(pose, robot).bounds
         is Form.Light -> Bounds(place.x, place.y, place.x, place.y).grownBy(LAMP_RADIUS)
         is Form.Picture -> Bounds(corner.x, corner.y, corner.x + width, corner.y + height)
     }
@@ -57,7 +58,7 @@ val Form.bounds: Bounds
 fun Form.distanceTo(place: Point): Double = when (this) {
     is Form.Area -> flat(shape).distanceTo(place)
     is Form.Way -> (edges().minOf { (from, to) -> distance(place, from, to) } - width / 2).coerceAtLeast(0.0)
-    is Form.Start -> outline(pose).distanceTo(place)
+    is Form.Start -> outline(pose, robot).distanceTo(place)
     is Form.Light -> (distance(this.place, place, place) - LAMP_RADIUS).coerceAtLeast(0.0)
     is Form.Picture -> bounds.distanceTo(place)
 }
@@ -67,7 +68,7 @@ fun Form.movedBy(x: Double, y: Double): Form {
     return when (this) {
         is Form.Area -> Form.Area(shape.mapped(Point::moved))
         is Form.Way -> copy(points = points.map(Point::moved))
-        is Form.Start -> Form.Start(Pose(pose.x + x, pose.y + y, pose.heading))
+        is Form.Start -> copy(pose = Pose(pose.x + x, pose.y + y, pose.heading))
         is Form.Light -> copy(place = place.moved())
         is Form.Picture -> copy(corner = corner.moved())
     }
@@ -90,7 +91,7 @@ fun Form.rotatedBy(degrees: Double, about: Point): Form {
         is Form.Way -> copy(points = points.map(Point::turned))
 
         is Form.Start -> Point(pose.x, pose.y).turned().let {
-            Form.Start(Pose(it.x, it.y, normalizedAngle(pose.heading + degrees)))
+            copy(pose = Pose(it.x, it.y, normalizedAngle(pose.heading + degrees)))
         }
 
         is Form.Light -> copy(place = place.turned(), direction = normalizedAngle(direction(degrees)))

@@ -1,10 +1,10 @@
 package robotran.worldediting
 
-import robotran.world.Penbot
 import robotran.world.World
-import robotran.world.file.Direction
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
+import robotran.world.robot.box
 
 /** The part of an element that the user drags. */
 sealed interface DragHandle {
@@ -85,7 +85,7 @@ fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
         form is Form.Area -> sizeHandles(frame, SizeSide.entries) +
             if (form.canRotate) listOf(turnHandle(frame)) else emptyList()
 
-        form is Form.Start -> listOf(turnHandle(form.middle, form.pose.heading, Penbot.BUMPER_FRONT))
+        form is Form.Start -> listOf(turnHandle(form.middle, form.pose.heading, form.robot.box.right))
 
         form is Form.Light && form.turns -> listOf(turnHandle(form.place, form.direction, LAMP_RADIUS))
 

@@ -1,6 +1,6 @@
 package robotran.worldediting
 
-import robotran.world.file.Direction
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 
 /**

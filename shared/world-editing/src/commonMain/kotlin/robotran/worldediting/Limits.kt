@@ -9,6 +9,7 @@ import robotran.world.World
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
+import robotran.world.robot.robotErrors
 
 /** Why [piece] is invalid in any world; null if it is valid. */
 internal fun errorOf(piece: Element): EditError? {
@@ -135,11 +136,10 @@ private fun errorOf(robot: RobotPlacement): EditError? {
         line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasNoUnpairedSurrogate(line) &&
             line.none { it.isISOControl() && it != '\t' }
     }
-    val arePorts = robot.ports.size == PORTS &&
-        robot.ports.all { it.size <= WorldLimits.MAXIMUM_SENSORS_PER_PORT && it.toSet().size == it.size }
+    val isPossible = robotErrors(robot.description).isEmpty()
     return when {
         !areLines -> EditError.InvalidText
-        !arePorts || robot.beacon !in BRIGHTNESSES -> EditError.OutOfRange
+        !isPossible || robot.beacon !in BRIGHTNESSES -> EditError.OutOfRange
         else -> null
     }
 }
@@ -170,7 +170,6 @@ internal fun hasNoUnpairedSurrogate(text: String): Boolean {
 }
 
 internal const val MIN_CORNERS = 3
-private const val PORTS = 3
 private const val MAX_COLOUR = 255
 private val THICKNESSES = WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS
 private val MASSES = WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS

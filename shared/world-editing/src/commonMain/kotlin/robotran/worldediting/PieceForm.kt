@@ -9,7 +9,7 @@ import robotran.world.geometry.Shape
 /** The position and size; null for a goal without a region. */
 val Element.form: Form?
     get() = when (this) {
-        is Element.OfRobot -> Form.Start(robot.start)
+        is Element.OfRobot -> Form.Start(robot.start, robot.description)
         is Element.OfWall -> Form.Way(listOf(wall.from, wall.to), wall.thickness, closed = false, isBent = false)
         is Element.OfBarrier -> Form.Area(barrier.shape)
         is Element.OfBlock -> Form.Area(block.shape)

@@ -16,7 +16,7 @@ internal fun Point.rounded() = Point(rounded(x), rounded(y))
 internal fun Form.rounded(): Form = when (this) {
     is Form.Area -> Form.Area(shape.rounded())
     is Form.Way -> copy(points = points.map(Point::rounded))
-    is Form.Start -> Form.Start(Pose(rounded(pose.x), rounded(pose.y), roundedAngle(pose.heading)))
+    is Form.Start -> copy(pose = Pose(rounded(pose.x), rounded(pose.y), roundedAngle(pose.heading)))
     is Form.Light -> copy(place = place.rounded(), direction = roundedAngle(direction))
     is Form.Picture -> copy(corner = corner.rounded())
 }

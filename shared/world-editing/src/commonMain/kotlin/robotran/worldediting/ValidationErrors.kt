@@ -8,14 +8,14 @@ import robotran.world.NeedsTemplate
 import robotran.world.World
 import robotran.world.WorldLimits
 import robotran.world.file.WorldFileResult
-import robotran.world.file.edgesCross
-import robotran.world.file.flat
 import robotran.world.file.outline
-import robotran.world.file.overlap
 import robotran.world.file.readWorld
 import robotran.world.file.writeWorld
 import robotran.world.geometry.Outline
 import robotran.world.geometry.Shape
+import robotran.world.geometry.edgesCross
+import robotran.world.geometry.flat
+import robotran.world.geometry.overlap
 import robotran.world.geometry.signedArea
 import kotlin.math.abs
 
@@ -65,7 +65,7 @@ fun validationErrorsOf(world: World): List<ValidationError> = quickValidationErr
 }
 
 private fun startErrors(world: World): List<ValidationError> {
-    val robots = world.robots.map { outline(it.start) }
+    val robots = world.robots.map { outline(it.start, it.description) }
     val obstacles: List<Pair<ElementRef, Outline>> =
         world.walls.mapIndexed { number, wall -> ElementRef(ElementKind.WALL, number) to outline(wall) } +
             world.barriers.mapIndexed { number, barrier ->

@@ -86,7 +86,10 @@ object WorldLimits {
     const val MAXIMUM_LAPS = 100.0
     const val MAXIMUM_TOLERANCE = 100.0
     const val MAXIMUM_EXCESS = 100.0
-    const val MAXIMUM_DISPLAY_CHARACTERS = 12
+
+    /** A line of the display of an NXT. */
+    const val MAXIMUM_DISPLAY_CHARACTERS = 16
+
     const val MAXIMUM_SOUNDS = 1000
 
     /** The range of a brick's loudspeaker, in hertz. */

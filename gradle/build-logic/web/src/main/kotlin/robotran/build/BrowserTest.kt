@@ -48,7 +48,7 @@ abstract class BrowserTest
 
         /**
          * The programs that the page runs. [expectedRuns] and [expectedJavaRuns] hold the expected reports and, for
-         * Java, ROM logs.
+         * Java, ROM logs; [expectedNxtRuns] and [expectedNxjRuns] the expected reports of an NXT.
          */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
@@ -62,12 +62,21 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedJavaRuns: DirectoryProperty
 
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedNxtRuns: DirectoryProperty
+
+        /** Those of Java for an NXT. */
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedNxjRuns: DirectoryProperty
+
         /** Projects that the page runs, each with its expected report. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedProjectRuns: DirectoryProperty
 
-        /** A class of hand-ins, and the grades that the page should give them. */
+        /** Classes of hand-ins, and the grades that the page should give them. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedGrades: DirectoryProperty
@@ -105,6 +114,8 @@ abstract class BrowserTest
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)
+                exec.environment("EXPECTED_NXT_RUNS", expectedNxtRuns.get().asFile.path)
+                exec.environment("EXPECTED_NXJ_RUNS", expectedNxjRuns.get().asFile.path)
                 exec.environment("EXPECTED_PROJECT_RUNS", expectedProjectRuns.get().asFile.path)
                 exec.environment("EXPECTED_GRADES", expectedGrades.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)

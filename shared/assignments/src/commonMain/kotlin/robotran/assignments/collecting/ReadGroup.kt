@@ -1,6 +1,7 @@
 package robotran.assignments.collecting
 
 import robotran.assignments.messages.CollectingMessages
+import robotran.brick.program.BrickProgram
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -14,7 +15,6 @@ import robotran.projects.ProjectRobot
 import robotran.projects.linksIn
 import robotran.projects.openHandInLink
 import robotran.projects.readProject
-import robotran.rcxrom.Brick
 
 /** Reads what the files of a group hold. */
 internal class GroupReader(private val assignment: Project, private val language: Language) {
@@ -160,8 +160,8 @@ internal class GroupReader(private val assignment: Project, private val language
             )
             if (programs.isEmpty()) return null
             val modified = newest.maxOf { it.first.modified ?: 0 }
-            val submission = if (programs.size > Brick.MAX_PROGRAMS) {
-                val reason = messages.tooManyPrograms(programs.size, Brick.MAX_PROGRAMS)
+            val submission = if (programs.size > BrickProgram.MAX_PROGRAMS) {
+                val reason = messages.tooManyPrograms(programs.size, BrickProgram.MAX_PROGRAMS)
                 Submission.Unusable(group.name, group.origin, reason)
             } else {
                 val robot = ProjectRobot(assignment.world.robots.first().name, programs)

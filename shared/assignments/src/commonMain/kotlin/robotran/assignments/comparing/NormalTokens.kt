@@ -3,7 +3,7 @@ package robotran.assignments.comparing
 import robotran.language.ProgramLanguage
 import robotran.projects.ProjectProgram
 import robotran.robolang.SourceTokenKind
-import robotran.robolang.robolangTokens
+import robotran.robolang.robolangTokensOfLines
 
 /**
  * The words, numbers and signs of [program], at most [MAXIMUM_TOKENS], without comments. All names that a pupil may
@@ -14,8 +14,10 @@ internal fun normalTokens(program: ProjectProgram): List<String> = when (program
     ProgramLanguage.JAVA -> program.files.asSequence().sortedBy { it.name }.flatMap { java(it.text) }
 }.take(MAXIMUM_TOKENS).toList()
 
-private fun robolang(text: String): Sequence<String> = text.lineSequence().flatMap { line ->
-    robolangTokens(line).mapNotNull { token ->
+private fun robolang(text: String): Sequence<String> = text.lineSequence().zip(
+    robolangTokensOfLines(text).asSequence(),
+).flatMap { (line, tokens) ->
+    tokens.mapNotNull { token ->
         when (token.kind) {
             SourceTokenKind.COMMENT -> null
             SourceTokenKind.NAME -> NAME

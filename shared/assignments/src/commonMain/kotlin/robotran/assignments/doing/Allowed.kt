@@ -5,9 +5,20 @@ import robotran.projects.Assignment
 import robotran.projects.ProjectProgram
 import robotran.robolang.RobolangWords
 import robotran.robolang.SourceTokenKind
-import robotran.robolang.robolangTokens
+import robotran.robolang.robolangTokensOfLines
 
-private val SENSES = listOf("bumper", "light", "sensor", "button", "timer", "battery")
+private val SENSES = listOf(
+    "bumper",
+    "light",
+    "sensor",
+    "button",
+    "timer",
+    "battery",
+    "distance",
+    "loudness",
+    "colour",
+    "turned",
+)
 
 /**
  * The words of Robolang that an assignment can allow or not: commands, functions, and what a program can ask the robot
@@ -21,9 +32,9 @@ val wordsToAllow: List<String> = (RobolangWords.commands - "end") + SENSES + Rob
  */
 fun forbiddenWords(assignment: Assignment, programs: List<ProjectProgram>): List<String> {
     if (assignment.words.isEmpty()) return emptyList()
-    val forbidden = wordsToAllow.toSet() - assignment.words.map(::lowercaseWord).toSet()
+    val forbidden = wordsToAllow.toSet() - assignment.words.mapNotNull(RobolangWords::spellingOf).toSet()
     val used = programs.filter { it.language == ProgramLanguage.ROBOLANG }
-        .flatMapTo(mutableSetOf()) { program -> program.files.flatMap { wordsOf(it.text) } }
+        .flatMapTo(mutableSetOf()) { program -> program.files.flatMap { wordsOfLines(it.text).flatten() } }
     return wordsToAllow.filter { it in forbidden && it in used }
 }
 
@@ -35,12 +46,15 @@ fun forbiddenLanguages(assignment: Assignment, programs: List<ProjectProgram>): 
         programs.map { it.language }.distinct() - assignment.languages.toSet()
     }
 
-private fun wordsOf(text: String): Set<String> = text.lineSequence().flatMapTo(mutableSetOf()) { line ->
-    robolangTokens(line).filter { it.kind in WORDS }.map { lowercaseWord(line.substring(it.start, it.end)) }
+/** The words of each line of [program], in their usual spelling. A word that the program uses as a name is none. */
+internal fun wordsOfLines(program: String): List<Set<String>> {
+    val text = program.removePrefix(BYTE_ORDER_MARK)
+    return text.lines().zip(robolangTokensOfLines(text)) { line, tokens ->
+        tokens.filter { it.kind in WORDS }.mapNotNullTo(mutableSetOf()) {
+            RobolangWords.spellingOf(line.substring(it.start, it.end))
+        }
+    }
 }
 
-/** Lowercases only ASCII, which Robolang's words consist of: the platforms differ on some other letters. */
-private fun lowercaseWord(word: String): String =
-    buildString(word.length) { word.forEach { append(if (it in 'A'..'Z') it + ('a' - 'A') else it) } }
-
+private const val BYTE_ORDER_MARK = "\uFEFF"
 private val WORDS = setOf(SourceTokenKind.KEYWORD, SourceTokenKind.BUILT_IN)

@@ -21,16 +21,9 @@ fun notAllowedIn(assignment: Assignment, programs: List<ProjectProgram>): List<N
     programs.flatMap { program ->
         val hasLanguage = forbiddenLanguages(assignment, listOf(program)).isEmpty()
         val other = if (hasLanguage) emptyList() else listOf(NotAllowed.InLanguage(program.name, program.language))
-        other + forbiddenWords(assignment, listOf(program)).map { word ->
-            NotAllowed.HasWord(program.name, word, lineOf(assignment, program, word))
+        val words = forbiddenWords(assignment, listOf(program))
+        val lines = if (words.isEmpty()) emptyList() else wordsOfLines(program.files.first().text)
+        other + words.map { word ->
+            NotAllowed.HasWord(program.name, word, maxOf(0, lines.indexOfFirst { word in it }) + 1)
         }
     }
-
-private fun lineOf(assignment: Assignment, program: ProjectProgram, word: String): Int {
-    val file = program.files.first()
-    val index = file.text.lines().indexOfFirst { line ->
-        line.contains(word, ignoreCase = true) &&
-            word in forbiddenWords(assignment, listOf(program.copy(files = listOf(file.copy(text = line)))))
-    }
-    return maxOf(0, index) + 1
-}

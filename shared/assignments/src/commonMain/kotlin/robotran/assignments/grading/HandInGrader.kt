@@ -6,11 +6,13 @@ import robotran.language.Language
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
+import robotran.projects.target
+import robotran.projects.unfinishedRobot
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.grade.GoalRun
@@ -33,7 +35,7 @@ class HandInGrader(
     java: JavaSettings = assignment.settings.java,
     private val milliseconds: Int? = null,
 ) {
-    private val compiler = ProgramCompiler(PENBOT_CALIBRATION, java, language)
+    private val compiler = ProgramCompiler(PENBOT_TARGET, java, language)
 
     /** Compiles the programs of [submission] for each world of the plan. */
     suspend fun prepare(submission: Submission.Usable): Preparation = try {
@@ -45,6 +47,11 @@ class HandInGrader(
     }
 
     private suspend fun prepareUnguarded(submission: Submission.Usable): Preparation {
+        for (graded in plan.worlds) {
+            val unfinished = unfinishedRobot(graded.world, language) ?: continue
+            // That is no mistake of the pupil's.
+            return Preparation.Failed(submission, unfinished.diagnostics.map { it.message })
+        }
         val first = assignment.world.robots.first().name
         val robots = listOf(submission.robot.copy(name = first)) + assignment.robots.filter { it.name != first }
         val sources = robots.associate { robot -> robot.name to robot.programs.map { it.source } }
@@ -54,7 +61,7 @@ class HandInGrader(
             val known = graded.world.robots.map { it.name }
             val own = graded.world.robots.first().name
             val given = sources.mapKeys { (name, _) -> if (name == first) own else name }.filterKeys { it in known }
-            val robotsOfWorld = graded.world.robots.map { it.name to it.program }
+            val robotsOfWorld = graded.world.robots.map { Triple(it.name, it.program, it.description.target) }
             val result = compiled.getOrPut(robotsOfWorld) { readRobotLoads(graded.world, compiler, given) }
             when (result) {
                 is RobotLoads.Ready -> {

@@ -36,4 +36,15 @@ class AllowedTest {
         val rules = Assignment("a", languages = listOf(ProgramLanguage.ROBOLANG))
         assertEquals(listOf(ProgramLanguage.JAVA), forbiddenLanguages(rules, programs))
     }
+
+    @Test
+    fun `the words of an NXT can be allowed or not, in either spelling, unless they are names`() {
+        val senses = robolang("show distance\nif color == RED\n  show turned A\n  show loudness\nend\n")
+        val rules = Assignment("a", words = listOf("show", "if", "Color"))
+        assertEquals(listOf("distance", "loudness", "turned"), forbiddenWords(rules, listOf(senses)))
+        val strict = Assignment("a", words = listOf("show", "if", "distance", "loudness", "turned"))
+        assertEquals(listOf(NotAllowed.HasWord("prog.robo", "colour", 2)), notAllowedIn(strict, listOf(senses)))
+        val names = robolang("forward distance\nvar loudness = 2\nconst distance = 3\n")
+        assertEquals(listOf("forward", "var", "const"), forbiddenWords(rules, listOf(names)))
+    }
 }

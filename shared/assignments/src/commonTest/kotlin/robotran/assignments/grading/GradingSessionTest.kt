@@ -8,10 +8,13 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.file
 import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.FingerTouchPart
+import robotran.world.ReadyRobots
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertIs
+import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
@@ -96,5 +99,26 @@ class GradingSessionTest {
         assertEquals(listOf("boom"), assertIs<GradedHandIn.Failed>(results[1]).reasons)
         assertIs<GradedHandIn.Graded>(results[0])
         assertFalse(submissions.any { it is Submission.Unusable && it.name != "dora" })
+    }
+
+    @Test
+    fun `as long as a robot is unfinished, no hand-in is graded, and none is blamed`() = runTest {
+        val checks = assertNotNull(ASSIGNMENT.assignment?.checks)
+        val draft = ReadyRobots.NXT_PENBOT.copy(title = "Two on one", parts = List(2) { FingerTouchPart(1) })
+        val unfinished = checks.variations.map { variation ->
+            val robots = variation.world.robots.map { it.copy(draft = draft) }
+            variation.copy(world = variation.world.copy(robots = robots))
+        }
+        val assignment =
+            ASSIGNMENT.copy(assignment = ASSIGNMENT.assignment?.copy(checks = checks.copy(variations = unfinished)))
+        val grader = HandInGrader(assignment, GradingPlan.of(assignment), loadPhysicsEngine(), Language.ENGLISH)
+        val results = gradeAll(grader, collect(file("anna.robo", DRAWS), file("cem.robo", "forwrd 2\n"))) { runs ->
+            runs.map { it.finish() }
+        }
+        val reasons = results.flatMap { assertIs<GradedHandIn.Failed>(it).reasons }.toSet()
+        assertTrue(
+            reasons.single().startsWith("The robot yellow is not finished: \"Two on one\" cannot drive. "),
+            "$reasons",
+        )
     }
 }

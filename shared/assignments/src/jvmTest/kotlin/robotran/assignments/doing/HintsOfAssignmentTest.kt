@@ -7,7 +7,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
@@ -25,7 +25,7 @@ class HintsOfAssignmentTest {
     private val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(GoalCondition.InkLength(30.0, null))))
 
     private fun hintsAfter(program: String, tries: Int, vararg hints: AssignmentHint): List<String> = runBlocking {
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION, language = Language.ENGLISH)
+        val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
         val sources = mapOf(world.robots.first().name to listOf(ProgramSource.Robolang("a.robo", program)))
         val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, compiler, sources)).loads
         val session = Session(world, loads, loadPhysicsEngine(), Language.ENGLISH)

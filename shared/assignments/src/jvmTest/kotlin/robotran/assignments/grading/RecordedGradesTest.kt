@@ -16,13 +16,18 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 
-/** The browser tests hold the page against the same record, `grades.csv`; `record-grades.sh` writes it anew. */
+/** The browser tests hold the page against the same records, `grades.csv`; `record-grades.sh` writes them anew. */
 class RecordedGradesTest {
     @Test
-    fun `a class with hostile hand-ins gets the recorded grades`() = runTest {
-        val folder = File(assertNotNull(javaClass.getResource("/grades")).toURI())
+    fun `a class with hostile hand-ins gets the recorded grades`() = check("/grades", "parking.robotran")
+
+    @Test
+    fun `so does a class with robots that have an NXT`() = check("/grades/nxt", "wall.robotran")
+
+    private fun check(resource: String, assignmentFile: String) = runTest {
+        val folder = File(assertNotNull(javaClass.getResource(resource)).toURI())
         val assignment = assertIs<ProjectFileResult.Loaded>(
-            readProject(folder.resolve("parking.robotran").readText()),
+            readProject(folder.resolve(assignmentFile).readText()),
         ).project
         val files = folder.resolve("class").listFiles().orEmpty().sorted().map {
             CollectedFile(it.name, it.readBytes())

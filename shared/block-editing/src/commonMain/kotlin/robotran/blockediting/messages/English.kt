@@ -38,7 +38,7 @@ object EnglishBlockMessages : BlockMessages {
         }
 
         BlockEditError.OnlySettings -> {
-            "In a \"robot\" block there are only lines about the light sensor. Put the block below it."
+            "In a \"robot\" block there are only lines about the brick and its sensors. Put the block below it."
         }
 
         BlockEditError.SecondRobot -> {
@@ -175,6 +175,7 @@ object EnglishBlockMessages : BlockMessages {
         ValueKind.NUMBER -> "number"
         ValueKind.CONDITION -> "condition"
         ValueKind.LIST -> "list"
+        ValueKind.COLOUR -> "colour"
         ValueKind.UNKNOWN -> "value"
     }
 

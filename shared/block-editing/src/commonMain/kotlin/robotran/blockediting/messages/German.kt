@@ -38,7 +38,7 @@ object GermanBlockMessages : BlockMessages {
         }
 
         BlockEditError.OnlySettings -> {
-            "In einem \"robot\"-Block stehen nur Zeilen über den Lichtsensor. Leg den Block darunter."
+            "In einem \"robot\"-Block stehen nur Zeilen über den Stein und seine Sensoren. Leg den Block darunter."
         }
 
         BlockEditError.SecondRobot -> {
@@ -175,6 +175,7 @@ object GermanBlockMessages : BlockMessages {
         ValueKind.NUMBER -> "Zahl"
         ValueKind.CONDITION -> "Bedingung"
         ValueKind.LIST -> "Liste"
+        ValueKind.COLOUR -> "Farbe"
         ValueKind.UNKNOWN -> "Wert"
     }
 

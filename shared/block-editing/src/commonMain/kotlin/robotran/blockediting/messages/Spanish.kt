@@ -38,7 +38,7 @@ object SpanishBlockMessages : BlockMessages {
         }
 
         BlockEditError.OnlySettings -> {
-            "En un bloque \"robot\" solo hay líneas sobre el sensor de luz. Pon el bloque debajo."
+            "En un bloque \"robot\" solo hay líneas sobre el ladrillo y sus sensores. Pon el bloque debajo."
         }
 
         BlockEditError.SecondRobot -> {
@@ -175,6 +175,7 @@ object SpanishBlockMessages : BlockMessages {
         ValueKind.NUMBER -> "número"
         ValueKind.CONDITION -> "condición"
         ValueKind.LIST -> "lista"
+        ValueKind.COLOUR -> "color"
         ValueKind.UNKNOWN -> "valor"
     }
 

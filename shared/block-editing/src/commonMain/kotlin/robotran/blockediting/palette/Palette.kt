@@ -4,7 +4,8 @@ import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.group
-import robotran.blockediting.template
+import robotran.blockediting.templateOn
+import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.LineForm
@@ -18,29 +19,36 @@ import robotran.robolang.outline.outlineRobolang
 
 /** The palette: a block for each form of the language, made from its own tables. */
 object Palette {
-    /** All blocks, by group; in a group lines come before values. */
-    val blocks: List<PaletteBlock> by lazy {
-        val lines = LineForm.entries.mapNotNull { form -> form.template?.let { line(form, it) } }
-        val values = ValueForm.entries.flatMap { form -> form.templates.map { value(form, it) } }
-        (lines + values).sortedBy { it.group }
+    private val byBrick: Map<BrickKind, List<PaletteBlock>> by lazy {
+        BrickKind.entries.associateWith { brick ->
+            val lines = LineForm.entries.mapNotNull { form -> form.templateOn(brick)?.let { line(form, it) } }
+            val values = ValueForm.entries.flatMap { form -> form.templatesOn(brick).map { value(form, it) } }
+            (lines + values).sortedWith(compareBy({ it.group }, { it.rankInGroup }))
+        }
     }
 
-    /** The blocks of [group]. */
-    fun blocksOf(group: BlockGroup): List<PaletteBlock> = blocks.filter { it.group == group }
+    /** All blocks for a robot with an RCX, as [blocksFor] has them. */
+    val blocks: List<PaletteBlock> get() = blocksFor(BrickKind.RCX)
+
+    /**
+     * All blocks for a robot with [brick], by group; in a group lines come before values. In [BlockGroup.SENSE] what
+     * reads sensors comes first.
+     */
+    fun blocksFor(brick: BrickKind): List<PaletteBlock> = byBrick.getValue(brick)
+
+    /** The blocks of [group] for a robot with [brick]. */
+    fun blocksOf(group: BlockGroup, brick: BrickKind = BrickKind.RCX): List<PaletteBlock> =
+        blocksFor(brick).filter { it.group == group }
 
     private fun line(form: LineForm, template: String): PaletteBlock {
-        val source = if (form == LineForm.LIGHT_SENSOR) "robot\n$template\nend" else template
+        val source = if (form.isSetting) "robot\n$template\nend" else template
+        val lines = outlineRobolang(source).lines.let { if (form.isSetting) it.drop(1).dropLast(1) else it }
         return PaletteBlock(
             idOf(form),
             form.group,
             isValue = false,
             template,
-            wordsOf(
-                outlineRobolang(source).lines.flatMap {
-                    it.parts
-                },
-                source,
-            ),
+            wordsOf(lines.flatMap { it.parts }, source),
         )
     }
 
@@ -82,6 +90,7 @@ private fun ownBlocks(name: DeclaredName): List<PaletteBlock> {
 private fun changesOf(name: DeclaredName): List<PaletteBlock> = when (name.type) {
     ValueKind.LIST -> elementsOf(name) + own(LineForm.ASSIGN_ELEMENT, "${name.text}[0] = 5")
     ValueKind.CONDITION -> listOf(own(LineForm.ASSIGN, "${name.text} = true"))
+    ValueKind.COLOUR -> listOf(own(LineForm.ASSIGN, "${name.text} = red"))
     ValueKind.NUMBER, ValueKind.UNKNOWN -> listOf(own(LineForm.ASSIGN, "${name.text} = ${name.text} + 1"))
 }
 
@@ -98,7 +107,7 @@ internal const val VALUE_LINE = "var x = "
 
 internal fun idOf(form: LineForm): String = form.name.lowercase().replace('_', '-')
 
-private fun idOf(form: ValueForm): String = "value-" + form.name.lowercase().replace('_', '-')
+internal fun idOf(form: ValueForm): String = "value-" + form.name.lowercase().replace('_', '-')
 
 /** The id of the palette block that has a value like [part]; each built-in function has its own. */
 internal fun idOf(part: PhrasePart.Value, source: String): String {

@@ -7,6 +7,8 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.freeName
+import robotran.robolang.outline.LineForm
+import robotran.robolang.outline.ValueForm
 
 /**
  * A block that a pupil can take from the palette.
@@ -23,6 +25,10 @@ class PaletteBlock internal constructor(
     val template: String,
     val words: Set<String>,
 ) {
+    /** The words that explain it, the best one first. */
+    val explained: List<String>
+        get() = listOfNotNull(MAIN_WORDS[id]) + words
+
     /** The [template] for [program]: the names that it declares differ from all that are there. */
     fun textFor(program: BlockProgram): String {
         if (isValue) return template
@@ -37,3 +43,10 @@ class PaletteBlock internal constructor(
         return lines.text
     }
 }
+
+/** Words that explain blocks better than their first word, which also means something else. */
+private val MAIN_WORDS = mapOf(
+    idOf(LineForm.LIGHT_SENSOR) to "on",
+    idOf(LineForm.COLOUR_SENSOR) to "on",
+    idOf(ValueForm.BUMPER) to "bumper",
+)

@@ -37,6 +37,9 @@ private enum class SearchFit {
     /** Words of the block begin like that. */
     BEGINNINGS,
 
+    /** Pupils say so, in one of the languages. */
+    SYNONYM,
+
     /** Its group is called so. */
     GROUP,
 
@@ -47,6 +50,7 @@ private enum class SearchFit {
 private class SearchEntry(block: PaletteBlock, help: PaletteHelp) {
     private val lines = block.template.lines().map(::wordsOf)
     private val own = lines.flatten()
+    private val synonyms = wordsOf(SYNONYMS[block.id].orEmpty())
     private val offered = block.words.toList() + block.words.flatMap { word ->
         Language.entries.flatMap { wordsOf(help.sentence(word, it).orEmpty()) }
     }
@@ -62,6 +66,7 @@ private class SearchEntry(block: PaletteBlock, help: PaletteHelp) {
     private fun fit(word: String): SearchFit? = when {
         word in own -> SearchFit.WORDS
         own.any { it.startsWith(word) } -> SearchFit.BEGINNINGS
+        word in synonyms || (word.length >= MIN_STEM && synonyms.any { it.startsWith(word) }) -> SearchFit.SYNONYM
         groups.any { isLike(it, word) } -> SearchFit.GROUP
         offered.any { isLike(it, word) } -> SearchFit.HELP
         else -> null

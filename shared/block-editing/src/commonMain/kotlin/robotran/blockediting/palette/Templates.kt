@@ -1,5 +1,6 @@
 package robotran.blockediting.palette
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueForm
@@ -14,7 +15,7 @@ internal val ValueForm.templates: List<String>
         ValueForm.NEGATION -> listOf("-light")
         ValueForm.NOT -> listOf("not left bumper")
         ValueForm.LOGIC -> listOf("left bumper and right bumper")
-        ValueForm.COMPARISON -> listOf("light < 40")
+        ValueForm.COMPARISON -> listOf(LIGHT_COMPARISON)
         ValueForm.ARITHMETIC -> listOf("5 + 5")
         ValueForm.BUILT_IN -> RobolangWords.functions.map { (name, parameters) -> callOf(name, parameters) }
         ValueForm.BUMPER -> listOf("left bumper")
@@ -23,9 +24,22 @@ internal val ValueForm.templates: List<String>
         ValueForm.BUTTON -> listOf("button run")
         ValueForm.TIMER -> listOf("timer")
         ValueForm.BATTERY -> listOf("battery")
+        ValueForm.DISTANCE -> listOf("distance")
+        ValueForm.LOUDNESS -> listOf("loudness")
+        ValueForm.COLOUR -> listOf("colour")
+        ValueForm.COLOUR_NAME -> listOf("red")
+        ValueForm.TURNED -> listOf("turned A")
         ValueForm.BRACKETS -> listOf("(5)")
         ValueForm.NAME, ValueForm.ELEMENT, ValueForm.CALL -> emptyList()
     }
+
+/** The same for a robot with [brick]. */
+internal fun ValueForm.templatesOn(brick: BrickKind): List<String> = when {
+    this.brick != null && this.brick != brick -> emptyList()
+    this == ValueForm.COMPARISON && brick == BrickKind.NXT -> listOf("distance < 20")
+    this == ValueForm.BUTTON && brick == BrickKind.NXT -> listOf("button enter")
+    else -> templates
+}
 
 /** A call of the built-in function [name] with an example for each parameter. */
 private fun callOf(name: String, parameters: Int): String {

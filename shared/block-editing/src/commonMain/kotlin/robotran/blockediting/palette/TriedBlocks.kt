@@ -14,6 +14,8 @@ private val TRIED_IDS = setOf(
     LineForm.START_TURNING,
     LineForm.STOP,
     LineForm.MOTOR,
+    LineForm.MOTOR_TURN,
+    LineForm.START_MOTOR_TURN,
     LineForm.PEN,
     LineForm.BEEP,
     LineForm.BUZZ,

@@ -3,15 +3,20 @@ package robotran.ecj.browser;
 import java.util.ArrayList;
 import java.util.List;
 import org.teavm.jso.JSExport;
+import robotran.ecj.BrickTarget;
 import robotran.ecj.EcjCompiler;
 import robotran.ecj.EcjProblem;
 import robotran.ecj.EcjResult;
 import robotran.ecj.Library;
 
-/** The functions of the WebAssembly module: {@link EcjCompiler} with one library, one compiler and its last result. */
+/**
+ * The functions of the WebAssembly module: {@link EcjCompiler} with a library for each target, one compiler and its last
+ * result.
+ */
 public final class EcjModule {
-    private static Library library = new Library();
-    private static EcjCompiler compiler = new EcjCompiler(library);
+    private static final Library[] LIBRARIES = {new Library(), new Library()};
+    private static BrickTarget target = BrickTarget.LEJOS_RCX;
+    private static EcjCompiler compiler = fresh();
     private static EcjResult result;
     private static List<String> classNames = new ArrayList<>();
 
@@ -20,16 +25,27 @@ public final class EcjModule {
     /** TeaVM requires a main method; this module needs none. */
     public static void main(String[] arguments) {}
 
-    /** Clears the library, so that another one can be added. */
+    /**
+     * What is compiled for from now on. Each target keeps its library.
+     *
+     * @param number that of the {@link BrickTarget}, from 0
+     */
+    @JSExport
+    public static void setTarget(int number) {
+        target = BrickTarget.values()[number];
+        compiler = fresh();
+    }
+
+    /** Clears the target's library, so that another one can be added. */
     @JSExport
     public static void clearLibrary() {
-        library = new Library();
-        compiler = new EcjCompiler(library);
+        LIBRARIES[target.ordinal()] = new Library();
+        compiler = fresh();
     }
 
     @JSExport
     public static void addLibraryClass(String internalName, byte[] classFile) {
-        library.add(internalName, classFile);
+        LIBRARIES[target.ordinal()].add(internalName, classFile);
     }
 
     @JSExport
@@ -47,7 +63,7 @@ public final class EcjModule {
     @JSExport
     public static boolean compile() {
         result = compiler.compile();
-        compiler = new EcjCompiler(library);
+        compiler = fresh();
         classNames = new ArrayList<>(result.classes().keySet());
         return !result.crashed();
     }
@@ -130,6 +146,10 @@ public final class EcjModule {
     @JSExport
     public static String problemMember(int place, int member) {
         return problem(place).members().get(member);
+    }
+
+    private static EcjCompiler fresh() {
+        return new EcjCompiler(LIBRARIES[target.ordinal()], target);
     }
 
     private static EcjProblem problem(int place) {

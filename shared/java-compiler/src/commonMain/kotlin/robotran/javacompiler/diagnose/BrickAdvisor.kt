@@ -53,6 +53,8 @@ internal class BrickAdvisor(private val messages: JavaMessages) {
             ProblemId.ANNOTATION to NewerJava.ANNOTATION,
             ProblemId.DEFAULT_METHOD to NewerJava.INTERFACE_METHOD_BODY,
             ProblemId.STATIC_INTERFACE_METHOD to NewerJava.INTERFACE_METHOD_BODY,
+            ProblemId.DIAMOND to NewerJava.DIAMOND,
+            ProblemId.TEXT_IN_SWITCH to NewerJava.TEXT_IN_SWITCH,
             ProblemId.LAMBDA to NewerJava.LAMBDA,
             ProblemId.METHOD_REFERENCE to NewerJava.LAMBDA,
             ProblemId.RESOURCE_TOO_OLD to NewerJava.TRY_WITH_RESOURCES,

@@ -1,5 +1,6 @@
 package robotran.javacompiler.diagnose
 
+import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.JavaSource
@@ -20,10 +21,11 @@ internal fun shortened(text: String) = if (text.length <= MAX_QUOTED_CHARACTERS)
 /** Turns ECJ's problems in [sources] into diagnostics for pupils: at most one per line, and no follow-up errors. */
 internal class Diagnosis(
     sources: List<JavaSource>,
-    library: Set<String>,
+    library: Map<String, ByteArray>,
     private val compilation: EcjCompilation,
     private val messages: JavaMessages,
     missing: MissingMembers,
+    target: BrickTarget,
 ) {
     private val sources = sources.map(::SourceText)
     private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MAX_PROBLEMS).groupBy { it.path }
@@ -32,9 +34,10 @@ internal class Diagnosis(
     private val libraryNames = LibraryNames(library)
     private val lejos = LejosAdvisor(missing, messages)
     private val brick = BrickAdvisor(messages)
-    private val names = NameAdvisor(libraryNames, suggestions, messages)
-    private val members = MemberAdvisor(libraryNames, suggestions, messages)
-    private val meaning = SemanticAdvisor(messages)
+    private val gaps = BrickGaps.of(target, messages)
+    private val names = NameAdvisor(libraryNames, suggestions, gaps, messages)
+    private val members = MemberAdvisor(libraryNames, suggestions, gaps, messages)
+    private val meaning = SemanticAdvisor(messages, boxes = target == BrickTarget.LEJOS_NXJ)
     private val syntax = SyntaxAdvisor(messages)
 
     /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */

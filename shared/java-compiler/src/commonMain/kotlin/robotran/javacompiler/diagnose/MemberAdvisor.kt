@@ -8,6 +8,7 @@ import robotran.javacompiler.messages.JavaMessages
 internal class MemberAdvisor(
     private val library: LibraryNames,
     private val suggestions: NameSuggestions,
+    private val gaps: BrickGaps,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
@@ -22,6 +23,13 @@ internal class MemberAdvisor(
 
             ProblemId.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1])
                 ?: field(problem, source, name)
+
+            // The class may have the method with other parameters, such as toString() of Object.
+            ProblemId.PARAMETER_MISMATCH -> source.qualifier(problem.start)?.let { owner ->
+                gaps.instead(problem.arguments[1], owner)?.let {
+                    ProblemExplanation(messages.unknownMethod(shortened(problem.arguments[1]), shortened(owner)), it)
+                }
+            }
 
             ProblemId.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
 
@@ -47,12 +55,10 @@ internal class MemberAdvisor(
     }
 
     private fun method(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
-        val owner = problem.arguments.first()
+        val owner = problem.arguments.first().substringBefore('<')
         val isUnqualified = source.codeBefore(problem.start) != '.'
-        val called = absentCall(name).takeIf { isUnqualified }
-        if (called != null) {
-            return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
-        }
+        val instead = if (isUnqualified) gaps.insteadOfCall(name) else null
+        if (instead != null) return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), instead)
         if (isUnqualified) command(problem, source, name)?.let { return it }
         val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
         val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
@@ -78,8 +84,8 @@ internal class MemberAdvisor(
         owner: String?,
         message: String,
     ): ProblemExplanation {
-        val absent = owner?.let { absent(name, it) }
-        if (absent != null) return ProblemExplanation(message, messages.absent(absent))
+        val instead = owner?.let { gaps.instead(name, it) }
+        if (instead != null) return ProblemExplanation(message, instead)
         // The members of the program's own classes are unknown here, but their names are in the source.
         return suggestions.suggested(
             problem,

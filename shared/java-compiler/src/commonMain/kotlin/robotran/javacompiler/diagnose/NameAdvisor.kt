@@ -11,6 +11,7 @@ import robotran.javacompiler.messages.JavaMessages
 internal class NameAdvisor(
     private val library: LibraryNames,
     private val suggestions: NameSuggestions,
+    private val gaps: BrickGaps,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
@@ -18,6 +19,7 @@ internal class NameAdvisor(
         return when (problem.number) {
             ProblemId.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
             ProblemId.UNDEFINED_TYPE -> classAdvice(problem, source, written)
+            ProblemId.AMBIGUOUS_TYPE -> choiceAdvice(source, written)
             ProblemId.UNDEFINED_NAME, ProblemId.UNRESOLVED_VARIABLE -> name(problem, source, written)
             else -> null
         }
@@ -32,10 +34,10 @@ internal class NameAdvisor(
     private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val message = messages.unknownImport(shortened(name))
         // ECJ reports only the missing part: for lejos.nxt.Motor, only lejos.
-        val absent = absent(source.snippetUntil(problem.start, ';'))
+        val instead = gaps.instead(source.snippetUntil(problem.start, ';'))
         val home = library.packageOf(name)?.let { "$it.$name" }
         return when {
-            absent != null -> ProblemExplanation(message, messages.absent(absent))
+            instead != null -> ProblemExplanation(message, instead)
 
             else -> suggestions.suggested(
                 problem,
@@ -64,7 +66,7 @@ internal class NameAdvisor(
 
     private fun classAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val newer = newerFeature(name)
-        val absent = absent(name)
+        val instead = gaps.instead(name)
         val home = library.packageOf(name)
         val message = messages.unknownClass(shortened(name))
         return when {
@@ -72,8 +74,8 @@ internal class NameAdvisor(
                 ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
             }
 
-            absent != null -> {
-                ProblemExplanation(message, messages.absent(absent))
+            instead != null -> {
+                ProblemExplanation(message, instead)
             }
 
             home != null -> {
@@ -93,6 +95,16 @@ internal class NameAdvisor(
                     )
             }
         }
+    }
+
+    /** Several of the imported packages have the class; a program most likely means that of the brick. */
+    private fun choiceAdvice(source: SourceText, name: String): ProblemExplanation {
+        val message = messages.severalClasses(shortened(name))
+        val candidates = library.qualifiedNames.filter { it.substringAfterLast('.') == name }
+        val home = candidates.firstOrNull { !it.startsWith("java.") } ?: candidates.firstOrNull()
+        return home?.let { "import $it;" }
+            ?.let { ProblemExplanation(message, messages.importIt(it), source.addLineAtTop(it)) }
+            ?: ProblemExplanation(message)
     }
 
     private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {

@@ -4,9 +4,13 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
-/** Explains semantic errors. */
-internal class SemanticAdvisor(private val messages: JavaMessages) {
-    private val types = TypeAdvisor(messages)
+/**
+ * Explains semantic errors.
+ *
+ * @param boxes whether Java makes objects of numbers by itself.
+ */
+internal class SemanticAdvisor(private val messages: JavaMessages, boxes: Boolean) {
+    private val types = TypeAdvisor(messages, boxes)
     private val classes = ClassAdvisor(messages)
 
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? =

@@ -9,11 +9,24 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = source.words(problem.start, problem.end)
         val expected = problem.arguments.lastOrNull().orEmpty()
-        return foreignWord(word, problem, source)
+        return unequal(word, problem, source)
+            ?: foreignWord(word, problem, source)
             ?: misplaced(problem, source, expected)
             ?: condition(word, problem, source, expected)
             ?: noStatement(word, problem, source)
             ?: nameOrArray(word, problem, source, expected)
+    }
+
+    /** ECJ reports the second sign only. */
+    private fun unequal(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
+        val both = SourceSpan(problem.start - 1, problem.end)
+        if (word != ">" || source.words(both.start, both.end) != UNEQUAL) return null
+        val right = javaEquivalent(UNEQUAL).orEmpty()
+        return ProblemExplanation(
+            messages.foreignWord(UNEQUAL, right),
+            fix = JavaFix(source.range(both), right),
+            at = both,
+        )
     }
 
     private fun foreignWord(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
@@ -133,6 +146,9 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     private fun Char.isJavaLetter() = isLetter() || this == '_'
 
     private companion object {
+        /** As other languages write it. */
+        const val UNEQUAL = "<>"
+
         val CONDITIONAL = setOf("if", "while", "for")
         val IN_FOR = Regex("""\bfor\s*\([^)]*$""")
     }

@@ -6,7 +6,7 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NewerJava
 
 /** Explains problems with the types of values. */
-internal class TypeAdvisor(private val messages: JavaMessages) {
+internal class TypeAdvisor(private val messages: JavaMessages, private val boxes: Boolean) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemId.TYPE_MISMATCH -> mismatch(problem, source)
 
@@ -52,7 +52,7 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
             }
 
             isBoxing(given, needed) -> {
-                ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING))
+                ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING).takeUnless { boxes })
             }
 
             given == "Object" && needed !in SINGLE_VALUES -> {
@@ -74,10 +74,7 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
         val message = messages.wrongOperator(problem.arguments[0], shortened(types))
         return ProblemExplanation(
             message,
-            if (types.split(", ").any {
-                    it in BOXES
-                }
-            ) {
+            if (!boxes && types.split(", ").any { it in BOXES }) {
                 messages.insteadOf(NewerJava.AUTOBOXING)
             } else {
                 null
@@ -91,8 +88,16 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
         val message = messages.wrongArguments(method, needed, given)
         return when {
             given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
-            isBoxing(given, needed) -> ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING))
+
+            isBoxing(given, needed) -> ProblemExplanation(
+                message,
+                messages.insteadOf(NewerJava.AUTOBOXING).takeUnless {
+                    boxes
+                },
+            )
+
             needed == "String" && given in NUMBERS -> ProblemExplanation(message, messages.makeText())
+
             else -> ProblemExplanation(message)
         }
     }

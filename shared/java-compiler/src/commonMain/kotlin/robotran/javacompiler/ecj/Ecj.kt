@@ -2,8 +2,17 @@ package robotran.javacompiler.ecj
 
 /** The Eclipse compiler (ECJ) of this platform. Its messages are not yet worded for pupils. */
 internal interface Ecj {
-    /** @param gaps the keys of classes and members of [library] whose use is refused, see `EcjCompiler.addGap`. */
-    fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>, gaps: Set<String>): EcjCompilation
+    /**
+     * @param library the class files of the library of [target]; if it is the same map as in the last call for the
+     * target, they are not read again.
+     * @param gaps the keys of classes and members of [library] whose use is refused, see `EcjCompiler.addGap`.
+     */
+    fun compile(
+        sources: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: Set<String>,
+        target: BrickTarget,
+    ): EcjCompilation
 }
 
 /**

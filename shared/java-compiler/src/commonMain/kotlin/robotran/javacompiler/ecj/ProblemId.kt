@@ -21,6 +21,7 @@ internal object ProblemId {
     const val LIBRARY_GAP = -14
 
     const val UNDEFINED_TYPE = 2
+    const val AMBIGUOUS_TYPE = 4
     const val TYPE_MISMATCH = 17
     const val UNDEFINED_NAME = 50
     const val UNINITIALIZED_LOCAL_VARIABLE = 51
@@ -87,6 +88,8 @@ internal object ProblemId {
     const val METHOD_REFERENCE = 646
     const val RESOURCE_TOO_OLD = 874
     const val MULTI_CATCH = 875
+    const val TEXT_IN_SWITCH = 881
+    const val DIAMOND = 883
     const val STATIC_INTERFACE_METHOD = 896
     const val PREVIEW_FEATURE = 1107
     const val ARROW_IN_CASE = 1720

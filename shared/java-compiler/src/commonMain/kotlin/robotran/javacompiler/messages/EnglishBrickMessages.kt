@@ -53,6 +53,14 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
             "Use \"int\", or \"new Integer(...)\" to put a number into a Vector."
         }
 
+        NewerJava.DIAMOND -> {
+            "Write the types in the brackets, too, such as new ArrayList<String>()."
+        }
+
+        NewerJava.TEXT_IN_SWITCH -> {
+            "Use \"if\" and \"equals\": if (word.equals(\"go\"))."
+        }
+
         NewerJava.ASSERT -> {
             "Use \"if\"."
         }
@@ -83,6 +91,8 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
         NewerJava.TRY_WITH_RESOURCES -> "brackets after \"try\""
         NewerJava.SWITCH_EXPRESSION -> "\"switch\" with a value"
         NewerJava.AUTOBOXING -> "way from a number to an object by itself"
+        NewerJava.DIAMOND -> "empty \"<>\""
+        NewerJava.TEXT_IN_SWITCH -> "\"switch\" with a text"
         NewerJava.ASSERT -> "\"assert\""
         NewerJava.VAR -> "\"var\""
         NewerJava.TEXT_BLOCK -> "texts between three quotation marks"

@@ -7,4 +7,5 @@ object EnglishJavaMessages :
     JavaSemanticMessages by EnglishJavaSemanticMessages,
     JavaClassMessages by EnglishJavaClassMessages,
     UnsupportedOnBrickMessages by EnglishBrickMessages,
-    LejosMessages by EnglishLejosMessages
+    LejosMessages by EnglishLejosMessages,
+    NxjMessages by EnglishNxjMessages

@@ -5,6 +5,8 @@ import robotran.language.quoted
 internal object EnglishJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "There is no class ${quoted(name)}."
 
+    override fun severalClasses(name: String) = "Several of the packages that you import have a class ${quoted(name)}."
+
     override fun unknownVariable(name: String) = "There is no variable ${quoted(name)}."
 
     override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} has no method ${quoted(name)}."

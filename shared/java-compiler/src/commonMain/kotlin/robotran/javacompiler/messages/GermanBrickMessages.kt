@@ -52,6 +52,14 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
             "Nimm \"int\", oder \"new Integer(...)\", um eine Zahl in einen Vector zu legen."
         }
 
+        NewerJava.DIAMOND -> {
+            "Schreib die Typen hinein, zum Beispiel new ArrayList<String>()."
+        }
+
+        NewerJava.TEXT_IN_SWITCH -> {
+            "Nimm \"if\" und \"equals\": if (wort.equals(\"los\"))."
+        }
+
         NewerJava.ASSERT -> {
             "Nimm \"if\"."
         }
@@ -82,6 +90,8 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
         NewerJava.TRY_WITH_RESOURCES -> "keine Klammern hinter \"try\""
         NewerJava.SWITCH_EXPRESSION -> "kein \"switch\" mit einem Wert"
         NewerJava.AUTOBOXING -> "keinen Weg von einer Zahl zu einem Objekt, der von selbst geht"
+        NewerJava.DIAMOND -> "kein leeres \"<>\""
+        NewerJava.TEXT_IN_SWITCH -> "kein \"switch\" mit einem Text"
         NewerJava.ASSERT -> "kein \"assert\""
         NewerJava.VAR -> "kein \"var\""
         NewerJava.TEXT_BLOCK -> "keine Texte zwischen drei Anführungszeichen"

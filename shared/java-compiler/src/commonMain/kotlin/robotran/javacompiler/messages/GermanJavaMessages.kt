@@ -7,4 +7,5 @@ object GermanJavaMessages :
     JavaSemanticMessages by GermanJavaSemanticMessages,
     JavaClassMessages by GermanJavaClassMessages,
     UnsupportedOnBrickMessages by GermanBrickMessages,
-    LejosMessages by GermanLejosMessages
+    LejosMessages by GermanLejosMessages,
+    NxjMessages by GermanNxjMessages

@@ -5,6 +5,8 @@ import robotran.language.quoted
 internal object GermanJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "Es gibt keine Klasse ${quoted(name)}."
 
+    override fun severalClasses(name: String) = "Mehrere der importierten Pakete haben eine Klasse ${quoted(name)}."
+
     override fun unknownVariable(name: String) = "Es gibt keine Variable ${quoted(name)}."
 
     override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} hat keine Methode ${quoted(name)}."

@@ -13,7 +13,8 @@ interface JavaMessages :
     JavaSemanticMessages,
     JavaClassMessages,
     UnsupportedOnBrickMessages,
-    LejosMessages {
+    LejosMessages,
+    NxjMessages {
     companion object {
         fun of(language: Language): JavaMessages =
             language.choose(EnglishJavaMessages, SpanishJavaMessages, GermanJavaMessages)
@@ -100,6 +101,9 @@ interface JavaSyntaxMessages {
 /** The messages about undeclared names. Suggestions are passed as they are declared. */
 interface JavaNameMessages {
     fun unknownClass(name: String): String
+
+    /** Several of the imported packages have a class [name]. */
+    fun severalClasses(name: String): String
 
     fun unknownVariable(name: String): String
 

@@ -14,6 +14,10 @@ enum class NewerJava {
     TRY_WITH_RESOURCES,
     SWITCH_EXPRESSION,
     AUTOBOXING,
+
+    /** Type arguments that the compiler finds out by itself: `<>`. */
+    DIAMOND,
+    TEXT_IN_SWITCH,
     ASSERT,
     VAR,
     TEXT_BLOCK,

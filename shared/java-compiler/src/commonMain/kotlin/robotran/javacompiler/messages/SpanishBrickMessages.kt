@@ -52,6 +52,14 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "Usa \"int\", o \"new Integer(...)\" para meter un número en un Vector."
         }
 
+        NewerJava.DIAMOND -> {
+            "Escribe los tipos dentro, por ejemplo new ArrayList<String>()."
+        }
+
+        NewerJava.TEXT_IN_SWITCH -> {
+            "Usa \"if\" y \"equals\": if (palabra.equals(\"ya\"))."
+        }
+
         NewerJava.ASSERT -> {
             "Usa \"if\"."
         }
@@ -82,6 +90,8 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
         NewerJava.TRY_WITH_RESOURCES -> "paréntesis después de \"try\""
         NewerJava.SWITCH_EXPRESSION -> "\"switch\" con un valor"
         NewerJava.AUTOBOXING -> "forma de convertir solo un número en un objeto"
+        NewerJava.DIAMOND -> "\"<>\" vacío"
+        NewerJava.TEXT_IN_SWITCH -> "\"switch\" con un texto"
         NewerJava.ASSERT -> "\"assert\""
         NewerJava.VAR -> "\"var\""
         NewerJava.TEXT_BLOCK -> "textos entre tres comillas"

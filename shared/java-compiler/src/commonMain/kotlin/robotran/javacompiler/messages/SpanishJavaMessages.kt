@@ -7,4 +7,5 @@ object SpanishJavaMessages :
     JavaSemanticMessages by SpanishJavaSemanticMessages,
     JavaClassMessages by SpanishJavaClassMessages,
     UnsupportedOnBrickMessages by SpanishBrickMessages,
-    LejosMessages by SpanishLejosMessages
+    LejosMessages by SpanishLejosMessages,
+    NxjMessages by SpanishNxjMessages

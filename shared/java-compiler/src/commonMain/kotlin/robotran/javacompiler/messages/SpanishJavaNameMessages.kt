@@ -5,6 +5,8 @@ import robotran.language.quoted
 internal object SpanishJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "No existe la clase ${quoted(name)}."
 
+    override fun severalClasses(name: String) = "Varios de los paquetes que importas tienen una clase ${quoted(name)}."
+
     override fun unknownVariable(name: String) = "No existe la variable ${quoted(name)}."
 
     override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} no tiene ningún método ${quoted(name)}."

@@ -4,6 +4,8 @@ internal object EnglishJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Line $line: ${path.ifEmpty { "the file" }} $reason."
 
+    override fun at(line: Int, path: String, sentence: String) = "Line $line: ${path.ifEmpty { "the file" }}: $sentence"
+
     override fun fileTooLong(limit: Int) = "The file is too long: more than $limit characters."
 
     override fun notUtf8() = "The file is not a text in UTF-8; an editor can save it as one."

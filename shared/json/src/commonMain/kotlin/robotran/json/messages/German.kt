@@ -4,6 +4,9 @@ internal object GermanJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Zeile $line: ${path.ifEmpty { "die Datei" }} $reason."
 
+    override fun at(line: Int, path: String, sentence: String) =
+        "Zeile $line: ${path.ifEmpty { "die Datei" }}: $sentence"
+
     override fun fileTooLong(limit: Int) = "Die Datei ist zu lang: Sie hat mehr als $limit Zeichen."
 
     override fun notUtf8() = "Die Datei ist kein Text in UTF-8; ein Editor kann sie so speichern."

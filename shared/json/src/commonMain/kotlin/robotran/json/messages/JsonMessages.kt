@@ -17,6 +17,13 @@ interface JsonMessages {
      */
     fun refused(line: Int, path: String, reason: String): String
 
+    /**
+     * What is wrong at a place of the file.
+     *
+     * @param sentence a whole one of its own.
+     */
+    fun at(line: Int, path: String, sentence: String): String
+
     /** A whole sentence, like the next ones. */
     fun fileTooLong(limit: Int): String
 

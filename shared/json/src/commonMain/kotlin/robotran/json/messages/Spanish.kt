@@ -4,6 +4,9 @@ internal object SpanishJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Línea $line: ${path.ifEmpty { "el archivo" }} $reason."
 
+    override fun at(line: Int, path: String, sentence: String) =
+        "Línea $line: ${path.ifEmpty { "el archivo" }}: $sentence"
+
     override fun fileTooLong(limit: Int) = "El archivo es demasiado largo: tiene más de $limit letras y signos."
 
     override fun notUtf8() = "El archivo no es un texto en UTF-8; un editor puede guardarlo así."

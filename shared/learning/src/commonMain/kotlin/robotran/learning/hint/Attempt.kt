@@ -1,6 +1,6 @@
 package robotran.learning.hint
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.world.World

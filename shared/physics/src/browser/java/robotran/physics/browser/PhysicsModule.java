@@ -138,6 +138,31 @@ public final class PhysicsModule {
         return worlds.get(world).freeDistance(body, fromX, fromY, toX, toY);
     }
 
+    @Export(name = "ray")
+    public static double ray(int world, int body, double fromX, double fromY, double toX, double toY) {
+        return worlds.get(world).ray(body, fromX, fromY, toX, toY);
+    }
+
+    @Export(name = "rayBody")
+    public static int rayBody(int world) {
+        return worlds.get(world).rayBody();
+    }
+
+    @Export(name = "rayMetCircle")
+    public static boolean rayMetCircle(int world) {
+        return worlds.get(world).rayMetCircle();
+    }
+
+    @Export(name = "rayNormalX")
+    public static double rayNormalX(int world) {
+        return worlds.get(world).rayNormalX();
+    }
+
+    @Export(name = "rayNormalY")
+    public static double rayNormalY(int world) {
+        return worlds.get(world).rayNormalY();
+    }
+
     @Export(name = "sineOf")
     public static double sineOf(double angle) {
         return Trigonometry.sine(angle);

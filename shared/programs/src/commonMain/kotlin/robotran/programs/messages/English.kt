@@ -2,4 +2,10 @@ package robotran.programs.messages
 
 object EnglishProgramMessages : ProgramMessages {
     override fun inTranslation(message: String) = "$message (in the Java that it becomes)"
+
+    override fun forOtherBrick(program: String, robot: String) =
+        "This program is for an $program, but the robot has an $robot. Give it to a robot with an $program."
+
+    override fun noImageFor(brick: String) =
+        "This program is for an $brick. Only programs for an RCX can be built for a real brick."
 }

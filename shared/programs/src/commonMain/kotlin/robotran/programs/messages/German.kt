@@ -2,4 +2,11 @@ package robotran.programs.messages
 
 object GermanProgramMessages : ProgramMessages {
     override fun inTranslation(message: String) = "$message (im Java, das daraus wird)"
+
+    override fun forOtherBrick(program: String, robot: String) =
+        "Dieses Programm ist für einen $program, aber der Roboter hat einen $robot. Gib es einem Roboter mit einem " +
+            "$program."
+
+    override fun noImageFor(brick: String) =
+        "Dieses Programm ist für einen $brick. Nur Programme für einen RCX lassen sich für einen echten Stein bauen."
 }

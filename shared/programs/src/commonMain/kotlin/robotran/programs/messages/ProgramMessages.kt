@@ -8,6 +8,12 @@ interface ProgramMessages {
     /** A mistake in the Java that a Robolang program becomes, told at the program's line. */
     fun inTranslation(message: String): String
 
+    /** A program was given to a robot with another brick. Both are names of bricks: `RCX`, `NXT`. */
+    fun forOtherBrick(program: String, robot: String): String
+
+    /** An image was asked for of a program for this brick, which is no RCX. */
+    fun noImageFor(brick: String): String
+
     companion object {
         fun of(language: Language): ProgramMessages =
             language.choose(EnglishProgramMessages, SpanishProgramMessages, GermanProgramMessages)

@@ -2,4 +2,10 @@ package robotran.programs.messages
 
 object SpanishProgramMessages : ProgramMessages {
     override fun inTranslation(message: String) = "$message (en el Java en que se convierte)"
+
+    override fun forOtherBrick(program: String, robot: String) =
+        "Este programa es para un $program, pero el robot tiene un $robot. Dáselo a un robot con un $program."
+
+    override fun noImageFor(brick: String) =
+        "Este programa es para un $brick. Solo los programas para un RCX se pueden preparar para un ladrillo real."
 }

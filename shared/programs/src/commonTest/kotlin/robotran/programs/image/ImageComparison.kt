@@ -4,7 +4,7 @@ import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.linkLejosImage
 import robotran.programs.CallRecorder
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.program.RcxProgram
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.BrickLayout
@@ -28,7 +28,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         program: Map<String, ByteArray>,
         mainClass: String,
         original: ByteArray? = null,
-        happen: (Brick, Long) -> Unit,
+        happen: (RcxBrick, Long) -> Unit,
     ): String? {
         val result = linkLejosImage(program, library, listOf(mainClass))
         val image = (result as? ImageResult.Linked)?.image ?: return null
@@ -71,7 +71,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         layout = layout,
     )
 
-    private fun differenceOf(classFiles: RcxProgram, image: RcxProgram, happen: (Brick, Long) -> Unit): String? {
+    private fun differenceOf(classFiles: RcxProgram, image: RcxProgram, happen: (RcxBrick, Long) -> Unit): String? {
         val (wanted, made) = listOf(classFiles, image).map { program ->
             CallRecorder(program, happen).also { it.run(MILLISECONDS) }
         }

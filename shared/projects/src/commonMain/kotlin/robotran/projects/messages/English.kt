@@ -72,6 +72,9 @@ internal object EnglishProjectMessages : ProjectMessages {
         return "No robot in this world is called $name. $known"
     }
 
+    override fun robotUnfinished(robot: String, title: String, why: String) =
+        "The robot $robot is not finished: \"$title\" cannot drive. $why"
+
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "The robot $robot has been given $count programs, but a brick has room for $limit."
 

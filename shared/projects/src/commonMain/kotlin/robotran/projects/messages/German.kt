@@ -73,6 +73,9 @@ internal object GermanProjectMessages : ProjectMessages {
         return "Kein Roboter in dieser Welt heißt $name. $known"
     }
 
+    override fun robotUnfinished(robot: String, title: String, why: String) =
+        "Der Roboter $robot ist nicht fertig: „$title“ kann nicht fahren. $why"
+
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "Der Roboter $robot hat $count Programme bekommen, aber in einen Stein passen nur $limit."
 

@@ -102,6 +102,14 @@ interface RobotMessages {
     fun unknownRobot(name: String, robots: List<String>): String
 
     fun tooManyPrograms(robot: String, count: Int, limit: Int): String
+
+    /**
+     * Nobody can run a program in a world with [robot] yet.
+     *
+     * @param title of what it is to be.
+     * @param why that is impossible: a sentence.
+     */
+    fun robotUnfinished(robot: String, title: String, why: String): String
 }
 
 internal fun told(reason: ProjectMessages.() -> String): (Language) -> String = { ProjectMessages.of(it).reason() }

@@ -73,6 +73,9 @@ internal object SpanishProjectMessages : ProjectMessages {
         return "Ningún robot de este mundo se llama $name. $known"
     }
 
+    override fun robotUnfinished(robot: String, title: String, why: String) =
+        "El robot $robot no está terminado: «$title» no puede conducir. $why"
+
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "El robot $robot ha recibido $count programas, pero en un ladrillo caben $limit."
 

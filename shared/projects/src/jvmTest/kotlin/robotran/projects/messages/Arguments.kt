@@ -1,6 +1,6 @@
 package robotran.projects.messages
 
-import robotran.rcxrom.program.ProgramFailure
+import robotran.brick.program.ProgramFailure
 import robotran.simulation.messages.Mover
 import robotran.simulation.messages.PaperSector
 import robotran.simulation.messages.Region

@@ -5,6 +5,7 @@ import robotran.json.messages.JsonMessages
 import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
+import robotran.nxt.messages.NxtMessages
 import robotran.programs.messages.ProgramMessages
 import robotran.rcxrom.messages.BrickMessages
 import robotran.robolang.messages.RobolangMessages
@@ -17,6 +18,7 @@ import java.lang.reflect.Modifier
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.world.messages.RobotMessages as RobotBuildMessages
 
 /** Checks every message of every table in all languages, found by reflection, so that none can be forgotten. */
 class MessageTablesTest {
@@ -105,6 +107,7 @@ class MessageTablesTest {
         val tables: Map<Class<*>, (Language) -> Any> = mapOf(
             RobolangMessages::class.java to RobolangMessages::of,
             BrickMessages::class.java to BrickMessages::of,
+            NxtMessages::class.java to NxtMessages::of,
             JavaMessages::class.java to JavaMessages::of,
             TinyVmMessages::class.java to TinyVmMessages::of,
             ImageMessages::class.java to ImageMessages::of,
@@ -113,6 +116,7 @@ class MessageTablesTest {
             SimulationMessages::class.java to SimulationMessages::of,
             JsonMessages::class.java to JsonMessages::of,
             WorldFileMessages::class.java to WorldFileMessages::of,
+            RobotBuildMessages::class.java to RobotBuildMessages::of,
             ProjectMessages::class.java to ProjectMessages::of,
         )
 

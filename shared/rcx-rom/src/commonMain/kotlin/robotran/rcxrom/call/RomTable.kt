@@ -1,5 +1,7 @@
 package robotran.rcxrom.call
 
+import robotran.brick.log.CallGroup
+
 /** The kind of an argument; decides how the log formats it and how the routine checks it. */
 internal enum class RomParameter { CODE, NUMBER, POINTER }
 
@@ -13,7 +15,7 @@ internal enum class RomParameter { CODE, NUMBER, POINTER }
 internal data class RomSignature(
     val address: Int,
     val name: String,
-    val group: RomGroup,
+    val group: CallGroup,
     val codeGroup: Int?,
     val parameters: List<RomParameter>,
     val gap: RomGap?,
@@ -36,75 +38,81 @@ internal object RomTable {
     private val pointer = RomParameter.POINTER
 
     private val all: List<RomSignature> = listOf(
-        routine(RomAddress.INIT_SENSORS, "init sensors", RomGroup.SENSORS),
-        routine(RomAddress.READ_SENSOR, "read sensor", RomGroup.SENSORS, SENSOR_CODES, code, pointer),
-        routine(RomAddress.ACTIVATE_SENSOR, "sensor active", RomGroup.SENSORS, SENSOR_CODES, code),
-        routine(RomAddress.PASSIVATE_SENSOR, "sensor passive", RomGroup.SENSORS, SENSOR_CODES, code),
-        routine(RomAddress.SHUTDOWN_SENSORS, "shutdown sensors", RomGroup.SENSORS),
-        routine(RomAddress.INIT_MOTORS, "init motors", RomGroup.MOTORS),
-        routine(RomAddress.CONTROL_MOTOR, "control motor", RomGroup.MOTORS, MOTOR_CODES, code, number, number),
-        routine(RomAddress.SHUTDOWN_MOTORS, "shutdown motors", RomGroup.MOTORS),
-        routine(RomAddress.INIT_BUTTONS, "init buttons", RomGroup.BUTTONS),
+        routine(RomAddress.INIT_SENSORS, "init sensors", CallGroup.SENSORS),
+        routine(RomAddress.READ_SENSOR, "read sensor", CallGroup.SENSORS, SENSOR_CODES, code, pointer),
+        routine(RomAddress.ACTIVATE_SENSOR, "sensor active", CallGroup.SENSORS, SENSOR_CODES, code),
+        routine(RomAddress.PASSIVATE_SENSOR, "sensor passive", CallGroup.SENSORS, SENSOR_CODES, code),
+        routine(RomAddress.SHUTDOWN_SENSORS, "shutdown sensors", CallGroup.SENSORS),
+        routine(RomAddress.INIT_MOTORS, "init motors", CallGroup.MOTORS),
+        routine(RomAddress.CONTROL_MOTOR, "control motor", CallGroup.MOTORS, MOTOR_CODES, code, number, number),
+        routine(RomAddress.SHUTDOWN_MOTORS, "shutdown motors", CallGroup.MOTORS),
+        routine(RomAddress.INIT_BUTTONS, "init buttons", CallGroup.BUTTONS),
         routine(
             RomAddress.PLAY_VIEW_BUTTON_SOUND,
             "play view button sound",
-            RomGroup.SOUND,
+            CallGroup.SOUND,
             BUTTON_AND_LCD_CODES,
             code,
         ),
-        routine(RomAddress.SET_LCD_SEGMENT, "set LCD segment", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
-        routine(RomAddress.CLEAR_LCD_SEGMENT, "clear LCD segment", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
-        routine(RomAddress.READ_BUTTONS, "read buttons", RomGroup.BUTTONS, BUTTON_AND_LCD_CODES, code, pointer),
+        routine(RomAddress.SET_LCD_SEGMENT, "set LCD segment", CallGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
+        routine(RomAddress.CLEAR_LCD_SEGMENT, "clear LCD segment", CallGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
+        routine(RomAddress.READ_BUTTONS, "read buttons", CallGroup.BUTTONS, BUTTON_AND_LCD_CODES, code, pointer),
         routine(
             RomAddress.SET_LCD_NUMBER,
             "set LCD number",
-            RomGroup.DISPLAY,
+            CallGroup.DISPLAY,
             BUTTON_AND_LCD_CODES,
             code,
             number,
             code,
         ),
-        routine(RomAddress.CLEAR_LCD, "clear LCD", RomGroup.DISPLAY),
-        routine(RomAddress.REFRESH_LCD, "refresh LCD", RomGroup.DISPLAY),
-        routine(RomAddress.SHUTDOWN_BUTTONS, "shutdown buttons", RomGroup.BUTTONS),
-        routine(RomAddress.INIT_POWER, "init power", RomGroup.POWER),
-        routine(RomAddress.PLAY_SYSTEM_SOUND, "play system sound", RomGroup.SOUND, POWER_CODES, code, number),
-        routine(RomAddress.READ_POWER_STATUS, "read power status", RomGroup.POWER, POWER_CODES, code, pointer),
-        routine(RomAddress.POWER_OFF, "power off", RomGroup.POWER),
-        routine(RomAddress.INIT_SERIAL, "init serial", RomGroup.INFRARED, null, pointer, pointer, number, number),
-        routine(RomAddress.SET_RANGE_LONG, "set infrared range long", RomGroup.INFRARED, SERIAL_AND_TONE_CODES, code),
-        routine(RomAddress.SET_RANGE_SHORT, "set infrared range short", RomGroup.INFRARED, SERIAL_AND_TONE_CODES, code),
-        routine(RomAddress.PLAY_TONE, "play tone", RomGroup.SOUND, SERIAL_AND_TONE_CODES, code, number, number),
-        routine(RomAddress.RESET_MINUTE_TIMER, "reset minute timer", RomGroup.TIMER),
-        routine(RomAddress.RECEIVE_DATA, "receive data", RomGroup.INFRARED, null, pointer, number, pointer),
-        routine(RomAddress.CHECK_FOR_DATA, "check for data", RomGroup.INFRARED, null, pointer, pointer),
+        routine(RomAddress.CLEAR_LCD, "clear LCD", CallGroup.DISPLAY),
+        routine(RomAddress.REFRESH_LCD, "refresh LCD", CallGroup.DISPLAY),
+        routine(RomAddress.SHUTDOWN_BUTTONS, "shutdown buttons", CallGroup.BUTTONS),
+        routine(RomAddress.INIT_POWER, "init power", CallGroup.POWER),
+        routine(RomAddress.PLAY_SYSTEM_SOUND, "play system sound", CallGroup.SOUND, POWER_CODES, code, number),
+        routine(RomAddress.READ_POWER_STATUS, "read power status", CallGroup.POWER, POWER_CODES, code, pointer),
+        routine(RomAddress.POWER_OFF, "power off", CallGroup.POWER),
+        routine(RomAddress.INIT_SERIAL, "init serial", CallGroup.INFRARED, null, pointer, pointer, number, number),
+        routine(RomAddress.SET_RANGE_LONG, "set infrared range long", CallGroup.INFRARED, SERIAL_AND_TONE_CODES, code),
+        routine(
+            RomAddress.SET_RANGE_SHORT,
+            "set infrared range short",
+            CallGroup.INFRARED,
+            SERIAL_AND_TONE_CODES,
+            code,
+        ),
+        routine(RomAddress.PLAY_TONE, "play tone", CallGroup.SOUND, SERIAL_AND_TONE_CODES, code, number, number),
+        routine(RomAddress.RESET_MINUTE_TIMER, "reset minute timer", CallGroup.TIMER),
+        routine(RomAddress.RECEIVE_DATA, "receive data", CallGroup.INFRARED, null, pointer, number, pointer),
+        routine(RomAddress.CHECK_FOR_DATA, "check for data", CallGroup.INFRARED, null, pointer, pointer),
         routine(
             RomAddress.SEND_DATA,
             "send data",
-            RomGroup.INFRARED,
+            CallGroup.INFRARED,
             SERIAL_AND_TONE_CODES,
             code,
             number,
             pointer,
             number,
         ),
-        routine(RomAddress.SHUTDOWN_SERIAL, "shutdown serial", RomGroup.INFRARED),
-        routine(RomAddress.INIT_PORT_6_BIT_3, "init port 6 bit 3", RomGroup.POWER),
-        routine(RomAddress.SHUTDOWN_PORT_6_BIT_3, "shutdown port 6 bit 3", RomGroup.POWER),
-        routine(0x36BA, "handle timer tick", RomGroup.TIMER).copy(gap = RomGap.TIMER_TICK),
-        routine(RomAddress.INIT_TIMER, "init timer", RomGroup.TIMER, null, pointer, pointer),
-        routine(RomAddress.READ_SOUND_PLAYING, "read sound playing", RomGroup.SOUND, INTERNAL_CODES, code, pointer),
+        routine(RomAddress.SHUTDOWN_SERIAL, "shutdown serial", CallGroup.INFRARED),
+        routine(RomAddress.INIT_PORT_6_BIT_3, "init port 6 bit 3", CallGroup.POWER),
+        routine(RomAddress.SHUTDOWN_PORT_6_BIT_3, "shutdown port 6 bit 3", CallGroup.POWER),
+        routine(0x36BA, "handle timer tick", CallGroup.TIMER).copy(gap = RomGap.TIMER_TICK),
+        routine(RomAddress.INIT_TIMER, "init timer", CallGroup.TIMER, null, pointer, pointer),
+        routine(RomAddress.READ_SOUND_PLAYING, "read sound playing", CallGroup.SOUND, INTERNAL_CODES, code, pointer),
         routine(
             RomAddress.CONTROL_MOTOR_INTERNALLY,
             "control motor internally",
-            RomGroup.MOTORS,
+            CallGroup.MOTORS,
             INTERNAL_CODES,
             code,
             pointer,
         ),
-        routine(RomAddress.CONTROL_OUTPUT, "control output", RomGroup.TIMER, INTERNAL_CODES, code, number),
-        routine(RomAddress.CLEAR_OUTPUT, "clear output", RomGroup.TIMER, INTERNAL_CODES, code),
-        routine(RomAddress.SHUTDOWN_TIMER, "shutdown timer", RomGroup.TIMER),
+        routine(RomAddress.CONTROL_OUTPUT, "control output", CallGroup.TIMER, INTERNAL_CODES, code, number),
+        routine(RomAddress.CLEAR_OUTPUT, "clear output", CallGroup.TIMER, INTERNAL_CODES, code),
+        routine(RomAddress.SHUTDOWN_TIMER, "shutdown timer", CallGroup.TIMER),
     )
 
     private val byAddress: Map<Int, RomSignature> = all.associateBy { it.address }
@@ -115,10 +123,16 @@ internal object RomTable {
     /** The routine that starts at [address]; null if none is known. */
     fun find(address: Int): RomSignature? = byAddress[address]
 
+    /**
+     * The group of the routine at [address]. Routine 0x327c, which also sets the infrared pointer, counts as
+     * [CallGroup.SOUND].
+     */
+    fun groupOf(address: Int): CallGroup = find(address)?.group ?: CallGroup.UNKNOWN
+
     private fun routine(
         address: Int,
         name: String,
-        group: RomGroup,
+        group: CallGroup,
         codeGroup: Int? = null,
         vararg parameters: RomParameter,
     ) = RomSignature(address, name, group, codeGroup, parameters.toList(), gap = null)

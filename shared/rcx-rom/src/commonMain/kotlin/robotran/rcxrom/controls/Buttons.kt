@@ -1,5 +1,6 @@
 package robotran.rcxrom.controls
 
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 
@@ -12,15 +13,22 @@ internal class Buttons(private val memory: RcxMemory) {
         memory.setBits(Registers.PORT_4, Registers.ON_OFF_RELEASED_BIT, on = true)
     }
 
-    /** Sets whether [button] is held down. Returns false if nothing changed. */
+    /** Sets whether [button], one of an RCX, is held down. Returns false if nothing changed. */
     fun hold(button: BrickButton, down: Boolean): Boolean {
         if (button in pressed == down) return false
         pressed = if (down) pressed + button else pressed - button
         when (button) {
             BrickButton.ON_OFF -> memory.setBits(Registers.PORT_4, Registers.ON_OFF_RELEASED_BIT, !down)
+
             BrickButton.RUN -> memory.setBits(Registers.PORT_4, Registers.RUN_BIT, down)
+
             BrickButton.VIEW -> memory.setBits(Registers.PORT_7, Registers.VIEW_BIT, down)
+
             BrickButton.PRGM -> memory.setBits(Registers.PORT_7, Registers.PRGM_BIT, down)
+
+            BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error(
+                "An RCX has no $button.",
+            )
         }
         return true
     }

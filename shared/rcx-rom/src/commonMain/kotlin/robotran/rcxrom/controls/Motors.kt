@@ -1,5 +1,8 @@
 package robotran.rcxrom.controls
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.controls.MotorState
 import robotran.rcxrom.memory.RcxMemory
 
 /**

@@ -1,9 +1,12 @@
 package robotran.rcxrom.display
 
+import robotran.brick.state.Screen
+import robotran.brick.state.isNumber
+import robotran.brick.state.isSameNumber
 import robotran.rcxrom.memory.RcxMemory
 
 /** The visible content of the LCD: the bytes of its memory as of the last refresh. Immutable. */
-class LcdGlass private constructor(private val bytes: List<Int>) {
+class LcdGlass private constructor(private val bytes: List<Int>) : Screen {
     /**
      * The seven segments of one digit.
      *
@@ -42,7 +45,7 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
      * The [number], a blank, and the [programDigit], such as `9.0 0` or `-42 0`. If one of them is dark, only the
      * other; empty on a clear display.
      */
-    val text: String get() = "$number $programDigit".trim()
+    override val text: String get() = "$number $programDigit".trim()
 
     /**
      * The five characters from left to right in plain text, without surrounding blanks; letters as seven segments form
@@ -51,12 +54,15 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     val characters: String
         get() = (LcdLayout.DIGITS - 1 downTo 0).map { LcdGlyphs.read(digit(it)) }.joinToString("").trim()
 
+    override val lines: List<String> get() = listOf(text)
+    override val texts: List<String> get() = listOf(text, number, characters)
+
     /**
      * Whether the display shows [text], which a program has shown as a number or as text. `42` matches leJOS's `0042`,
      * `1.5` matches more decimals, and letters match in either case, as far as seven segments can form them. Ignores
      * surrounding blanks, characters after the fifth, and the program digit next to a number.
      */
-    fun shows(text: String): Boolean {
+    override fun shows(text: String): Boolean {
         val wanted = text.trim()
         return isSameNumber(wanted, number) || wanted == this.text || isFormed(wanted)
     }
@@ -64,22 +70,11 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     /** Whether the display shows the characters of [wanted] from its left edge or, if it is not a number, anywhere. */
     private fun isFormed(wanted: String): Boolean {
         val shown = (LcdLayout.DIGITS - 1 downTo 0).map(::digit).dropLastWhile { it == 0 }
-        val begun = if (wanted.matches(NUMBER)) shown else shown.dropWhile { it == 0 }
+        val begun = if (isNumber(wanted)) shown else shown.dropWhile { it == 0 }
         val characters = wanted.take(TextLcd.CHARACTERS)
         return begun.size == characters.trimEnd().length && begun.zip(characters.toList()).all { (mask, character) ->
             mask == LcdGlyphs.maskOf(character.lowercaseChar()) || mask == LcdGlyphs.maskOf(character.uppercaseChar())
         }
-    }
-
-    /** Whether both are numbers and equal, apart from extra zeros. */
-    private fun isSameNumber(one: String, other: String): Boolean =
-        one.matches(NUMBER) && other.matches(NUMBER) && withoutIdleZeros(one) == withoutIdleZeros(other)
-
-    private fun withoutIdleZeros(number: String): String {
-        val minus = if (number.startsWith('-')) "-" else ""
-        val whole = number.removePrefix("-").substringBefore('.').trimStart('0').ifEmpty { "0" }
-        val decimals = number.substringAfter('.', "").trimEnd('0')
-        return minus + whole + if (decimals.isEmpty()) "" else ".$decimals"
     }
 
     override fun equals(other: Any?): Boolean = other is LcdGlass && bytes == other.bytes
@@ -92,8 +87,6 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
         bytes[segment.address - LcdLayout.FIRST_ADDRESS] shr segment.bit and 1 == 1
 
     companion object {
-        private val NUMBER = Regex("-?[0-9]+(\\.[0-9]+)?")
-
         /** Nothing is visible, as on a brick that is switched off. */
         val BLANK = LcdGlass(List(LcdLayout.SHOWN_BYTES) { 0 })
 

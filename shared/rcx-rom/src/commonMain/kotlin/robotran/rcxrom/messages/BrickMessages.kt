@@ -1,29 +1,23 @@
 package robotran.rcxrom.messages
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.place
+import robotran.brick.program.ProgramFailure
 import robotran.language.Language
 import robotran.language.choose
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomGap
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 
 /**
- * The texts about a brick in one language: its ROM calls in the log (parts of sentences, without full stop) and
+ * The texts about an RCX in one language: its ROM calls in the log (parts of sentences, without full stop) and
  * explanations of its display.
  */
-interface BrickMessages {
-    /**
-     * A location in a program, at the beginning of a sentence: `Line 7`.
-     *
-     * @param line from 1.
-     * @param file null if the program has only one.
-     */
-    fun place(line: Int, file: String?): String
-
+interface BrickMessages : PlaceMessages {
     /** Explains the numbers that the display shows for [failure], and what to do; whole sentences. */
     fun failureShown(failure: ProgramFailure): String
 
@@ -140,14 +134,6 @@ interface BrickMessages {
         fun of(language: Language): BrickMessages =
             language.choose(EnglishBrickMessages, SpanishBrickMessages, GermanBrickMessages)
     }
-}
-
-/** The button's label on the brick. */
-internal fun buttonName(button: BrickButton) = when (button) {
-    BrickButton.ON_OFF -> "On-Off"
-    BrickButton.VIEW -> "View"
-    BrickButton.PRGM -> "Prgm"
-    BrickButton.RUN -> "Run"
 }
 
 internal fun hexadecimal(value: Int) = RomCallText.hexadecimal(value)

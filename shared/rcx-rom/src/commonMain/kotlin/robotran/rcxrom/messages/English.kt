@@ -1,18 +1,19 @@
 package robotran.rcxrom.messages
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.messages.EnglishPlaceMessages
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.place
+import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomGap
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 
-object EnglishBrickMessages : BrickMessages {
-    override fun place(line: Int, file: String?) = if (file == null) "Line $line" else "$file, line $line"
-
+object EnglishBrickMessages : BrickMessages, PlaceMessages by EnglishPlaceMessages {
     override fun failureShown(failure: ProgramFailure) =
         "The program cannot go on. ${placed(failure)} Press On-Off to go back to the start."
 
@@ -56,7 +57,7 @@ object EnglishBrickMessages : BrickMessages {
         if (ports.isEmpty()) "no sensor changes" else ports.joinToString { sensorPower(it, active) }
 
     override fun buttons(held: List<BrickButton>) =
-        "buttons held down: ${held.joinToString { buttonName(it) }.ifEmpty { "none" }}"
+        "buttons held down: ${held.joinToString { it.label }.ifEmpty { "none" }}"
 
     override fun onOffKey(held: Boolean) = "the On-Off key is ${if (held) "held down" else "up"}"
 

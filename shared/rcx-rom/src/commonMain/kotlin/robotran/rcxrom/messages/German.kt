@@ -1,21 +1,22 @@
 package robotran.rcxrom.messages
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.messages.GermanPlaceMessages
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.place
+import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomGap
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 
 /**
  * The messages in German. One term per concept: brick - Stein, display - Anzeige, thread - Thread, power - Leistung.
  */
-object GermanBrickMessages : BrickMessages {
-    override fun place(line: Int, file: String?) = if (file == null) "Zeile $line" else "$file, Zeile $line"
-
+object GermanBrickMessages : BrickMessages, PlaceMessages by GermanPlaceMessages {
     override fun failureShown(failure: ProgramFailure) =
         "Das Programm kann nicht weiter. ${placed(failure)} Drück auf On-Off, um zum Anfang zurückzukommen."
 
@@ -60,7 +61,7 @@ object GermanBrickMessages : BrickMessages {
         if (ports.isEmpty()) "kein Sensor ändert sich" else ports.joinToString { sensorPower(it, active) }
 
     override fun buttons(held: List<BrickButton>) =
-        "gedrückte Tasten: ${held.joinToString { buttonName(it) }.ifEmpty { "keine" }}"
+        "gedrückte Tasten: ${held.joinToString { it.label }.ifEmpty { "keine" }}"
 
     override fun onOffKey(held: Boolean) = "die Taste On-Off ist ${if (held) "gedrückt" else "losgelassen"}"
 

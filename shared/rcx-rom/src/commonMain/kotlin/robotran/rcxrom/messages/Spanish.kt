@@ -1,21 +1,22 @@
 package robotran.rcxrom.messages
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.messages.PlaceMessages
+import robotran.brick.messages.SpanishPlaceMessages
+import robotran.brick.messages.place
+import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomGap
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
-import robotran.rcxrom.program.ProgramFailure
 
 /**
  * The messages in Spanish. One term per concept: brick - ladrillo, display - pantalla, thread - hilo, power - potencia.
  */
-object SpanishBrickMessages : BrickMessages {
-    override fun place(line: Int, file: String?) = if (file == null) "Línea $line" else "$file, línea $line"
-
+object SpanishBrickMessages : BrickMessages, PlaceMessages by SpanishPlaceMessages {
     override fun failureShown(failure: ProgramFailure) =
         "El programa no puede seguir. ${placed(failure)} Pulsa On-Off para volver al principio."
 
@@ -59,7 +60,7 @@ object SpanishBrickMessages : BrickMessages {
         if (ports.isEmpty()) "no cambia ningún sensor" else ports.joinToString { sensorPower(it, active) }
 
     override fun buttons(held: List<BrickButton>) =
-        "botones pulsados: ${held.joinToString { buttonName(it) }.ifEmpty { "ninguno" }}"
+        "botones pulsados: ${held.joinToString { it.label }.ifEmpty { "ninguno" }}"
 
     override fun onOffKey(held: Boolean) = "el botón On-Off está ${if (held) "pulsado" else "suelto"}"
 

@@ -1,78 +1,13 @@
 package robotran.rcxrom.program
 
-/** A program that can be loaded into a slot of the brick, in any language. */
-interface RcxProgram {
-    /** The name that the pupil sees, usually the file's. */
-    val name: String
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
+import robotran.brick.program.ProgramRun
+
+/** A program for an RCX. */
+interface RcxProgram : BrickProgram {
+    override val kind: BrickKind get() = BrickKind.RCX
 
     /** Starts a new run at the first statement. The run controls the robot only through [rom]. */
     fun start(rom: Rom): ProgramRun
 }
-
-/** One run of an [RcxProgram]. It advances only in [resume], so it can be paused, stepped and stopped at any time. */
-interface ProgramRun {
-    /** The line to be executed next, or the last one once the run is over; from 1, 0 if there is none. */
-    val sourceLine: Int
-
-    /** The file of [sourceLine]; null if the program has only one. */
-    val sourceFile: String? get() = null
-
-    /** Warnings for the pupil about this run so far. */
-    val remarks: List<RuntimeWarning> get() = emptyList()
-
-    /**
-     * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits,
-     * ends or fails. Must not be called again after [ProgramStatus.Ended] or [ProgramStatus.Failed].
-     */
-    fun resume(steps: Int): ProgramStatus
-}
-
-/** The state of a [ProgramRun] after a [ProgramRun.resume]. */
-sealed interface ProgramStatus {
-    /** The step budget is used up; there is more to do. */
-    data object Running : ProgramStatus
-
-    /** A [StatementWatch] paused the run before a statement, with [stepsLeft] of the step budget unused. */
-    data class Paused(val stepsLeft: Int) : ProgramStatus
-
-    /** Nothing to do until the brick's clock, [Rom.milliseconds], reaches [untilMilliseconds]. */
-    data class Waiting(val untilMilliseconds: Long) : ProgramStatus
-
-    /**
-     * One of the program's threads failed; the others can continue. A brick first shows the failure and waits for
-     * On-Off; its motors keep running meanwhile.
-     */
-    data class ThreadFailed(val failure: ProgramFailure) : ProgramStatus
-
-    data object Ended : ProgramStatus
-
-    data class Failed(val failure: ProgramFailure) : ProgramStatus
-}
-
-/**
- * Why a program failed.
- *
- * @property message one sentence in words a pupil knows.
- * @property sourceLine the line of the failure, from 1; 0 if there is none.
- * @property methodNumber the number on the display: in leJOS that of the method's signature, otherwise the line. 0 or
- * more.
- * @property exceptionNumber its last digit is the program digit: in leJOS the number of the exception's class. 0 or
- * more.
- * @property sourceFile the file of the failure; null if the program has only one.
- */
-data class ProgramFailure(
-    val message: String,
-    val sourceLine: Int,
-    val methodNumber: Int = sourceLine,
-    val exceptionNumber: Int = 0,
-    val sourceFile: String? = null,
-)
-
-/**
- * A warning for the pupil about a run that continues.
- *
- * @property message a sentence or two in words a pupil knows.
- * @property sourceLine the line of its cause, from 1; 0 if there is none.
- * @property sourceFile the file of its cause; null if the program has only one.
- */
-data class RuntimeWarning(val message: String, val sourceLine: Int, val sourceFile: String? = null)

@@ -1,7 +1,7 @@
 package robotran.rcxrom.program
 
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.call.RomCall
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.infrared.InfraredLine
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.sensors.SensorField

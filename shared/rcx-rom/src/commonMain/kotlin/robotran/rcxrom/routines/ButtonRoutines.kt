@@ -1,8 +1,8 @@
 package robotran.rcxrom.routines
 
+import robotran.brick.controls.BrickButton
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.controls.Buttons
 import robotran.rcxrom.display.Lcd
 import robotran.rcxrom.memory.RcxMemory

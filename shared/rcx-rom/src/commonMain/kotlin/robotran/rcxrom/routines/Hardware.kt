@@ -1,12 +1,12 @@
 package robotran.rcxrom.routines
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
+import robotran.brick.log.CallLog
 import robotran.rcxrom.controls.Buttons
 import robotran.rcxrom.controls.Motors
 import robotran.rcxrom.display.Lcd
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.Serial
-import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.memory.FirmwareTimers
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
@@ -40,7 +40,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     val expectations = SensorExpectations()
     val timers = FirmwareTimers(memory)
     val serial = Serial(memory, air.open(), clock = { milliseconds })
-    val log = RomLog()
+    val log = CallLog()
     val sounds = SoundRoutines(memory, speaker, messages)
 
     val rom = VirtualRom(

@@ -1,10 +1,11 @@
 package robotran.rcxrom.routines
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.controls.Motors
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages
 
@@ -23,7 +24,7 @@ internal class MotorRoutines(
 
     private fun control(arguments: List<Int>): RomEffect {
         val (code, modeCode, powerWord) = arguments
-        val port = MotorPort.entries.find { it.code == code } ?: return refused(messages.unknownCode(code))
+        val port = MotorPort.entries.find { it.romCode == code } ?: return refused(messages.unknownCode(code))
         val mode = MotorMode.entries.find { it.code == modeCode }
         val power = powerWord % POWERS
         motors.control(port, mode, power)

@@ -1,15 +1,15 @@
 package robotran.rcxrom.routines
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.log.CallLog
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomSignature
 import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.clock.Clock
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.controls.Buttons
 import robotran.rcxrom.infrared.InfraredLine
-import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
 import robotran.rcxrom.messages.BrickMessages
@@ -27,7 +27,7 @@ import robotran.rcxrom.sensors.Sensors
  */
 internal class VirtualRom(
     override val memory: RcxMemory,
-    private val log: RomLog,
+    private val log: CallLog,
     private val routines: Map<Int, RomRoutine>,
     private val sensors: Sensors,
     private val expectations: SensorExpectations,
@@ -61,9 +61,9 @@ internal class VirtualRom(
 
     private fun perform(call: RomCall): RomEffect {
         val signature =
-            RomTable.find(call.address) ?: return RomEffect(messages.unknownRoutine(), RomOutcome.UNKNOWN_ROUTINE)
+            RomTable.find(call.address) ?: return RomEffect(messages.unknownRoutine(), CallOutcome.UNKNOWN_ROUTINE)
         if (signature.gap != null) {
-            return RomEffect(messages.notModelled(signature.name, signature.gap), RomOutcome.NOT_MODELLED)
+            return RomEffect(messages.notModelled(signature.name, signature.gap), CallOutcome.NOT_MODELLED)
         }
         val arguments = call.arguments.map { it and WORD }
         return refusal(signature, arguments) ?: routines.getValue(call.address)(arguments)

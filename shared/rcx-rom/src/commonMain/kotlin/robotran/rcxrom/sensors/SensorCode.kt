@@ -1,5 +1,7 @@
 package robotran.rcxrom.sensors
 
+import robotran.brick.sensors.SensorKind
+
 /** Sensor constants: types, modes and raw values. Sources: leJOS `SensorConstants.java`, `sensors.c`. */
 object SensorCode {
     const val TYPE_TOUCH = 1
@@ -28,4 +30,13 @@ object SensorCode {
 
     /** The period in which the firmware reads all ports. */
     const val READING_MILLISECONDS = 3
+
+    /** The kind of sensor with this [type]; null for raw values, which any sensor has, and for other types. */
+    fun kindOf(type: Int): SensorKind? = when (type) {
+        TYPE_TOUCH -> SensorKind.TOUCH
+        TYPE_TEMPERATURE -> SensorKind.TEMPERATURE
+        TYPE_LIGHT -> SensorKind.LIGHT
+        TYPE_ROTATION -> SensorKind.ROTATION
+        else -> null
+    }
 }

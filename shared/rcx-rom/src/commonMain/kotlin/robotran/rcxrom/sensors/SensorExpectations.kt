@@ -1,5 +1,7 @@
 package robotran.rcxrom.sensors
 
+import robotran.brick.sensors.ExpectedSensor
+
 /**
  * Finds out which sensors a program expects: it sets the type of a port, or powers a port whose type is light or
  * rotation. leJOS's class `Sensor` sets all ports to light when a program first uses it. So the first time that a run
@@ -34,7 +36,7 @@ internal class SensorExpectations {
     }
 
     private fun expect(port: Int, type: Int) {
-        val kind = SensorKind.of(type) ?: return
+        val kind = SensorCode.kindOf(type) ?: return
         if (all.any { it.port == port + 1 && it.kind == kind }) return
         val (line, file) = place()
         all = all + ExpectedSensor(port + 1, kind, line, file)

@@ -1,5 +1,7 @@
 package robotran.rcxrom.sensors
 
+import robotran.brick.state.InputReading
+
 /**
  * The firmware's last reading of an input port.
  *
@@ -10,10 +12,13 @@ package robotran.rcxrom.sensors
  * @property active whether the port is powered, as light and rotation sensors need.
  */
 data class SensorState(
-    val port: Int,
+    override val port: Int,
     val mode: SensorMode,
     val raw: Int,
-    val value: Int,
+    override val value: Int,
     val boolean: Boolean,
     val active: Boolean,
-)
+) : InputReading {
+    override val isActive: Boolean get() = active
+    override val isPressed: Boolean get() = boolean
+}

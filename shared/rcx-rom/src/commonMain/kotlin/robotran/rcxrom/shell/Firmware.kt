@@ -1,12 +1,13 @@
 package robotran.rcxrom.shell
 
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.memory.FirmwareMemory
-import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sound.Speaker
@@ -86,7 +87,7 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
 
     /** Sets all motors to [mode] with power 0. */
     fun controlMotors(mode: MotorMode) =
-        MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.code, mode.code, 0) }
+        MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.romCode, mode.code, 0) }
 
     /** Takes a received message; copies up to [longest] bytes to [FirmwareMemory.MESSAGE]. */
     fun receive(longest: Int) {

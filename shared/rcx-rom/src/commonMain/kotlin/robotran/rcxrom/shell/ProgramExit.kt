@@ -1,10 +1,10 @@
 package robotran.rcxrom.shell
 
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorState
+import robotran.brick.program.ProgramFailure
+import robotran.brick.state.RunState
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.state.RunState
 
 /** How the last run of a program ended, and its explanation for the pupil. */
 internal class ProgramExit(private val messages: BrickMessages) {

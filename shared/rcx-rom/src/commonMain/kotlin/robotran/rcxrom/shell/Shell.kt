@@ -1,17 +1,17 @@
 package robotran.rcxrom.shell
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.controls.MotorMode
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorMode
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramRun
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.state.RunState
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRun
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
-import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.SystemSounds
-import robotran.rcxrom.state.RunState
 
 /**
  * The leJOS shell: handles the buttons, starts and ends program runs, and answers messages between runs. Source: leJOS
@@ -100,7 +100,7 @@ internal class Shell(
         }
     }
 
-    /** See [robotran.rcxrom.Brick.runNow]. */
+    /** See [robotran.rcxrom.RcxBrick.runNow]. */
     fun runNow(program: RcxProgram) {
         hardware.wake()
         when {

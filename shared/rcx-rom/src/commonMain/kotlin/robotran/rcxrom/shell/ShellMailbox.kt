@@ -1,9 +1,10 @@
 package robotran.rcxrom.shell
 
+import robotran.brick.log.CallLog
+import robotran.brick.log.CallOutcome
 import robotran.rcxrom.call.RomGap
 import robotran.rcxrom.infrared.SerialReceiver
-import robotran.rcxrom.log.RomLog
-import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.memory.FirmwareMemory
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
@@ -14,7 +15,7 @@ internal class ShellMailbox(
     private val memory: RcxMemory,
     private val firmware: Firmware,
     private val messages: BrickMessages,
-    private val log: RomLog,
+    private val log: CallLog,
 ) {
     /** What the shell must do after a message. */
     enum class ShellAction { NONE, START, UNKNOWN }
@@ -49,9 +50,9 @@ internal class ShellMailbox(
 
     private fun report(): ShellAction {
         log.amendLast {
-            it.copy(
+            (it as RomLogEntry).copy(
                 meaning = messages.messageNotModelled(it.meaning, RomGap.DOWNLOAD),
-                outcome = RomOutcome.NOT_MODELLED,
+                outcome = CallOutcome.NOT_MODELLED,
             )
         }
         return ShellAction.UNKNOWN

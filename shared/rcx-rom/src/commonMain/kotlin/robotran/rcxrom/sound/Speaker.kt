@@ -1,5 +1,7 @@
 package robotran.rcxrom.sound
 
+import robotran.brick.sound.SoundEvent
+import robotran.brick.sound.SoundTrack
 import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.memory.RcxMemory
 

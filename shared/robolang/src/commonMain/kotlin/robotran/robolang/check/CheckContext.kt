@@ -1,5 +1,6 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
@@ -18,6 +19,9 @@ import robotran.robolang.syntax.shortened
 /** The shared state of the checkers: the program, the symbols and types so far, and the diagnostics. */
 internal class CheckContext(val parsed: ParsedProgram, val diagnostics: DiagnosticSink) {
     val messages = diagnostics.messages
+
+    /** The brick that the program is for. */
+    val brick: BrickKind get() = diagnostics.brick
     val tree = parsed.tree
     val drafts = mutableListOf<UnresolvedSymbol>()
     val draftsByName = mutableMapOf<SourceRange, UnresolvedSymbol>()

@@ -3,17 +3,18 @@ package robotran.robolang.check
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 
 /** Checks a program after parsing: names, types, values, control flow and the limits of the brick. */
-internal class Checker(private val calibration: Calibration, private val diagnostics: DiagnosticSink) {
+internal class Checker(private val robot: RobotTarget, private val diagnostics: DiagnosticSink) {
     fun check(parsed: ParsedProgram): CheckedProgram {
         val context = CheckContext(parsed, diagnostics)
         NameResolver(context).resolve()
         if (diagnostics.isEmpty) settleUnusedTypes(context)
-        ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
+        BrickChecker(context, robot.kind).check()
+        ExpressionChecker(context).let { StatementChecker(context, it, robot).check() }
         ControlFlowChecker(context).check()
         val graph = CallGraph(context)
         DeclarationOrder(context, graph).check()

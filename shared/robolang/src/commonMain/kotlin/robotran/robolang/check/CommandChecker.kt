@@ -1,8 +1,9 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
@@ -15,9 +16,9 @@ import robotran.robolang.syntax.expressions
 internal class CommandChecker(
     private val context: CheckContext,
     private val expressions: ExpressionChecker,
-    calibration: Calibration,
+    private val robot: RobotTarget,
 ) {
-    private val durations = Durations(calibration)
+    private val durations = Durations(robot)
     private val messages = context.messages
 
     fun check(statement: Statement) {
@@ -25,11 +26,12 @@ internal class CommandChecker(
             is Statement.Move -> move(statement)
             is Statement.Turn -> turn(statement)
             is Statement.Power -> power(statement.power)
+            is Statement.MotorTurn -> expressions.needNumber(statement.angle)
             is Statement.Motor -> (statement.command as? MotorCommand.Power)?.let { power(it.power) }
             is Statement.Wait -> wait(statement)
             is Statement.WaitUntil -> expressions.needCondition(statement.condition)
             is Statement.Play -> play(statement)
-            is Statement.Show -> expressions.needNumber(statement.value)
+            is Statement.Show -> expressions.needShown(statement.value)
             is Statement.ShowText -> text(statement)
             else -> Unit
         }
@@ -91,22 +93,18 @@ internal class CommandChecker(
     }
 
     private fun text(statement: Statement.ShowText) {
-        val strange = statement.text.firstOrNull { !isShown(it) }
+        val isNxt = robot.kind == BrickKind.NXT
+        val limit = if (isNxt) RobolangLimits.NXT_TEXT_CHARACTERS else RobolangLimits.TEXT_CHARACTERS
+        val strange = statement.text.firstOrNull { if (isNxt) it !in ' '..'~' else !isShown(it) }
         when {
-            statement.text.length > RobolangLimits.TEXT_CHARACTERS -> {
-                context.report(
-                    DiagnosticCode.TEXT_TOO_LONG,
-                    statement.textRange,
-                    messages.textTooLong(RobolangLimits.TEXT_CHARACTERS),
-                )
+            statement.text.length > limit -> {
+                context.report(DiagnosticCode.TEXT_TOO_LONG, statement.textRange, messages.textTooLong(limit))
             }
 
             strange != null -> {
-                context.report(
-                    DiagnosticCode.TEXT_NOT_SHOWN,
-                    statement.textRange,
-                    messages.textNotShown(strange.toString()),
-                )
+                val character = strange.toString()
+                val message = if (isNxt) messages.textNotShownOnNxt(character) else messages.textNotShown(character)
+                context.report(DiagnosticCode.TEXT_NOT_SHOWN, statement.textRange, message)
             }
         }
     }

@@ -136,6 +136,7 @@ private object BlockingLoops {
             statement is Statement.Pen || statement is Statement.Call || statement is Statement.Halt ||
             statement is Statement.Return ||
             statement is Statement.StartMoving || statement is Statement.StartTurning || statement is Statement.Motor ||
+            statement is Statement.MotorTurn ||
             statement.expressions.any(::isSensing) || statement.bodies.any(::isRestful)
 
     /** Whether [expression] reads a sensor, or calls a routine, which may read one. */

@@ -1,5 +1,6 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.syntax.BinaryOperator
@@ -31,6 +32,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
 
             is Expression.Number,
             is Expression.BooleanLiteral,
+            is Expression.ColourLiteral,
             is Expression.Variable,
             is Expression.Sense,
             is Expression.Brackets,
@@ -66,6 +68,18 @@ internal class ExpressionChecker(private val context: CheckContext) {
                 messages.conditionNeeded(context.quotable(expression)),
             )
         }
+    }
+
+    private fun needColour(expression: Expression) {
+        if (context.typeOf(expression) != ValueType.COLOUR && isKnown(expression)) {
+            val message = messages.colourNeeded(context.quotable(expression))
+            context.report(DiagnosticCode.COLOUR_NEEDED, expression.range, message)
+        }
+    }
+
+    /** Checks what can be shown: a number or a colour. */
+    fun needShown(expression: Expression) {
+        if (context.typeOf(expression) != ValueType.COLOUR) needNumber(expression)
     }
 
     fun needList(expression: Expression) {
@@ -104,6 +118,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
             ValueType.WHOLE -> needWhole(expression)
             ValueType.DECIMAL -> needNumber(expression)
             ValueType.TRUTH -> needCondition(expression)
+            ValueType.COLOUR -> needColour(expression)
             ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL -> needListOf(type, expression)
             ValueType.NOTHING -> Unit
         }
@@ -198,7 +213,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         val left = context.typeOf(expression.left)
         val right = context.typeOf(expression.right)
         if (left == ValueType.NOTHING || right == ValueType.NOTHING) return
-        val comparable = (left.isNumber && right.isNumber) || (left == ValueType.TRUTH && right == ValueType.TRUTH)
+        val comparable = (left.isNumber && right.isNumber) || (left == right && left in EQUAL_ONLY)
         if (!comparable) context.report(DiagnosticCode.NOT_COMPARABLE, expression.range, messages.notComparable())
     }
 
@@ -212,7 +227,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
                 messages.divisionByZero(),
             )
         }
-        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
+        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE && context.brick == BrickKind.RCX
         if (isTooLarge) warnOfDivisor(expression.right, divisor.value)
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return
         if (expression.operator == BinaryOperator.MOD || dividend % divisor.value == 0) return
@@ -251,5 +266,10 @@ internal class ExpressionChecker(private val context: CheckContext) {
         val message = messages.wrongArgumentCount(shortened(name.text), needed, given)
         context.report(DiagnosticCode.WRONG_ARGUMENT_COUNT, name.range, message)
         return false
+    }
+
+    private companion object {
+        /** The types of values that are equal or not, but not smaller or larger. */
+        val EQUAL_ONLY = setOf(ValueType.TRUTH, ValueType.COLOUR)
     }
 }

@@ -1,5 +1,6 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Expression
@@ -61,8 +62,9 @@ internal class LimitChecker(private val context: CheckContext, private val graph
         }
     }
 
-    private fun warnOfList(list: Expression.ListOf) =
-        context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
+    private fun warnOfList(list: Expression.ListOf) {
+        if (context.brick == BrickKind.RCX) context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
+    }
 
     private fun number(expression: Expression.Number) {
         val value = expression.value

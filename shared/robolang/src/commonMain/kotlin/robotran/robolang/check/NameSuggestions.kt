@@ -1,10 +1,14 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.suggestion
 
 /** Keywords that have a value. */
 private val VALUES = listOf("left bumper", "right bumper", "light", "timer", "battery", "true", "false")
+
+/** Those that only an NXT has. */
+private val NXT_VALUES = listOf("distance", "loudness", "colour", "color")
 
 /** Names that may be meant by a word that is a part of them. */
 private val MEANT =
@@ -20,9 +24,11 @@ private const val SUGGESTIONS = 200
 internal fun CheckContext.nearestName(name: Name, scopes: Scopes): String? {
     if (suggestions++ >= SUGGESTIONS) return null
     val known = scopes.keys.asSequence().take(COMPARED_NAMES).toList()
-    val meant = suggestion(name.text, known + VALUES) ?: MEANT[name.key]
+    val meant = suggestion(name.text, known + VALUES + valuesOf(brick)) ?: MEANT[name.key]
     return meant?.let { scopes[it]?.name?.text ?: it }
 }
+
+private fun valuesOf(brick: BrickKind) = if (brick == BrickKind.NXT) NXT_VALUES else emptyList()
 
 /** The routine that [name] probably means. */
 internal fun CheckContext.nearestRoutine(name: Name): String? {

@@ -68,16 +68,16 @@ internal class ParameterTypeInference(private val context: CheckContext) {
     }
 
     private fun settleOperands(expression: Expression.Binary) {
-        val joinsTruths = when (expression.operator) {
-            BinaryOperator.AND, BinaryOperator.OR -> true
+        val joined = when (expression.operator) {
+            BinaryOperator.AND, BinaryOperator.OR -> ValueType.TRUTH
 
-            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> expression.parts.any {
-                context.typeOf(it) == ValueType.TRUTH
+            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> expression.parts.map(context::typeOf).firstOrNull {
+                it == ValueType.TRUTH || it == ValueType.COLOUR
             }
 
-            else -> false
+            else -> null
         }
-        if (joinsTruths) needAll(expression, ValueType.TRUTH)
+        if (joined != null) needAll(expression, joined)
     }
 
     private fun needAll(expression: Expression, type: ValueType) = expression.parts.forEach { need(it, type) }

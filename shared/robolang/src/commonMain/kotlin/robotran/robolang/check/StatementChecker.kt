@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
@@ -13,9 +13,9 @@ import robotran.robolang.syntax.shortened
 internal class StatementChecker(
     private val context: CheckContext,
     private val expressions: ExpressionChecker,
-    calibration: Calibration,
+    robot: RobotTarget,
 ) {
-    private val commands = CommandChecker(context, expressions, calibration)
+    private val commands = CommandChecker(context, expressions, robot)
     private val assignments = AssignmentChecker(context, expressions)
     private val messages = context.messages
     private var function: UnresolvedSymbol? = null

@@ -25,6 +25,7 @@ internal class TypeConstraints(private val context: CheckContext, private val re
         when (expression) {
             is Expression.Number -> node.raise(typeOf(expression))
             is Expression.BooleanLiteral -> node.raise(ValueType.TRUTH)
+            is Expression.ColourLiteral -> node.raise(ValueType.COLOUR)
             is Expression.ListOf -> expression.elements.forEach { of(it).flowTo(node, TypeConstraint.LIST) }
             is Expression.Variable -> resolve(expression.name)?.type?.flowTo(node)
             is Expression.ListElement -> of(expression.list).flowTo(node, TypeConstraint.ELEMENT)
@@ -42,7 +43,8 @@ internal class TypeConstraints(private val context: CheckContext, private val re
 
     private fun typeOf(sense: Sense): ValueType = when (sense) {
         Sense.LeftBumper, Sense.RightBumper, is Sense.Button -> ValueType.TRUTH
-        Sense.Light, is Sense.Sensor -> ValueType.WHOLE
+        Sense.Light, is Sense.Sensor, Sense.Distance, Sense.Loudness, is Sense.Turned -> ValueType.WHOLE
+        Sense.Colour -> ValueType.COLOUR
         Sense.Timer, Sense.Battery -> ValueType.DECIMAL
     }
 

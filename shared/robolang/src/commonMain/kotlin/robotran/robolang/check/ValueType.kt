@@ -11,6 +11,9 @@ internal enum class ValueType {
     /** True or false. */
     TRUTH,
 
+    /** One of the colours of a colour sensor. */
+    COLOUR,
+
     LIST_OF_WHOLE,
 
     LIST_OF_DECIMAL,
@@ -27,6 +30,6 @@ internal enum class ValueType {
         get() = when (this) {
             LIST_OF_WHOLE -> WHOLE
             LIST_OF_DECIMAL -> DECIMAL
-            WHOLE, DECIMAL, TRUTH, NOTHING -> NOTHING
+            WHOLE, DECIMAL, TRUTH, COLOUR, NOTHING -> NOTHING
         }
 }

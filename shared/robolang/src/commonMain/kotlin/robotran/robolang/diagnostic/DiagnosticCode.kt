@@ -129,7 +129,10 @@ enum class DiagnosticCode(val id: String) {
     /** `facing` without `down` or `forward`. */
     MISSING_FACING("missing-facing"),
 
-    /** A sensor port outside [RobolangLimits.SENSOR_PORTS]. */
+    /** `brick` without `rcx` or `nxt`. */
+    MISSING_BRICK("missing-brick"),
+
+    /** A sensor port that the brick does not have. */
     PORT_OUT_OF_RANGE("port-out-of-range"),
 
     /** A move with both a length and a time. */
@@ -254,6 +257,18 @@ enum class DiagnosticCode(val id: String) {
 
     /** More routines than [RobolangLimits.ROUTINES]. */
     TOO_MANY_ROUTINES("too-many-routines"),
+
+    /** A header that names another brick than the robot has. */
+    WRONG_BRICK("wrong-brick"),
+
+    /** Something that the brick cannot do. */
+    BRICK_LACKS("brick-lacks"),
+
+    /** Two sensors on one port. */
+    PORT_SHARED("port-shared"),
+
+    /** A number, a condition or a list where a colour is expected. */
+    COLOUR_NEEDED("colour-needed"),
 
     /** A variable that is never used. */
     UNUSED_VARIABLE("unused-variable"),

@@ -1,5 +1,6 @@
 package robotran.robolang.diagnostic
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.messages.RobolangMessages
 
 /**
@@ -7,6 +8,9 @@ import robotran.robolang.messages.RobolangMessages
  * follows from the first.
  */
 internal class DiagnosticSink(val messages: RobolangMessages) {
+    /** The brick that the program is for, as far as the parser's sentences depend on it. */
+    var brick: BrickKind = BrickKind.RCX
+
     private val diagnostics = mutableListOf<Diagnostic>()
     private val mistakenLines = mutableSetOf<Int>()
     private val doubtfulLines = mutableSetOf<Int>()

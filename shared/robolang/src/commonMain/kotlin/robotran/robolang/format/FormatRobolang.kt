@@ -7,6 +7,7 @@ import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.brickIn
 import robotran.robolang.syntax.scan
 
 /**
@@ -29,7 +30,9 @@ fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangM
         )
         return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
-    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    val lines = scan(source, diagnostics)
+    brickIn(lines)?.let { diagnostics.brick = it }
+    val parsed = Parser(lines, diagnostics).program()
     return if (diagnostics.isEmpty) {
         FormatResult.Formatted(layout(parsed))
     } else {

@@ -49,10 +49,14 @@ internal class LineLayout(names: List<Name>) {
     private fun endsList(token: Token): Boolean =
         isName(token) || token.kind == TokenKind.CLOSE_BRACKET || token.kind == TokenKind.CLOSE_LIST
 
+    /** Whether [token] is the letter of a motor, as in `turned A`. */
+    private fun isLetter(token: Token): Boolean = token.kind == TokenKind.WORD && token.keyword == null
+
     /** Whether the token at [position] is a unary minus. */
     private fun isSign(tokens: List<Token>, position: Int): Boolean {
         if (tokens[position].kind != TokenKind.MINUS) return false
         val before = tokens.getOrNull(position - 1) ?: return true
-        return !endsList(before) && before.kind != TokenKind.NUMBER && before.keyword?.endsValue != true
+        return !endsList(before) && !isLetter(before) && before.kind != TokenKind.NUMBER &&
+            before.keyword?.endsValue != true
     }
 }

@@ -8,6 +8,7 @@ object EnglishRobolangMessages :
     SyntaxMessages by EnglishSyntaxMessages,
     MeaningMessages by EnglishMeaningMessages,
     WarningMessages by EnglishWarningMessages,
+    BrickKindMessages by EnglishBrickKindMessages,
     RunMessages by EnglishRunMessages
 
 /** The messages about syntax errors in English. */
@@ -22,6 +23,8 @@ private object EnglishSyntaxMessages : SyntaxMessages {
 
     override fun missingNumber(command: String, example: String) =
         "After ${quoted(command)} comes a number, such as ${quoted(example)}."
+
+    override fun startInstead(start: String) = "To drive until something happens, write ${quoted(start)}."
 
     override fun missingTurnDirection(suggestion: String?) =
         "Say which way to turn: \"turn left 90\" or \"turn right 90\".${didYouMean(suggestion)}"
@@ -121,8 +124,6 @@ private object EnglishSyntaxMessages : SyntaxMessages {
     override fun missingFacing(suggestion: String?) =
         "Say where the light sensor looks: \"facing down\" or \"facing forward\".${didYouMean(suggestion)}"
 
-    override fun portOutOfRange() = "The sensors are 1, 2 and 3, such as \"sensor 2\"."
-
     override fun lengthAndTime() = "Say how far or how long, not both."
 
     override fun extraElse() = "This \"else\" has no \"if\"."
@@ -132,7 +133,7 @@ private object EnglishSyntaxMessages : SyntaxMessages {
     override fun secondRobot() = "There is a \"robot\" already. A program has only one."
 
     override fun unknownSetting() =
-        "Between \"robot\" and \"end\" stands only the light sensor, such as \"light sensor on 2 facing down\"."
+        "Between \"robot\" and \"end\" stand only the brick and its sensors, such as \"light sensor on 2 facing down\"."
 
     override fun secondSetting() = "The light sensor is set already."
 
@@ -203,7 +204,7 @@ private object EnglishMeaningMessages : MeaningMessages {
 
     override fun typeChanged(name: String) = "${quoted(name)} is declared with a value of another kind."
 
-    override fun notComparable() = "Only two numbers or two conditions can be compared."
+    override fun notComparable() = "Only two numbers, two conditions or two colours can be compared."
 
     override fun mixedList(text: String) = "A list holds numbers only, and ${quoted(text)} is none."
 
@@ -316,6 +317,9 @@ private object EnglishRunMessages : RunMessages {
 
     override fun tooManyCalls(name: String, limit: Int) =
         "\"$name\" calls itself too often: a brick has no memory for more than $limit calls inside each other."
+
+    override fun listsInUseTooLarge(limit: Int) =
+        "The brick's memory is full: the lists in use have more than $limit elements."
 
     override fun listsTooLarge(limit: Int) =
         "The brick's memory is full: all the lists made so far have more than $limit elements, and it keeps every one."

@@ -13,6 +13,7 @@ object GermanRobolangMessages :
     SyntaxMessages by GermanSyntaxMessages,
     MeaningMessages by GermanMeaningMessages,
     WarningMessages by GermanWarningMessages,
+    BrickKindMessages by GermanBrickKindMessages,
     RunMessages by GermanRunMessages
 
 /** The messages about syntax errors in German. */
@@ -27,6 +28,9 @@ private object GermanSyntaxMessages : SyntaxMessages {
 
     override fun missingNumber(command: String, example: String) =
         "Nach ${quoted(command)} kommt eine Zahl, zum Beispiel ${quoted(example)}."
+
+    override fun startInstead(start: String) =
+        "Soll der Roboter fahren, bis etwas geschieht, dann schreib ${quoted(start)}."
 
     override fun missingTurnDirection(suggestion: String?) =
         "Sag, in welche Richtung: \"turn left 90\" oder \"turn right 90\".${didYouMean(suggestion)}"
@@ -133,8 +137,6 @@ private object GermanSyntaxMessages : SyntaxMessages {
     override fun missingFacing(suggestion: String?) =
         "Sag, wohin der Lichtsensor schaut: \"facing down\" oder \"facing forward\".${didYouMean(suggestion)}"
 
-    override fun portOutOfRange() = "Die Sensoren heißen 1, 2 und 3, zum Beispiel \"sensor 2\"."
-
     override fun lengthAndTime() = "Sag, wie weit oder wie lange, nicht beides."
 
     override fun extraElse() = "Zu diesem \"else\" gibt es kein \"if\"."
@@ -145,7 +147,8 @@ private object GermanSyntaxMessages : SyntaxMessages {
     override fun secondRobot() = "Es gibt schon ein \"robot\". Ein Programm hat nur eins."
 
     override fun unknownSetting() =
-        "Zwischen \"robot\" und \"end\" steht nur der Lichtsensor, zum Beispiel \"light sensor on 2 facing down\"."
+        "Zwischen \"robot\" und \"end\" stehen nur der Stein und seine Sensoren, zum Beispiel \"light sensor on 2 " +
+            "facing down\"."
 
     override fun secondSetting() = "Der Lichtsensor ist schon eingestellt."
 
@@ -337,6 +340,9 @@ private object GermanRunMessages : RunMessages {
     override fun tooManyCalls(name: String, limit: Int) =
         "${quoted(name)} ruft sich zu oft selbst auf: Im Speicher des Steins ist nur Platz für $limit Aufrufe " +
             "ineinander."
+
+    override fun listsInUseTooLarge(limit: Int) =
+        "Der Speicher des Steins ist voll: Die Listen, die noch gebraucht werden, haben mehr als $limit Elemente."
 
     override fun listsTooLarge(limit: Int) =
         "Der Speicher des Steins ist voll: Alle Listen bis jetzt haben zusammen mehr als $limit Elemente, und er " +

@@ -11,7 +11,8 @@ interface RobolangMessages :
     SyntaxMessages,
     MeaningMessages,
     WarningMessages,
-    RunMessages {
+    RunMessages,
+    BrickKindMessages {
     companion object {
         fun of(language: Language): RobolangMessages =
             language.choose(EnglishRobolangMessages, SpanishRobolangMessages, GermanRobolangMessages)

@@ -10,6 +10,9 @@ interface RunMessages {
 
     fun listsTooLarge(limit: Int): String
 
+    /** On a brick that frees lists which are no longer in use. */
+    fun listsInUseTooLarge(limit: Int): String
+
     fun negativeTime(value: String): String
 
     fun negativeCount(value: Int): String

@@ -13,6 +13,7 @@ object SpanishRobolangMessages :
     SyntaxMessages by SpanishSyntaxMessages,
     MeaningMessages by SpanishMeaningMessages,
     WarningMessages by SpanishWarningMessages,
+    BrickKindMessages by SpanishBrickKindMessages,
     RunMessages by SpanishRunMessages
 
 /** The messages about syntax errors in Spanish. */
@@ -27,6 +28,8 @@ private object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun missingNumber(command: String, example: String) =
         "Después de ${quoted(command)} va un número, como en ${quoted(example)}."
+
+    override fun startInstead(start: String) = "Para que conduzca hasta que pase algo, escribe ${quoted(start)}."
 
     override fun missingTurnDirection(suggestion: String?) =
         "Di hacia dónde hay que girar: \"turn left 90\" o \"turn right 90\".${didYouMean(suggestion)}"
@@ -132,8 +135,6 @@ private object SpanishSyntaxMessages : SyntaxMessages {
     override fun missingFacing(suggestion: String?) =
         "Di hacia dónde mira el sensor de luz: \"facing down\" o \"facing forward\".${didYouMean(suggestion)}"
 
-    override fun portOutOfRange() = "Los sensores son el 1, el 2 y el 3, como en \"sensor 2\"."
-
     override fun lengthAndTime() = "Di hasta dónde o cuánto tiempo, pero no las dos cosas."
 
     override fun extraElse() = "Este \"else\" no tiene ningún \"if\"."
@@ -143,7 +144,7 @@ private object SpanishSyntaxMessages : SyntaxMessages {
     override fun secondRobot() = "Ya hay un \"robot\". Un programa solo tiene uno."
 
     override fun unknownSetting() =
-        "Entre \"robot\" y \"end\" solo va el sensor de luz, como en \"light sensor on 2 facing down\"."
+        "Entre \"robot\" y \"end\" solo van el ladrillo y sus sensores, como en \"light sensor on 2 facing down\"."
 
     override fun secondSetting() = "El sensor de luz ya está puesto."
 
@@ -334,6 +335,9 @@ private object SpanishRunMessages : RunMessages {
     override fun tooManyCalls(name: String, limit: Int) =
         "${quoted(name)} se llama a sí mismo demasiadas veces: en la memoria de un ladrillo no caben más de $limit " +
             "llamadas unas dentro de otras."
+
+    override fun listsInUseTooLarge(limit: Int) =
+        "La memoria del ladrillo está llena: las listas en uso tienen más de $limit elementos."
 
     override fun listsTooLarge(limit: Int) =
         "La memoria del ladrillo está llena: todas las listas hechas hasta ahora tienen más de $limit elementos, y " +

@@ -12,6 +12,9 @@ interface SyntaxMessages {
     /** [example] is a complete line that begins with [command]. */
     fun missingNumber(command: String, example: String): String
 
+    /** [start] is the command that drives until something else happens. */
+    fun startInstead(start: String): String
+
     fun missingTurnDirection(suggestion: String?): String
 
     fun missingPenPosition(suggestion: String?): String
@@ -91,8 +94,6 @@ interface SyntaxMessages {
     fun missingMotorCommand(motor: String, suggestion: String?): String
 
     fun missingFacing(suggestion: String?): String
-
-    fun portOutOfRange(): String
 
     fun lengthAndTime(): String
 

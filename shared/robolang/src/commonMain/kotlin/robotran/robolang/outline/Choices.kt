@@ -1,19 +1,22 @@
 package robotran.robolang.outline
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Keyword
-import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.PaintColour
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.UnaryOperator
 
 private val SIDES = spellings(Keyword.LEFT, Keyword.RIGHT)
 private val DIRECTIONS = spellings(Keyword.FORWARD, Keyword.BACKWARD)
-private val PORTS = RobolangLimits.SENSOR_PORTS.map { it.toString() }
+private val PORTS = (1..BrickKind.RCX.inputPorts).map { it.toString() }
+private val NXT_PORTS = (1..BrickKind.NXT.inputPorts).map { it.toString() }
 private val MOTORS = MotorPort.entries.map { it.name }
 private val MOTOR_COMMANDS = spellings(Keyword.FORWARD, Keyword.BACKWARD, Keyword.STOP, Keyword.FLOAT)
-private val BUTTONS = spellings(Keyword.RUN, Keyword.VIEW, Keyword.PRGM)
+private val COLOURS = PaintColour.entries.map { it.keyword.text }
 private val TRUTHS = spellings(Keyword.TRUE, Keyword.FALSE)
 private val LOGIC = spellings(Keyword.AND, Keyword.OR)
 private val COMPARISONS = BinaryOperator.entries.filter { it.isComparison }.map { it.text }
@@ -28,13 +31,17 @@ internal val LineForm.choices: List<List<String>>
 
         LineForm.MOTOR -> listOf(MOTORS, MOTOR_COMMANDS)
 
-        LineForm.POWER_OF_MOTOR -> listOf(MOTORS)
+        LineForm.POWER_OF_MOTOR, LineForm.MOTOR_TURN, LineForm.START_MOTOR_TURN, LineForm.RESET_MOTOR -> listOf(MOTORS)
 
         LineForm.PEN -> listOf(spellings(Keyword.DOWN, Keyword.UP))
 
         LineForm.WAIT -> listOf(spellings(Keyword.SECONDS, Keyword.MILLISECONDS))
 
-        LineForm.LIGHT_SENSOR -> listOf(PORTS, spellings(Keyword.DOWN, Keyword.FORWARD))
+        LineForm.LIGHT_SENSOR -> listOf(PORTS, NXT_PORTS, spellings(Keyword.DOWN, Keyword.FORWARD))
+
+        LineForm.BRICK -> listOf(spellings(Keyword.RCX, Keyword.NXT))
+
+        LineForm.SONAR, LineForm.COLOUR_SENSOR, LineForm.SOUND_SENSOR -> listOf(NXT_PORTS)
 
         LineForm.BEEP, LineForm.BUZZ, LineForm.REPEAT_WHILE, LineForm.REPEAT_UNTIL, LineForm.BREAK, LineForm.CONTINUE,
         LineForm.STOP, LineForm.POWER, LineForm.WAIT_UNTIL, LineForm.RESET_TIMER, LineForm.PLAY, LineForm.SHOW,
@@ -50,6 +57,8 @@ internal val LineForm.choices: List<List<String>>
 internal val Expression.choices: List<List<String>>
     get() = when (this) {
         is Expression.BooleanLiteral -> listOf(TRUTHS)
+
+        is Expression.ColourLiteral -> listOf(COLOURS)
 
         is Expression.Binary -> listOf(operator.alternatives)
 
@@ -70,9 +79,10 @@ private val BinaryOperator.alternatives: List<String>
 private val Sense.choices: List<List<String>>
     get() = when (this) {
         Sense.LeftBumper, Sense.RightBumper -> listOf(SIDES)
-        is Sense.Sensor -> listOf(PORTS)
-        is Sense.Button -> listOf(BUTTONS)
-        Sense.Light, Sense.Timer, Sense.Battery -> emptyList()
+        is Sense.Sensor -> listOf(PORTS, NXT_PORTS)
+        is Sense.Button -> listOf(BrickButton.of(button.kind).map { it.keyword.text })
+        is Sense.Turned -> listOf(MOTORS)
+        Sense.Light, Sense.Timer, Sense.Battery, Sense.Distance, Sense.Loudness, Sense.Colour -> emptyList()
     }
 
 internal val Sense.form: ValueForm
@@ -83,6 +93,10 @@ internal val Sense.form: ValueForm
         Sense.Light -> ValueForm.LIGHT
         Sense.Timer -> ValueForm.TIMER
         Sense.Battery -> ValueForm.BATTERY
+        Sense.Distance -> ValueForm.DISTANCE
+        Sense.Loudness -> ValueForm.LOUDNESS
+        Sense.Colour -> ValueForm.COLOUR
+        is Sense.Turned -> ValueForm.TURNED
     }
 
 internal val UnaryOperator.form: ValueForm

@@ -54,6 +54,7 @@ private fun kindOf(type: ValueType): ValueKind = when {
     type.isNumber -> ValueKind.NUMBER
     type.isList -> ValueKind.LIST
     type == ValueType.TRUTH -> ValueKind.CONDITION
+    type == ValueType.COLOUR -> ValueKind.COLOUR
     else -> ValueKind.UNKNOWN
 }
 

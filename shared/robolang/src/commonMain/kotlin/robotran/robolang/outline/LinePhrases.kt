@@ -2,10 +2,15 @@ package robotran.robolang.outline
 
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Branch
+import robotran.robolang.syntax.BrickSetting
 import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.LightSensorSetting
 import robotran.robolang.syntax.MotorCommand
+import robotran.robolang.syntax.NxtSensor
 import robotran.robolang.syntax.PowerSide
+import robotran.robolang.syntax.RobotSetting
 import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.SensorSetting
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.TimeUnit
@@ -21,7 +26,7 @@ internal class LinePhrases(tree: SyntaxTree) {
         statements(tree.statements)
         tree.robot?.let { header ->
             put(header.range, LineForm.ROBOT)
-            header.lightSensor?.let { put(it.range, LineForm.LIGHT_SENSOR) }
+            header.settings.forEach { put(it.range, formOf(it)) }
         }
         for (routine in tree.routines) {
             byLine[routine.range.line] = phraseOf(routine)
@@ -55,6 +60,18 @@ internal class LinePhrases(tree: SyntaxTree) {
             put(it.range, LineForm.ELSE)
             statements(it.body)
         }
+    }
+}
+
+private fun formOf(setting: RobotSetting): LineForm = when (setting) {
+    is BrickSetting -> LineForm.BRICK
+
+    is LightSensorSetting -> LineForm.LIGHT_SENSOR
+
+    is SensorSetting -> when (setting.sensor) {
+        NxtSensor.SONAR -> LineForm.SONAR
+        NxtSensor.COLOUR -> LineForm.COLOUR_SENSOR
+        NxtSensor.SOUND -> LineForm.SOUND_SENSOR
     }
 }
 
@@ -106,6 +123,17 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         phraseOf(statement.command)
     }
 
+    is Statement.MotorTurn -> {
+        phraseOf(
+            if (statement.waits) LineForm.MOTOR_TURN else LineForm.START_MOTOR_TURN,
+            claim(statement.angle, ValueUse.ANGLE),
+        )
+    }
+
+    is Statement.ResetMotor -> {
+        phraseOf(LineForm.RESET_MOTOR)
+    }
+
     is Statement.Pen -> {
         phraseOf(LineForm.PEN)
     }
@@ -139,7 +167,7 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
     }
 
     is Statement.Show -> {
-        phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.NUMBER))
+        phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.SHOWN))
     }
 
     is Statement.ShowText -> {

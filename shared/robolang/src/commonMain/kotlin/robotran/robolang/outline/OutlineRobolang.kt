@@ -1,5 +1,6 @@
 package robotran.robolang.outline
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
@@ -9,6 +10,7 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.brickIn
 import robotran.robolang.syntax.scan
 
 /**
@@ -20,7 +22,9 @@ import robotran.robolang.syntax.scan
 fun outlineRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): ProgramOutline {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
-    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    val lines = scan(source, diagnostics)
+    diagnostics.brick = brickIn(lines) ?: BrickKind.RCX
+    val parsed = Parser(lines, diagnostics).program()
     val offsets = LineOffsets(source, parsed.lines)
     return ProgramOutline(source, linesOf(parsed, offsets, diagnostics)) {
         declaredNames(it, parsed, offsets, diagnostics)

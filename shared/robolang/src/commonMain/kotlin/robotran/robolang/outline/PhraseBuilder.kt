@@ -71,6 +71,7 @@ private val Expression.form: ValueForm
     get() = when (this) {
         is Expression.Number -> ValueForm.NUMBER
         is Expression.BooleanLiteral -> ValueForm.TRUTH
+        is Expression.ColourLiteral -> ValueForm.COLOUR_NAME
         is Expression.ListOf -> ValueForm.LIST
         is Expression.Variable -> ValueForm.NAME
         is Expression.ListElement -> ValueForm.ELEMENT
@@ -82,7 +83,7 @@ private val Expression.form: ValueForm
     }
 
 private fun Expression.claims(use: ValueUse): List<Claim> = when (this) {
-    is Expression.Number, is Expression.BooleanLiteral, is Expression.Sense -> emptyList()
+    is Expression.Number, is Expression.BooleanLiteral, is Expression.ColourLiteral, is Expression.Sense -> emptyList()
     is Expression.ListOf -> elements.map { claim(it, ValueUse.NUMBER) }
     is Expression.Variable -> listOf(claim(name, NameRole.READS))
     is Expression.ListElement -> listOf(claim(list, ValueUse.LIST), claim(index, ValueUse.INDEX))

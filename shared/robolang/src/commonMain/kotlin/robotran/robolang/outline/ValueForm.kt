@@ -1,5 +1,7 @@
 package robotran.robolang.outline
 
+import robotran.brick.kind.BrickKind
+
 /** The kinds of values. */
 enum class ValueForm {
     NUMBER,
@@ -49,12 +51,35 @@ enum class ValueForm {
 
     BATTERY,
 
+    /** `distance`, of the ultrasonic sensor. */
+    DISTANCE,
+
+    /** `loudness`, of the sound sensor. */
+    LOUDNESS,
+
+    /** `colour`, of the colour sensor. */
+    COLOUR,
+
+    /** `red` and the other colours. */
+    COLOUR_NAME,
+
+    /** `turned A`. */
+    TURNED,
+
     /** `(x)`. */
     BRACKETS,
+    ;
+
+    /** The only brick that it is for; null for both. */
+    val brick: BrickKind? get() = if (this in FOR_NXT) BrickKind.NXT else null
+
+    private companion object {
+        val FOR_NXT = setOf(DISTANCE, LOUDNESS, COLOUR, COLOUR_NAME, TURNED)
+    }
 }
 
 /** The types of values, as far as a beginner meets them. */
-enum class ValueKind { NUMBER, CONDITION, LIST, UNKNOWN }
+enum class ValueKind { NUMBER, CONDITION, LIST, COLOUR, UNKNOWN }
 
 /**
  * What a value is for.
@@ -74,6 +99,9 @@ enum class ValueUse(val kind: ValueKind, val unit: String?, val example: String)
     FREQUENCY(ValueKind.NUMBER, "Hz", "440"),
     COUNT(ValueKind.NUMBER, "times", "4"),
     NUMBER(ValueKind.NUMBER, null, "5"),
+
+    /** A number, or a colour where there is a colour sensor. */
+    SHOWN(ValueKind.NUMBER, null, "5"),
 
     /** The place of an element, from 0. */
     INDEX(ValueKind.NUMBER, null, "0"),

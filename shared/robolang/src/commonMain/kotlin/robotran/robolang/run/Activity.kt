@@ -23,7 +23,7 @@ internal class Activity(val machine: InterpreterState, val name: String, start: 
     var waitUntil = 0L
         private set
 
-    val isWaiting: Boolean get() = waits && machine.rom.milliseconds < waitUntil
+    val isWaiting: Boolean get() = waits && machine.robot.milliseconds < waitUntil
 
     val isOver: Boolean get() = !isWaiting && instructions[next] === Boundary.End
 
@@ -77,8 +77,14 @@ internal class Activity(val machine: InterpreterState, val name: String, start: 
     }
 
     fun waitFor(milliseconds: Int) {
-        waitUntil = machine.rom.milliseconds + milliseconds
+        waitUntil = machine.robot.milliseconds + milliseconds
         waits = true
+    }
+
+    /** Does the instruction that is being executed again in a millisecond. */
+    fun lookAgain() {
+        next--
+        waitFor(RobotConstants.LOOKING_MILLISECONDS)
     }
 
     /** Ends a timed command early, as if its time were over. A pause that does not affect the robot continues. */
@@ -87,7 +93,7 @@ internal class Activity(val machine: InterpreterState, val name: String, start: 
         if (!waits) return
         waits = false
         next++
-        ending.execute(this)
+        ending.cutShort(this)
     }
 
     fun push(value: Int) {
@@ -112,6 +118,11 @@ internal class Activity(val machine: InterpreterState, val name: String, start: 
 
     fun replace(value: Int, below: Int = 0) {
         stack[top - 1 - below] = value
+    }
+
+    /** Passes all values on its stack to [use]. */
+    fun eachValue(use: (Int) -> Unit) {
+        for (place in 0..<top) use(stack[place])
     }
 
     fun local(slot: Int): Int = stack[base + slot]

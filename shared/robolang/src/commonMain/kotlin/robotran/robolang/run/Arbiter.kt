@@ -40,7 +40,7 @@ internal class Arbiter(private val machine: InterpreterState) {
     val isOver: Boolean get() = behaviours.isEmpty() && main.isOver
 
     /** When the conditions are evaluated next if nothing happens before. */
-    val nextLook: Long get() = machine.rom.milliseconds + RobotConstants.LOOKING_MILLISECONDS
+    val nextLook: Long get() = machine.robot.milliseconds + RobotConstants.LOOKING_MILLISECONDS
 
     /** When the waiting [activity], the next to run, resumes. */
     fun wakesAt(activity: Activity): Long {
@@ -54,7 +54,7 @@ internal class Arbiter(private val machine: InterpreterState) {
         if (!isWatching) return main.takeUnless { it.isOver }
         if (action?.isOver == true) endAction()
         if (running?.isInsideStatement == true) return running
-        while (decidedAt != machine.rom.milliseconds && !isStatementDue) {
+        while (decidedAt != machine.robot.milliseconds && !isStatementDue) {
             val looking = condition ?: look(behaviours.lastIndex)
             when {
                 looking == null -> decide(NONE)
@@ -91,7 +91,7 @@ internal class Arbiter(private val machine: InterpreterState) {
 
     private fun decide(behaviour: Int) {
         condition = null
-        decidedAt = machine.rom.milliseconds
+        decidedAt = machine.robot.milliseconds
         if (behaviour == NONE) {
             if (action == null) current = NONE
         } else if (behaviour != current) {

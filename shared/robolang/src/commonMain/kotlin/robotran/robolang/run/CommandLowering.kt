@@ -1,18 +1,20 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.controls.MotorMode
+import robotran.brick.controls.MotorMode
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.ValueType
-import robotran.robolang.robot.Durations
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
-import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
-import robotran.robolang.syntax.TurnDirection
 
 /** Lowers the commands to the robot, and waits. */
-internal class CommandLowering(private val emitter: Emitter, private val expressions: ExpressionLowering) {
+internal class CommandLowering(
+    private val emitter: Emitter,
+    private val expressions: ExpressionLowering,
+    private val kind: BrickKind,
+) {
     fun lower(statement: Statement) {
         when (statement) {
             is Statement.Move -> lowerMove(statement)
@@ -23,11 +25,15 @@ internal class CommandLowering(private val emitter: Emitter, private val express
 
             is Statement.StartTurning -> command { startTurning(statement.direction, it) }
 
-            is Statement.StopDriving -> command { stopDriving(it) }
+            is Statement.StopDriving -> lowerStop()
 
             is Statement.Power -> withPower(statement.power) { power, line -> setPower(statement.side, power, line) }
 
             is Statement.Motor -> lowerMotor(statement)
+
+            is Statement.MotorTurn -> lowerMotorTurn(statement)
+
+            is Statement.ResetMotor -> lowerReset(statement)
 
             is Statement.Pen -> lowerPen(statement)
 
@@ -37,7 +43,7 @@ internal class CommandLowering(private val emitter: Emitter, private val express
 
             is Statement.WaitUntil -> lowerWaitUntil(statement)
 
-            is Statement.ResetTimer -> emitter.emit { it.machine.senses.resetTimer() }
+            is Statement.ResetTimer -> emitter.emit { it.machine.timer.reset() }
 
             is Statement.Beep -> command { beep(it) }
 
@@ -45,9 +51,7 @@ internal class CommandLowering(private val emitter: Emitter, private val express
 
             is Statement.Play -> lowerPlay(statement)
 
-            is Statement.Show -> withNumber(statement.value) { activity, value ->
-                activity.machine.commands.show(value, activity.currentLine)
-            }
+            is Statement.Show -> lowerShow(statement)
 
             is Statement.ShowText -> command { showText(statement.text, it) }
 
@@ -57,52 +61,97 @@ internal class CommandLowering(private val emitter: Emitter, private val express
         }
     }
 
+    /** Stops the wheels and, on an NXT, waits until they stand. */
+    fun lowerStop() {
+        command { stopDriving(it) }
+        awaitStop()
+    }
+
     private fun lowerMove(statement: Statement.Move) {
         val direction = statement.direction
-        val opposite = if (direction == MoveDirection.FORWARD) MoveDirection.BACKWARD else MoveDirection.FORWARD
-        drive(
-            statement.distance,
-            statement.duration,
-            start = { isNegative, line -> startMoving(if (isNegative) opposite else direction, line) },
-            duration = { ofMove(it) },
-        )
+        val distance = statement.distance
+        if (distance == null) {
+            lowerTimed(statement.duration) { startMoving(direction, it) }
+        } else {
+            lowerMeasured(distance) { value, line -> drive(direction, value, line) }
+        }
     }
 
     private fun lowerTurn(statement: Statement.Turn) {
         val direction = statement.direction
-        val opposite = if (direction == TurnDirection.LEFT) TurnDirection.RIGHT else TurnDirection.LEFT
-        drive(
-            statement.angle,
-            statement.duration,
-            start = { isNegative, line -> startTurning(if (isNegative) opposite else direction, line) },
-            duration = { ofTurn(it) },
+        val angle = statement.angle
+        if (angle == null) {
+            lowerTimed(statement.duration) { startTurning(direction, it) }
+        } else {
+            lowerMeasured(angle) { value, line -> turn(direction, value, line) }
+        }
+    }
+
+    /** Starts the motors, waits for [seconds], and stops. */
+    private fun lowerTimed(seconds: Expression?, start: RobotDevice.(line: Int) -> Unit) {
+        withNumber(checkNotNull(seconds) { "A way or a time." }) { activity, number ->
+            val milliseconds = time(activity, number, TimeUnit.SECONDS)
+            activity.machine.robot.start(activity.currentLine)
+            activity.waitFor(milliseconds)
+        }
+        emitter.emit(CompletionAction { it.machine.robot.stopDriving(it.currentLine) })
+        awaitStop()
+    }
+
+    private fun awaitStop() {
+        if (kind == BrickKind.NXT) emitter.emit(CompletionAction({ !it.machine.robot.isDriving }) {})
+    }
+
+    /** Begins to drive, and waits until the robot is there. */
+    private fun lowerMeasured(way: Expression, begin: RobotDevice.(value: NumberValue, line: Int) -> Int) {
+        withNumber(way) { activity, number ->
+            activity.waitFor(activity.machine.robot.begin(number, activity.currentLine))
+        }
+        emitter.emit(
+            CompletionAction({ !it.machine.robot.isDriving }) { it.machine.robot.endDrive(it.currentLine) },
         )
     }
 
-    /** Starts the motors, waits for the duration of [way] or for [seconds], and stops. */
-    private fun drive(
-        way: Expression?,
-        seconds: Expression?,
-        start: RobotCommands.(isNegative: Boolean, line: Int) -> Unit,
-        duration: Durations.(NumberValue) -> Int,
-    ) {
-        val value = checkNotNull(way ?: seconds) { "A way or a time." }
-        withNumber(value) { activity, number ->
-            val machine = activity.machine
-            val milliseconds =
-                if (way != null) machine.durations.duration(number) else time(activity, number, TimeUnit.SECONDS)
-            machine.commands.start(way != null && number.isNegative, activity.currentLine)
-            activity.waitFor(milliseconds)
-        }
-        emitter.emit(CompletionAction { it.machine.commands.stopDriving(it.currentLine) })
+    private fun lowerPen(statement: Statement.Pen) {
+        emitter.emit { it.waitFor(it.machine.robot.startPen(statement.position, it.currentLine)) }
+        emitter.emit(
+            CompletionAction({ !it.machine.robot.isPenMoving }) { it.machine.robot.stopPen(it.currentLine) },
+        )
     }
 
-    private fun lowerPen(statement: Statement.Pen) {
-        emitter.emit {
-            it.machine.commands.startPen(statement.position, it.currentLine)
-            it.waitFor(RobotConstants.PEN_MILLISECONDS)
+    private fun lowerMotorTurn(statement: Statement.MotorTurn) {
+        val port = statement.port
+        withNumber(statement.angle) { activity, angle ->
+            activity.machine.robot.turnMotor(port, angle, activity.currentLine)
+            if (statement.waits) activity.waitFor(0)
         }
-        emitter.emit(CompletionAction { it.machine.commands.stopPen(it.currentLine) })
+        if (!statement.waits) return
+        emitter.emit(
+            CompletionAction({ !it.machine.robot.isTurning(port) }) {
+                if (it.machine.robot.isTurning(port)) it.machine.robot.brake(port, it.currentLine)
+            },
+        )
+    }
+
+    private fun lowerReset(statement: Statement.ResetMotor) {
+        val port = statement.port
+        command { if (isTurning(port)) brake(port, it) }
+        emitter.emit(
+            CompletionAction({ !it.machine.robot.isTurning(port) }) {
+                it.machine.robot.resetMotor(port, it.currentLine)
+            },
+        )
+    }
+
+    private fun lowerShow(statement: Statement.Show) {
+        if (expressions.typeOf(statement.value) == ValueType.COLOUR) {
+            expressions.lower(statement.value)
+            emitter.emit { it.machine.robot.showColour(it.pop(), it.currentLine) }
+        } else {
+            withNumber(statement.value) { activity, value ->
+                activity.machine.robot.show(value, activity.currentLine)
+            }
+        }
     }
 
     private fun lowerMotor(statement: Statement.Motor) {
@@ -139,11 +188,11 @@ internal class CommandLowering(private val emitter: Emitter, private val express
         }
         emitter.put(next)
         emitter.emit {
-            val hundredths = minOf(it.peek(), RobotConstants.LONGEST_TONE)
+            val hundredths = minOf(it.peek(), it.machine.robot.longestTone)
             if (hundredths == 0) {
                 it.next = done.place
             } else {
-                it.machine.commands.playTone(it.peek(below = 1), hundredths, it.currentLine)
+                it.machine.robot.playTone(it.peek(below = 1), hundredths, it.currentLine)
                 it.replace(it.peek() - hundredths)
                 it.waitFor(hundredths * RobotConstants.MILLISECONDS_PER_TONE_UNIT)
             }
@@ -153,17 +202,17 @@ internal class CommandLowering(private val emitter: Emitter, private val express
         emitter.drop(2)
     }
 
-    private fun command(act: RobotCommands.(line: Int) -> Unit) = emitter.emit {
-        it.machine.commands.act(it.currentLine)
+    private fun command(act: RobotDevice.(line: Int) -> Unit) = emitter.emit {
+        it.machine.robot.act(it.currentLine)
     }
 
-    private fun withPower(power: Expression, act: RobotCommands.(power: Int, line: Int) -> Unit) = withNumber(power) {
+    private fun withPower(power: Expression, act: RobotDevice.(power: Int, line: Int) -> Unit) = withNumber(power) {
         activity,
         number,
         ->
         val value = wholeOf(number)
         if (value !in 0..RobotConstants.LARGEST_POWER) fail(activity.machine.messages.powerOutside(value))
-        activity.machine.commands.act(value, activity.currentLine)
+        activity.machine.robot.act(value, activity.currentLine)
     }
 
     private fun withNumber(expression: Expression, act: (Activity, NumberValue) -> Unit) {

@@ -24,6 +24,10 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
                 emitter.emit { it.pushTruth(expression.value) }
             }
 
+            is Expression.ColourLiteral -> {
+                emitter.emit { it.push(expression.colour.number) }
+            }
+
             is Expression.ListOf -> {
                 lowerList(expression)
             }
@@ -49,7 +53,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
             }
 
             is Expression.Sense -> {
-                lowerSense(expression.sense, emitter, scope.ports.lightPort)
+                lowerSense(expression.sense, emitter, scope.ports, scope.kind)
             }
 
             is Expression.Brackets -> {

@@ -1,26 +1,31 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.program.Rom
 import robotran.robolang.messages.RunMessages
-import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
 
 /**
  * The state shared by all activities of a run: the robot, the main program's variables, lists, random numbers and the
  * timer.
  */
-internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calibration, val messages: RunMessages) {
-    val durations = Durations(calibration)
-    val commands = RobotCommands(rom)
-    val senses = RobotSenses(rom)
-    val lists = Lists(messages)
+internal class InterpreterState(
+    val code: Code,
+    val robot: RobotDevice,
+    val durations: Durations,
+    val messages: RunMessages,
+) {
+    val timer = ProgramTimer(robot)
+
+    /** The activities that have values, set by the run. */
+    var activities: () -> List<Activity> = { emptyList() }
+
+    val lists = Lists(messages, if (robot.collectsLists) ::eachValue else null)
     val globals = IntArray(code.globals)
 
     /**
      * Seeded with the clock at the start, rounded to less than millisecond accuracy, since a translation gets there
      * slightly later.
      */
-    val random = LejosRandom(rom.milliseconds.toInt() / SEED_MILLISECONDS)
+    val random = robot.random(robot.milliseconds.toInt() / SEED_MILLISECONDS)
 
     /** Whether conditions are evaluated: once the variables that they can use are declared. */
     var isWatching = false
@@ -30,6 +35,11 @@ internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calib
 
     /** Whether a `halt` has been executed. */
     var isHalted = false
+
+    private fun eachValue(use: (Int) -> Unit) {
+        globals.forEach(use)
+        activities().forEach { it.eachValue(use) }
+    }
 
     private companion object {
         /** Translations also divide by it. */

@@ -1,5 +1,6 @@
 package robotran.robolang.run
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.Routine
@@ -12,12 +13,13 @@ import robotran.robolang.syntax.Routine
  * one, so no code between two of them runs for ever. A run can therefore be stopped at any statement, and only there or
  * while it waits. Budgets, behaviours and debugging rely on this.
  */
-internal fun lower(program: CheckedProgram, name: String): Code {
+internal fun lower(program: CheckedProgram, name: String, kind: BrickKind): Code {
     val emitter = Emitter()
-    val scope = LoweringScope(program)
+    val scope = LoweringScope(program, kind)
     val statements = StatementLowering(emitter, scope)
     val main = emitter.place
-    emitter.emit(SensorSetup(scope.ports))
+    emitter.emit { activity -> activity.machine.run { robot.setUp(scope.ports) { setUpLine = it } } }
+    if (kind == BrickKind.NXT) emitter.emit { if (!it.machine.robot.isSetUp) it.lookAgain() }
     statements.lowerMain(program.tree)
     emitter.emit(Boundary.End)
     program.tree.routines.forEach { lowerRoutine(it, scope.codeOf(it.name), emitter, statements) }

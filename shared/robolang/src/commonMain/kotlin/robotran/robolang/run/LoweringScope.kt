@@ -1,17 +1,22 @@
 package robotran.robolang.run
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 
 /** The types and symbols that lowering needs. */
-internal class LoweringScope(private val program: CheckedProgram) {
+internal class LoweringScope(private val program: CheckedProgram, val kind: BrickKind) {
     private val routines: List<RoutineCode> = program.tree.routines.map { RoutineCode(it, program.slotsOf(it)) }
 
-    val ports = SensorPorts(program.tree)
+    val ports = SensorPorts(program.tree, kind)
+
+    /** Whether the wheels are stopped before the program ends. */
+    val stopsAtEnd = stopsAtEnd(program.tree, kind)
 
     private val byName = program.tree.routines.map { it.name.key }.zip(routines).toMap()
 
@@ -25,6 +30,7 @@ internal class LoweringScope(private val program: CheckedProgram) {
     fun typeOf(expression: Expression): ValueType = when (expression) {
         is Expression.Number -> if (expression.value is NumberValue.Whole) ValueType.WHOLE else ValueType.DECIMAL
         is Expression.BooleanLiteral -> ValueType.TRUTH
+        is Expression.ColourLiteral -> ValueType.COLOUR
         is Expression.Brackets -> typeOf(expression.inner)
         else -> program.typeOf(expression)
     }

@@ -1,24 +1,28 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.program.Rom
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.StatementWatch
-import robotran.rcxrom.program.VariableScope
+import robotran.brick.program.CallFrame
+import robotran.brick.program.DebuggableRun
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.Statement
+import robotran.brick.program.StatementWatch
+import robotran.brick.program.VariableScope
 import robotran.robolang.messages.RunMessages
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
 
 /**
  * One run of a Robolang program. A step is a statement or a loop's check for another round, so even an empty loop uses
  * its budget. The whole state is on the stacks of its activities, so the run can stop before any statement.
  */
-internal class RobolangRun(code: Code, calibration: Calibration, rom: Rom, messages: RunMessages) : DebuggableRun {
-    private val machine = InterpreterState(code, rom, calibration, messages)
+internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations, messages: RunMessages) :
+    DebuggableRun {
+    private val machine = InterpreterState(code, robot, durations, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
+
+    init {
+        machine.activities = { arbiter.activities }
+    }
 
     /** The running activity. */
     private var active = arbiter.foremost

@@ -38,11 +38,6 @@ internal object RobotConstants {
     /** The interval in milliseconds at which `wait until` and the conditions of waiting behaviours are evaluated. */
     const val LOOKING_MILLISECONDS = 1
 
-    /** The ports of the penbot's bumpers and, unless the header names another, its light sensor. */
-    const val LEFT_BUMPER_PORT = 1
-    const val RIGHT_BUMPER_PORT = 3
-    const val LIGHT_PORT = 2
-
     /** The power of a fresh josx `Motor`, 0..7. */
     const val DRIVING_POWER = 3
 

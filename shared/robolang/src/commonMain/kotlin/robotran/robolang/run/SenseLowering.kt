@@ -1,32 +1,60 @@
 package robotran.robolang.run
 
-import robotran.robolang.syntax.BrickButton
+import robotran.brick.kind.BrickKind
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
 
 /** Pushes a sensor's value. */
-internal fun lowerSense(sense: Sense, emitter: Emitter, lightPort: Int) {
+internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind: BrickKind) {
     when (sense) {
-        Sense.LeftBumper -> emitter.emit { it.pushTruth(it.machine.senses.isPressed(RobotConstants.LEFT_BUMPER_PORT)) }
+        Sense.LeftBumper -> lowerBumper(ports.leftBumperPort, emitter)
 
-        Sense.RightBumper -> emitter.emit {
-            it.pushTruth(it.machine.senses.isPressed(RobotConstants.RIGHT_BUMPER_PORT))
+        Sense.RightBumper -> lowerBumper(ports.rightBumperPort, emitter)
+
+        Sense.Light -> ports.lightPort.let { port -> emitter.emit { it.push(it.machine.robot.light(port)) } }
+
+        is Sense.Sensor -> when (kind) {
+            BrickKind.RCX -> emitter.emit { it.push(it.machine.robot.value(sense.port)) }
+            BrickKind.NXT -> lowerAt(sense.port, ports.senseAt(sense.port), emitter)
         }
 
-        Sense.Light -> emitter.emit { it.push(it.machine.senses.value(lightPort)) }
+        is Sense.Button -> emitter.emit { it.pushTruth(it.machine.robot.isHeld(sense.button, it.currentLine)) }
 
-        is Sense.Sensor -> emitter.emit { it.push(it.machine.senses.value(sense.port)) }
+        Sense.Timer -> emitter.emit { it.pushDecimal(it.machine.timer.seconds()) }
 
-        is Sense.Button -> emitter.emit { it.pushTruth(it.machine.senses.isHeld(bitOf(sense.button), it.currentLine)) }
+        Sense.Battery -> emitter.emit { it.pushDecimal(it.machine.robot.batteryVolts(it.currentLine)) }
 
-        Sense.Timer -> emitter.emit { it.pushDecimal(it.machine.senses.timerSeconds()) }
+        Sense.Distance, Sense.Loudness, Sense.Colour -> lowerAt(checkNotNull(ports.portOf(sense)), sense, emitter)
 
-        Sense.Battery -> emitter.emit { it.pushDecimal(it.machine.senses.batteryVolts(it.currentLine)) }
+        is Sense.Turned -> emitter.emit { it.push(it.machine.robot.turned(sense.port)) }
     }
 }
 
-/** Source: leJOS `Button.java`. */
-private fun bitOf(button: BrickButton): Int = when (button) {
-    BrickButton.RUN -> 1
-    BrickButton.VIEW -> 2
-    BrickButton.PRGM -> 4
+private fun lowerBumper(port: Int, emitter: Emitter) = emitter.emit { it.pushTruth(it.machine.robot.isPressed(port)) }
+
+/** Pushes the value of the sensor on [port] that [sense] reads, as a whole number. */
+private fun lowerAt(port: Int, sense: Sense, emitter: Emitter) = when (sense) {
+    Sense.Distance -> {
+        emitter.emit { it.machine.robot.measureDistance(port, it.currentLine) }
+        emitter.emit {
+            val robot = it.machine.robot
+            if (robot.hasDistance(port)) it.push(robot.distance(port)) else it.lookAgain()
+        }
+    }
+
+    Sense.Loudness -> {
+        emitter.emit { it.push(it.machine.robot.loudness(port)) }
+    }
+
+    Sense.Colour -> {
+        emitter.emit { it.push(it.machine.robot.colour(port)) }
+    }
+
+    Sense.Light -> {
+        emitter.emit { it.push(it.machine.robot.light(port)) }
+    }
+
+    else -> {
+        lowerBumper(port, emitter)
+    }
 }

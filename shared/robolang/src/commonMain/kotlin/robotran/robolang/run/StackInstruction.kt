@@ -22,9 +22,14 @@ internal sealed interface Boundary : StackInstruction {
 }
 
 /**
- * The end of a timed command, such as stopping the motors after `forward`. It is executed early if the command is cut
- * short.
+ * The end of a command that takes time, such as stopping the motors after `forward`. It is done early if the command is
+ * cut short, and not before [isOver].
  */
-internal class CompletionAction(private val end: (Activity) -> Unit) : StackInstruction {
-    override fun execute(activity: Activity) = end(activity)
+internal class CompletionAction(
+    private val isOver: (Activity) -> Boolean = { true },
+    private val end: (Activity) -> Unit,
+) : StackInstruction {
+    override fun execute(activity: Activity) = if (isOver(activity)) end(activity) else activity.lookAgain()
+
+    fun cutShort(activity: Activity) = end(activity)
 }

@@ -11,7 +11,7 @@ import robotran.robolang.syntax.leadingDeclarations
 /** Lowers statements, with [LoopLowering] for loops and [CommandLowering] for commands. */
 internal class StatementLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     val expressions = ExpressionLowering(emitter, scope)
-    private val commands = CommandLowering(emitter, expressions)
+    private val commands = CommandLowering(emitter, expressions, scope.kind)
     private val loops = LoopLowering(emitter, expressions, ::lowerBody)
     private var returned = ValueType.NOTHING
 
@@ -21,6 +21,7 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
         declarations.forEach(::lower)
         emitter.emit { it.machine.isWatching = true }
         tree.statements.drop(declarations.size).forEach(::lower)
+        if (tree.behaviours.isEmpty() && scope.stopsAtEnd) commands.lowerStop()
     }
 
     fun lowerRoutine(routine: Routine) = emitter.inBlock {
@@ -67,6 +68,7 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
             }
 
             is Statement.Halt -> {
+                if (scope.stopsAtEnd) commands.lowerStop()
                 emitter.emit { it.machine.isHalted = true }
             }
 

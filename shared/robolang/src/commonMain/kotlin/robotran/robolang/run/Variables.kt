@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
 
@@ -40,6 +40,10 @@ private fun text(type: ValueType, value: Int, machine: InterpreterState): String
 
     ValueType.TRUTH -> {
         (value != 0).toString()
+    }
+
+    ValueType.COLOUR -> {
+        colourName(value).lowercase()
     }
 
     ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL -> {

@@ -42,7 +42,7 @@ private val VALUES =
         Keyword.TRUE,
         Keyword.FALSE,
         Keyword.NOT,
-    )
+    ) + NXT_VALUES
 
 /** Words that begin a line in other languages. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
@@ -88,7 +88,7 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
             if (Keyword.of(letters) in Keyword.OPENERS) return BlockEffect.MAY_OPEN
         }
 
-        word.keyword == Keyword.LIGHT && reader.peek(1)?.keyword == Keyword.SENSOR -> {
+        isSetting(reader) -> {
             report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
         }
 
@@ -106,6 +106,23 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
     }
     return BlockEffect.NONE
 }
+
+/** Whether the line is one of the header. */
+internal fun isSetting(reader: LineReader): Boolean = when (reader.first.keyword) {
+    Keyword.LIGHT, Keyword.COLOUR, Keyword.SOUND -> reader.peek(1)?.keyword == Keyword.SENSOR
+    Keyword.SONAR -> reader.peek(1)?.keyword == Keyword.ON
+    Keyword.BRICK -> reader.peek(1)?.keyword in KINDS
+    else -> false
+}
+
+/** Whether the line may be one of the header, with a mistake, rather than one that uses a name. */
+internal fun maybeSetting(reader: LineReader): Boolean =
+    reader.first.keyword in SETTINGS && reader.peek(1)?.kind !in NAME_ENDS
+
+/** The words that a line of the header can begin with. */
+internal val SETTINGS = setOf(Keyword.LIGHT, Keyword.BRICK, Keyword.SONAR, Keyword.COLOUR, Keyword.SOUND)
+
+private val NAME_ENDS = setOf(TokenKind.ASSIGN, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
 
 private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: SourceRange) {
     report(reader, DiagnosticCode.UNKNOWN_COMMAND, range, messages.valueAsCommand(reader.quotable(range)))

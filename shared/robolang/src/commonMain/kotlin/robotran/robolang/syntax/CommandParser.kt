@@ -1,6 +1,7 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
@@ -106,10 +107,23 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
     private fun start(): Statement? {
         reader.advance()
         moveDirection()?.let { return Statement.StartMoving(reader.readRange, it) }
+        if (reader.take(Keyword.MOTOR) != null) return startMotor()
         if (reader.take(Keyword.TURNING) == null) {
             return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
         }
         return turnDirection()?.let { Statement.StartTurning(reader.readRange, it) }
+    }
+
+    /** `start motor A turn 90`. */
+    private fun startMotor(): Statement? {
+        val port = readMotor(reader, diagnostics) ?: return null
+        return if (expect(Keyword.TURN)) motorTurn(port, waits = false) else null
+    }
+
+    private fun motorTurn(port: MotorPort, waits: Boolean): Statement? {
+        val angle = number("90") ?: return null
+        unit(Keyword.DEGREES)
+        return Statement.MotorTurn(reader.readRange, port, angle, waits)
     }
 
     private fun power(): Statement? {
@@ -125,9 +139,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
     private fun motor(): Statement? {
         reader.advance()
-        val letter = reader.next?.text?.uppercase()
-        val port = MotorPort.entries.firstOrNull { it.name == letter } ?: return missingMotor()
-        reader.advance()
+        val port = readMotor(reader, diagnostics) ?: return null
         val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
             Keyword.FORWARD -> MotorCommand.Forward
 
@@ -139,21 +151,21 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
             Keyword.POWER -> number("5")?.let { MotorCommand.Power(it) } ?: return null
 
-            else -> return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, MOTOR_COMMANDS) {
-                messages.missingMotorCommand(port.name, it)
+            else -> return if (reader.take(Keyword.TURN) != null) {
+                motorTurn(port, waits = true)
+            } else {
+                missingMotorCommand(port)
             }
         }
         return Statement.Motor(reader.readRange, port, command)
     }
 
-    private fun missingMotor(): Nothing? {
-        diagnostics.report(
-            reader,
-            DiagnosticCode.MISSING_MOTOR,
-            reader.next?.range ?: reader.gap,
-            messages.missingMotor(),
-        )
-        return null
+    private fun missingMotorCommand(port: MotorPort): Nothing? {
+        val isNxt = diagnostics.brick == BrickKind.NXT
+        val commands = if (isNxt) MOTOR_COMMANDS + Keyword.TURN else MOTOR_COMMANDS
+        return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, commands) {
+            if (isNxt) messages.missingNxtMotorCommand(port.name, it) else messages.missingMotorCommand(port.name, it)
+        }
     }
 
     private fun pen(): Statement? {
@@ -191,6 +203,9 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
     private fun reset(): Statement? {
         reader.advance()
+        if (reader.take(Keyword.MOTOR) != null) {
+            return readMotor(reader, diagnostics)?.let { Statement.ResetMotor(reader.readRange, it) }
+        }
         return if (expect(Keyword.TIMER)) Statement.ResetTimer(reader.readRange) else null
     }
 

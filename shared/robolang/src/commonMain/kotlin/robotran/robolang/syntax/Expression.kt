@@ -12,6 +12,9 @@ internal sealed interface Expression {
     /** `true` and `false`. */
     data class BooleanLiteral(override val range: SourceRange, val value: Boolean) : Expression
 
+    /** `red` and the other colours. */
+    data class ColourLiteral(override val range: SourceRange, val colour: PaintColour) : Expression
+
     /** `[1, 2, 3]`. */
     data class ListOf(override val range: SourceRange, val elements: List<Expression>) : Expression
 

@@ -12,23 +12,39 @@ internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Exp
     val range = instead?.range ?: reader.gap
     val complete = "$command $example"
     when (expected) {
-        Expected.NUMBER -> report(
-            reader,
-            DiagnosticCode.MISSING_NUMBER,
-            range,
-            messages.missingNumber(command, complete),
-        )
+        Expected.NUMBER -> {
+            val start = reader.startMeant()
+            val message = messages.missingNumber(command, complete)
+            report(
+                reader,
+                DiagnosticCode.MISSING_NUMBER,
+                range,
+                if (start == null) message else "$message ${messages.startInstead(start)}",
+                start?.let { SourceFix(reader.first.range, it) },
+            )
+        }
 
-        Expected.CONDITION -> report(
-            reader,
-            DiagnosticCode.MISSING_CONDITION,
-            range,
-            messages.missingCondition(command, complete),
-        )
+        Expected.CONDITION -> {
+            report(
+                reader,
+                DiagnosticCode.MISSING_CONDITION,
+                range,
+                messages.missingCondition(command, complete),
+            )
+        }
 
-        Expected.VALUE -> report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingValue(command, complete))
+        Expected.VALUE -> {
+            report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingValue(command, complete))
+        }
     }
     return null
+}
+
+/** What was probably meant by `forward` alone before a line that waits for something, such as `start forward`. */
+private fun LineReader.startMeant(): String? {
+    val move = first.keyword?.takeIf { it == Keyword.FORWARD || it == Keyword.BACKWARD }
+    val waiting = nextLine?.tokens.orEmpty().take(2).map { it.keyword } == listOf(Keyword.WAIT, Keyword.UNTIL)
+    return if (move != null && next == null && waiting) "${Keyword.START.text} ${move.text}" else null
 }
 
 /** Reports a missing value after [before], an operator, bracket or comma. */

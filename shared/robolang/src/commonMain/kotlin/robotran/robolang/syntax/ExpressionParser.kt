@@ -170,7 +170,7 @@ private val BEGINNING_WORDS = setOf(
     Keyword.BUTTON,
     Keyword.TIMER,
     Keyword.BATTERY,
-)
+) + NXT_VALUES
 
 private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
 

@@ -121,8 +121,32 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
         return RoutineHeader(name, parameters)
     }
 
-    /** `light sensor on 2 facing down`. */
-    fun lightSensor(): LightSensorSetting? {
+    /** A line of the header. */
+    fun setting(): RobotSetting? = when (reader.first.keyword) {
+        Keyword.BRICK -> brick()
+        Keyword.SONAR -> sensor(NxtSensor.SONAR)
+        Keyword.COLOUR -> sensor(NxtSensor.COLOUR)
+        Keyword.SOUND -> sensor(NxtSensor.SOUND)
+        else -> lightSensor()
+    }
+
+    private fun brick(): BrickSetting? {
+        reader.advance()
+        val kind = KINDS[reader.next?.keyword]
+            ?: return missing(DiagnosticCode.MISSING_BRICK, KINDS.keys.toList(), messages::missingBrick)
+        reader.advance()
+        diagnostics.expectEndOfLine(reader)
+        return BrickSetting(reader.readRange, kind)
+    }
+
+    private fun sensor(sensor: NxtSensor): SensorSetting? {
+        if (!(sensor.words + Keyword.ON).all(::expect)) return null
+        val port = readPort(reader, diagnostics) ?: return null
+        diagnostics.expectEndOfLine(reader)
+        return SensorSetting(reader.readRange, sensor, port)
+    }
+
+    private fun lightSensor(): LightSensorSetting? {
         val isComplete = expect(Keyword.LIGHT) && expect(Keyword.SENSOR) && expect(Keyword.ON)
         if (!isComplete) return null
         val port = readPort(reader, diagnostics) ?: return null

@@ -1,11 +1,15 @@
 package robotran.robolang.syntax
 
+import robotran.brick.kind.BrickKind
+
 /**
  * The keywords; they ignore case.
  *
  * @property text its spelling in Robolang.
- * @property singular another spelling, for one second or one degree.
+ * @property singular another spelling, for one second or one degree, or of another English.
  * @property isFree whether a pupil may use the word as a name, since it stands only where no name can.
+ * @property yields whether it is a name in a program that declares it as one: the words that came later.
+ * @property brick the only brick that it is for; null for both.
  * @property endsValue whether it can end an expression, so that a minus after it subtracts.
  */
 internal enum class Keyword(
@@ -13,6 +17,8 @@ internal enum class Keyword(
     val singular: String? = null,
     val isFree: Boolean = false,
     val endsValue: Boolean = false,
+    val yields: Boolean = false,
+    val brick: BrickKind? = null,
 ) {
     FORWARD("forward"),
     BACKWARD("backward"),
@@ -81,6 +87,23 @@ internal enum class Keyword(
     PRGM("prgm", isFree = true, endsValue = true),
     TIMER("timer", endsValue = true),
     BATTERY("battery", endsValue = true),
+    BRICK("brick", isFree = true),
+    RCX("rcx", isFree = true),
+    NXT("nxt", isFree = true),
+    SONAR("sonar", isFree = true, brick = BrickKind.NXT),
+    SOUND("sound", isFree = true, brick = BrickKind.NXT),
+    DISTANCE("distance", endsValue = true, yields = true, brick = BrickKind.NXT),
+    LOUDNESS("loudness", endsValue = true, yields = true, brick = BrickKind.NXT),
+    COLOUR("colour", "color", endsValue = true, yields = true, brick = BrickKind.NXT),
+    BLACK("black", endsValue = true, yields = true, brick = BrickKind.NXT),
+    BLUE("blue", endsValue = true, yields = true, brick = BrickKind.NXT),
+    GREEN("green", endsValue = true, yields = true, brick = BrickKind.NXT),
+    YELLOW("yellow", endsValue = true, yields = true, brick = BrickKind.NXT),
+    RED("red", endsValue = true, yields = true, brick = BrickKind.NXT),
+    WHITE("white", endsValue = true, yields = true, brick = BrickKind.NXT),
+    TURNED("turned", yields = true, brick = BrickKind.NXT),
+    ENTER("enter", isFree = true, endsValue = true, brick = BrickKind.NXT),
+    ESCAPE("escape", isFree = true, endsValue = true, brick = BrickKind.NXT),
     ;
 
     companion object {

@@ -2,8 +2,12 @@ package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.SourceRange
 
-/** Reads the tokens of one line, which has at least one. */
-internal class LineReader(val line: ScannedLine) {
+/**
+ * Reads the tokens of one line, which has at least one.
+ *
+ * @param nextLine the next line that has any, which may tell what a mistake should have been.
+ */
+internal class LineReader(val line: ScannedLine, val nextLine: ScannedLine? = null) {
     private val tokens = line.tokens
     private var position = 0
 

@@ -1,5 +1,6 @@
 package robotran.robolang.syntax
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
@@ -18,12 +19,11 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private val behaviours = mutableListOf<Behaviour>()
     private val routineNames = routineNamesIn(lines)
     private var robot: RobotHeader? = null
-    private var lightSensor: LightSensorSetting? = null
+    private var settings = mutableListOf<RobotSetting>()
 
     fun program(): ParsedProgram {
-        for (line in lines) {
-            if (line.tokens.isNotEmpty()) line(LineReader(line))
-        }
+        val written = lines.filter { it.tokens.isNotEmpty() }
+        written.forEachIndexed { index, line -> line(LineReader(line, written.getOrNull(index + 1))) }
         forgiveTakenWords(lines, diagnostics)
         val lacking = blocks.lackingEnds()
         reportMissingEnds(lacking, lines, diagnostics)
@@ -44,7 +44,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
 
     private fun line(reader: LineReader) {
         val keyword = reader.first.keyword
-        closeLackingBefore(reader.first)
+        closeLackingBefore(reader)
         when {
             reader.peek(
                 1,
@@ -67,12 +67,13 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
      * A routine, and any line that is not indented further than `robot`, shows that the previous blocks should have
      * ended.
      */
-    private fun closeLackingBefore(first: Token) {
+    private fun closeLackingBefore(reader: LineReader) {
+        val first = reader.first
         val column = first.range.column
         if (first.keyword in OUTERMOST) {
             blocks.closeLacking(first.range.line) { it.keyword.range.column >= column }
         } else if (first.keyword != Keyword.END) {
-            if (first.keyword != Keyword.LIGHT) {
+            if (!maybeSetting(reader)) {
                 blocks.closeLacking(first.range.line) {
                     it.keyword.keyword == Keyword.ROBOT &&
                         it.keyword.range.column >= column
@@ -177,21 +178,28 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
         }
         return OpenBlock(reader.first, reader.readRange) { block ->
-            robot = robot ?: RobotHeader(block.range, block.endRange, lightSensor)
+            robot = robot ?: RobotHeader(block.range, block.endRange, settings)
             null
         }
     }
 
     private fun setting(reader: LineReader) {
-        if (reader.first.keyword != Keyword.LIGHT) {
+        if (reader.first.keyword !in SETTINGS) {
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
             if (reader.first.keyword in Keyword.OPENERS) openUnknown(reader)
             return
         }
-        if (lightSensor != null && robot == null) {
-            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        val setting = HeaderParser(reader, diagnostics).setting() ?: return
+        val isFirst = settings.none { it.excludes(setting, severalOfAKind = diagnostics.brick == BrickKind.NXT) }
+        if (!isFirst && robot == null) {
+            val message = when (setting) {
+                is LightSensorSetting -> messages.secondSetting()
+                is SensorSetting -> messages.settingTwice(setting.sensor.settingOn(setting.port))
+                is BrickSetting -> messages.settingTwice(Keyword.BRICK.text)
+            }
+            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, message)
         }
-        lightSensor = HeaderParser(reader, diagnostics).lightSensor() ?: lightSensor
+        settings += setting
     }
 
     private fun otherwise(reader: LineReader) {

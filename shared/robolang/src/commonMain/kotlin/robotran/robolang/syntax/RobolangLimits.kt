@@ -11,14 +11,17 @@ object RobolangLimits {
     /** The max nesting of brackets, operators and calls, for the same reason. */
     const val NESTED_EXPRESSIONS = 100
 
-    /** The numbers of the brick's inputs, as printed on it. */
-    val SENSOR_PORTS: IntRange = 1..3
+    /** The numbers of the inputs of the bricks, as printed on them; an RCX has no 4. */
+    val SENSOR_PORTS: IntRange = 1..4
 
     /** The power of a motor. */
     val POWERS: IntRange = 0..7
 
-    /** The number of characters on the LCD. */
+    /** The number of characters on the LCD of an RCX. */
     const val TEXT_CHARACTERS = 5
+
+    /** The number of characters in a row of the NXT's display. */
+    const val NXT_TEXT_CHARACTERS = 16
 
     /** The max array length on the brick: leJOS stores it in 9 bits. */
     const val LIST_ELEMENTS = 511

@@ -22,10 +22,11 @@ private val QUOTATION_MARKS = charArrayOf(
 )
 
 /** Splits [source] into lines and tokens. Reports invalid characters, once per line. */
-internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> =
+internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> = withDeclaredNames(
     source.removePrefix(BYTE_ORDER_MARK).lineSequence()
         .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
-        .toList()
+        .toList(),
+)
 
 /** Splits one line into tokens. */
 private class LineScanner(private val text: String, private val number: Int, private val diagnostics: DiagnosticSink) {

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.controls.MotorPort
+import robotran.brick.controls.MotorPort
 import robotran.robolang.diagnostic.SourceRange
 
 /** A statement. A block's [range] is its first line. */
@@ -47,6 +47,17 @@ internal sealed interface Statement {
 
     /** `motor A forward` and other commands to one motor. */
     data class Motor(override val range: SourceRange, val port: MotorPort, val command: MotorCommand) : Statement
+
+    /** `motor A turn 90 degrees`, which [waits] until it has turned, and `start motor A turn 90`, which does not. */
+    data class MotorTurn(
+        override val range: SourceRange,
+        val port: MotorPort,
+        val angle: Expression,
+        val waits: Boolean,
+    ) : Statement
+
+    /** `reset motor A`: counts its degrees from 0 again. */
+    data class ResetMotor(override val range: SourceRange, val port: MotorPort) : Statement
 
     /** `pen down` and `pen up`. */
     data class Pen(override val range: SourceRange, val position: PenPosition) : Statement

@@ -20,18 +20,17 @@ internal data class SyntaxTree(
 )
 
 /** `robot` .. `end`. */
-internal data class RobotHeader(
-    val range: SourceRange,
-    val endRange: SourceRange,
-    val lightSensor: LightSensorSetting?,
-)
+internal data class RobotHeader(val range: SourceRange, val endRange: SourceRange, val settings: List<RobotSetting>) {
+    /** The settings of light sensors; `light` reads the first. */
+    val lightSensors: List<LightSensorSetting> get() = settings.filterIsInstance<LightSensorSetting>()
+    val lightSensor: LightSensorSetting? get() = lightSensors.firstOrNull()
 
-/**
- * `light sensor on 2 facing down`.
- *
- * @property port 1..3, as it is printed on the brick.
- */
-internal data class LightSensorSetting(val range: SourceRange, val port: Int, val facing: Facing)
+    /** The setting of the brick; null if the header does not name it. */
+    val brick: BrickSetting? get() = settings.filterIsInstance<BrickSetting>().lastOrNull()
+
+    /** The settings of the sensors that only an NXT has; the word of a kind reads the first of its kind. */
+    val nxtSensors: List<SensorSetting> get() = settings.filterIsInstance<SensorSetting>()
+}
 
 /** A name as typed. */
 internal data class Name(val range: SourceRange, val text: String) {
@@ -61,5 +60,3 @@ internal data class Behaviour(
     val condition: Expression,
     val body: List<Statement>,
 )
-
-internal enum class Facing { DOWN, FORWARD }

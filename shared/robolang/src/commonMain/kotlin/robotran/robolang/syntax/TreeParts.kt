@@ -7,12 +7,20 @@ internal val SyntaxTree.leadingDeclarations: List<Statement>
 /** The direct subexpressions, from left to right. */
 internal val Expression.parts: List<Expression>
     get() = when (this) {
-        is Expression.Number, is Expression.BooleanLiteral, is Expression.Variable, is Expression.Sense -> emptyList()
+        is Expression.Number, is Expression.BooleanLiteral, is Expression.ColourLiteral, is Expression.Variable,
+        is Expression.Sense,
+        -> emptyList()
+
         is Expression.ListOf -> elements
+
         is Expression.ListElement -> listOf(list, index)
+
         is Expression.Unary -> listOf(operand)
+
         is Expression.Binary -> listOf(left, right)
+
         is Expression.Call -> arguments
+
         is Expression.Brackets -> listOf(inner)
     }
 
@@ -26,6 +34,8 @@ internal val Statement.expressions: List<Expression>
         is Statement.Power -> listOf(power)
 
         is Statement.Motor -> listOfNotNull((command as? MotorCommand.Power)?.power)
+
+        is Statement.MotorTurn -> listOf(angle)
 
         is Statement.Wait -> listOf(duration)
 
@@ -59,6 +69,7 @@ internal val Statement.expressions: List<Expression>
         is Statement.StartTurning,
         is Statement.StopDriving,
         is Statement.Pen,
+        is Statement.ResetMotor,
         is Statement.ResetTimer,
         is Statement.Beep,
         is Statement.Buzz,

@@ -1,18 +1,23 @@
 package robotran.robolang.syntax
 
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 
-private val BUTTONS = mapOf(
-    Keyword.RUN to BrickButton.RUN,
-    Keyword.VIEW to BrickButton.VIEW,
-    Keyword.PRGM to BrickButton.PRGM,
-)
+private val BUTTONS = BrickButton.entries.associateBy { it.keyword }
+
+private val COLOURS = PaintColour.entries.associateBy { it.keyword }
+
+/** The words of the values that came with the NXT. */
+internal val NXT_VALUES: Set<Keyword> =
+    COLOURS.keys + setOf(Keyword.DISTANCE, Keyword.LOUDNESS, Keyword.COLOUR, Keyword.TURNED)
 
 /** Parses expressions that begin with a keyword: truth values and sensors. Returns null once an error was reported. */
 internal fun readWordExpression(reader: LineReader, diagnostics: DiagnosticSink): Expression? {
     val first = checkNotNull(reader.next)
     reader.advance()
+    COLOURS[first.keyword]?.let { return Expression.ColourLiteral(first.range, it) }
     val sense = when (first.keyword) {
         Keyword.TRUE -> return Expression.BooleanLiteral(first.range, true)
         Keyword.FALSE -> return Expression.BooleanLiteral(first.range, false)
@@ -23,6 +28,10 @@ internal fun readWordExpression(reader: LineReader, diagnostics: DiagnosticSink)
         Keyword.BUTTON -> button(reader, diagnostics)
         Keyword.TIMER -> Sense.Timer
         Keyword.BATTERY -> Sense.Battery
+        Keyword.DISTANCE -> Sense.Distance
+        Keyword.LOUDNESS -> Sense.Loudness
+        Keyword.COLOUR -> Sense.Colour
+        Keyword.TURNED -> readMotor(reader, diagnostics)?.let { Sense.Turned(it) }
         else -> error("No expression begins with ${first.text}.")
     }
     return sense?.let { Expression.Sense(reader.rangeFrom(first.range), it) }
@@ -42,24 +51,41 @@ private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
         reader.advance()
         return Sense.Button(button)
     }
+    val isNxt = diagnostics.brick == BrickKind.NXT
     diagnostics.reportMissingWord(
         reader,
         DiagnosticCode.MISSING_BUTTON,
-        BUTTONS.keys.map {
-            it.text
-        },
-        diagnostics.messages::missingButton,
+        BrickButton.of(diagnostics.brick).map { it.keyword.text },
+        if (isNxt) diagnostics.messages::missingNxtButton else diagnostics.messages::missingButton,
     )
     return null
 }
 
-/** Reads the number of an input, 1..3. */
+/** Reads the letter of a motor. */
+internal fun readMotor(reader: LineReader, diagnostics: DiagnosticSink): MotorPort? {
+    val letter = reader.next?.text?.uppercase()
+    val port = MotorPort.entries.firstOrNull { it.name == letter }
+    if (port == null) {
+        val range = reader.next?.range ?: reader.gap
+        diagnostics.report(reader, DiagnosticCode.MISSING_MOTOR, range, diagnostics.messages.missingMotor())
+    } else {
+        reader.advance()
+    }
+    return port
+}
+
+/** Reads the number of an input, 1..4. The checker refuses those that the brick does not have. */
 internal fun readPort(reader: LineReader, diagnostics: DiagnosticSink): Int? {
     val token = reader.take(TokenKind.NUMBER)
     val port = token?.text?.toIntOrNull()?.takeIf { it in RobolangLimits.SENSOR_PORTS }
     if (port == null) {
         val range = (token ?: reader.next)?.range ?: reader.gap
-        diagnostics.report(reader, DiagnosticCode.PORT_OUT_OF_RANGE, range, diagnostics.messages.portOutOfRange())
+        diagnostics.report(
+            reader,
+            DiagnosticCode.PORT_OUT_OF_RANGE,
+            range,
+            diagnostics.messages.portOutOfRange(diagnostics.brick.inputPorts),
+        )
     }
     return port
 }

@@ -20,7 +20,7 @@ internal class InvariantExpressions(private val program: CheckedProgram) {
 
     /** Whether [expression] consists of numbers and variables that are never assigned, and cannot fail. */
     fun isSteady(expression: Expression): Boolean = when (expression) {
-        is Expression.Number, is Expression.BooleanLiteral -> true
+        is Expression.Number, is Expression.BooleanLiteral, is Expression.ColourLiteral -> true
         is Expression.Variable -> program.symbolOf(expression.name) !in changed
         is Expression.Unary -> expression.operator == UnaryOperator.MINUS && isSteady(expression.operand)
         is Expression.Binary -> isSafe(expression) && isSteady(expression.left) && isSteady(expression.right)

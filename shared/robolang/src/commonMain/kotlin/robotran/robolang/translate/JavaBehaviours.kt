@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.BinaryOperator
@@ -16,6 +17,7 @@ internal class JavaBehaviours(
     private val comments: CommentsOfItems,
     private val statements: JavaStatements,
     private val writer: JavaWriter,
+    private val robot: BrickKind,
 ) {
     private val behaviours = program.tree.behaviours
 
@@ -40,7 +42,8 @@ internal class JavaBehaviours(
         writer.blank()
         writer.lines(JavaBehaviourTexts.MAIN_PROGRAM)
         writer.blank()
-        writer.lines(JavaBehaviourTexts.REACTIONS.replace("ALL", all.joinToString(", ") { "new $it()" }))
+        val reactions = if (robot == BrickKind.NXT) NxtReactingTexts.REACTIONS else JavaBehaviourTexts.REACTIONS
+        writer.lines(reactions.replace("ALL", all.joinToString(", ") { "new $it()" }))
     }
 
     private fun write(behaviour: Behaviour, name: String) {

@@ -1,32 +1,49 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.RobotTarget
+import robotran.robolang.robot.SensorPorts
+import robotran.robolang.run.NxtConstants
+import robotran.robolang.run.stopsAtEnd
+import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.allExpressions
 
 /** Assembles the class of a program: figures, fields, `main`, routines, behaviours, helpers. */
 internal class JavaClass(private val program: RobolangProgram, private val className: String) {
     private val checked = program.checked
     private val tree = checked.tree
-    private val ports = SensorPorts(tree)
-    private val names = JavaNames(className)
-    private val helpers = UsedHelpers(program.calibration, isReacting = tree.behaviours.isNotEmpty())
+    private val robot = program.robot
+    private val ports = SensorPorts(tree, robot.kind)
+    private val names = JavaNames(className, robot.kind)
+    private val helpers = UsedHelpers(robot, isReacting = tree.behaviours.isNotEmpty())
     private val comments = CommentsOfItems(tree)
-    private val throwing = Throwing(checked)
-    private val expressions = JavaExpressions(checked, names, helpers, ports.lightPort)
+    private val throwing = Throwing(checked, robot.kind, stopsAtEnd(tree, robot.kind))
+    private val nxtSensors = if (robot.kind == BrickKind.NXT) NxtSensorFields(ports) else null
+    private val expressions = JavaExpressions(checked, names, helpers, ports.lightPort, nxtSensors)
+    private val nxtCommands = (robot as? RobotTarget.Nxt)?.let { NxtCommands(it, expressions, helpers) }
+    private val stopsAtEnd = stopsAtEnd(tree, robot.kind)
     private val body = JavaWriter(depth = 1, SourceLines(tree))
     private val texts = JavaShownTexts(tree, names)
-    private val statements = JavaStatements(checked, names, expressions, helpers, texts, body)
+    private val statements = JavaStatements(checked, names, expressions, helpers, texts, nxtCommands, stopsAtEnd, body)
     private val fields = JavaFields(checked, names, expressions, comments)
-    private val behaviours = JavaBehaviours(checked, names, expressions, throwing, comments, statements, body)
+    private val behaviours =
+        JavaBehaviours(checked, names, expressions, throwing, comments, statements, body, robot.kind)
 
     fun write(): JavaWriter {
         behaviours.reserveNames()
         val globals = tree.statements.filterIsInstance<Statement.Declare>().map { it.name }
         (globals + tree.routines.map { it.name }).map(checked::symbolOf).distinct().forEach(names::declareShared)
+        if (nxtSensors != null) {
+            tree.robot?.let { body.takeComments(comments.of(it.range)) }
+            tree.robot?.let { body.commentsAbove(it.range.line + 1) }
+            nxtSensors.write(body)
+            tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
+        }
         fields.write(body)
-        texts.write(body)
+        if (robot.kind == BrickKind.RCX) texts.write(body)
         main()
         tree.routines.forEach(::routine)
         behaviours.writeClasses()
@@ -36,11 +53,17 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun main() {
         body.blank()
-        val throws = throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))
+        val throws =
+            throwsClause(helpers.isReacting || nxtSensors?.hasLamp == true || throwing.mayWait(tree.statements))
         body.open("public static void main(String[] arguments)$throws")
-        tree.robot?.let { body.takeComments(comments.of(it.range)) }
-        JavaSensors(ports).setUp(body)
-        tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
+        if (robot.kind == BrickKind.RCX) {
+            tree.robot?.let { body.takeComments(comments.of(it.range)) }
+            JavaSensors(ports).setUp(body)
+            tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
+        }
+        if (nxtSensors?.hasLamp == true) {
+            body.line("Thread.sleep(${NxtConstants.LAMP_MILLISECONDS}); // Until it has measured with its lamp on.")
+        }
         body.blank()
         mainStatements()
         body.close()
@@ -55,6 +78,12 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         }
         body.takeComments(comments.closing)
         body.commentsLeft()
+        val isEndReached = tree.behaviours.isEmpty() && JavaFlow(checked).completes(tree.statements)
+        if (stopsAtEnd && isEndReached &&
+            tree.statements.last() !is Statement.Halt
+        ) {
+            body.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();")
+        }
     }
 
     private fun mainStatements(part: List<Statement>) =
@@ -84,16 +113,16 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun whole(): JavaWriter = JavaWriter().apply {
         val name = program.name.lines().joinToString(" ").replace('\\', '/')
-        line("// $name, translated by Robotran for leJOS on the RCX.")
-        blank()
-        line("import josx.platform.rcx.*;")
-        if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
+        when (robot.kind) {
+            BrickKind.RCX -> rcxImports(name)
+            BrickKind.NXT -> nxtImports(name)
+        }
         if (JavaHelper.DICE in helpers.all) line("import java.util.*;")
         blank()
         takeComments(comments.heading)
         commentsLeft()
         open("public class $className")
-        JavaFigures(program.calibration).write(helpers.all, this)
+        JavaFigures(robot).write(helpers.all, this)
         append(body)
         val methods = helpers.all.filterNot { it.isField }
         if (methods.isNotEmpty()) {
@@ -114,7 +143,22 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun JavaWriter.helper(helper: JavaHelper) {
         blank()
-        lines(helper.textIn(helpers.isReacting))
+        lines(helpers.textOf(helper))
+    }
+
+    private fun JavaWriter.rcxImports(name: String) {
+        line("// $name, translated by Robotran for leJOS on the RCX.")
+        blank()
+        line("import josx.platform.rcx.*;")
+        if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
+    }
+
+    private fun JavaWriter.nxtImports(name: String) {
+        line("// $name, translated by Robotran for leJOS NXJ on the NXT.")
+        blank()
+        line("import lejos.nxt.*;")
+        if (allExpressions(tree).any { it is Expression.ColourLiteral }) line("import lejos.robotics.Color;")
+        if (tree.behaviours.isNotEmpty()) line("import lejos.robotics.subsumption.Behavior;")
     }
 }
 

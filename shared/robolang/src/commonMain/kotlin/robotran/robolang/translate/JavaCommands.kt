@@ -17,10 +17,11 @@ internal class JavaCommands(
     private val expressions: JavaExpressions,
     private val helpers: UsedHelpers,
     private val texts: JavaShownTexts,
+    private val nxt: NxtCommands?,
     private val writer: JavaWriter,
 ) {
     fun write(statement: Statement) {
-        for (line in lines(statement)) writer.line(line, statement.range.line)
+        for (line in nxt?.lines(statement) ?: lines(statement)) writer.line(line, statement.range.line)
     }
 
     private fun lines(statement: Statement): List<String> = when (statement) {
@@ -29,16 +30,16 @@ internal class JavaCommands(
         is Statement.Turn -> listOf(turn(statement))
 
         is Statement.StartMoving -> when (statement.direction) {
-            MoveDirection.FORWARD -> listOf("Motor.A.forward();", "Motor.C.forward();")
-            MoveDirection.BACKWARD -> listOf("Motor.A.backward();", "Motor.C.backward();")
+            MoveDirection.FORWARD -> both("forward", "forward")
+            MoveDirection.BACKWARD -> both("backward", "backward")
         }
 
         is Statement.StartTurning -> when (statement.direction) {
-            TurnDirection.LEFT -> listOf("Motor.A.backward();", "Motor.C.forward();")
-            TurnDirection.RIGHT -> listOf("Motor.A.forward();", "Motor.C.backward();")
+            TurnDirection.LEFT -> both("backward", "forward")
+            TurnDirection.RIGHT -> both("forward", "backward")
         }
 
-        is Statement.StopDriving -> listOf("Motor.A.stop();", "Motor.C.stop();")
+        is Statement.StopDriving -> both("stop", "stop")
 
         is Statement.Power -> power(statement)
 
@@ -74,6 +75,9 @@ internal class JavaCommands(
         else -> error("${statement::class.simpleName} is written elsewhere.")
     }
 
+    private fun both(left: String, right: String): List<String> =
+        listOf("Motor.A.$left();", "Motor.C.$right();").map(helpers.motors::of)
+
     private fun move(statement: Statement.Move): String {
         val ahead = statement.direction == MoveDirection.FORWARD
         return byMeasure(
@@ -104,8 +108,8 @@ internal class JavaCommands(
 
     private fun power(statement: Statement.Power): List<String> = when (statement.side) {
         PowerSide.BOTH -> listOf("${helpers.use(JavaHelper.POWER_BOTH)}(${whole(statement.power)});")
-        PowerSide.LEFT -> listOf(setPower("A", statement.power))
-        PowerSide.RIGHT -> listOf(setPower("C", statement.power))
+        PowerSide.LEFT -> listOf(setPower(helpers.motors.left, statement.power))
+        PowerSide.RIGHT -> listOf(setPower(helpers.motors.right, statement.power))
     }
 
     private fun motor(statement: Statement.Motor): String {

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
@@ -15,6 +16,7 @@ internal class JavaExpressions(
     private val names: JavaNames,
     private val helpers: UsedHelpers,
     private val lightPort: Int,
+    private val nxtSensors: NxtSensorFields?,
 ) {
     fun typeOf(expression: Expression): ValueType = when {
         expression is Expression.Number && expression.value is NumberValue.Whole -> ValueType.WHOLE
@@ -60,6 +62,8 @@ internal class JavaExpressions(
         is Expression.Number -> number(expression)
 
         is Expression.BooleanLiteral -> primary(expression.value.toString())
+
+        is Expression.ColourLiteral -> primary("Color.${expression.colour.name}")
 
         is Expression.ListOf -> JavaText(list(expression), OperatorPrecedence.UNARY)
 
@@ -149,7 +153,36 @@ internal class JavaExpressions(
         }
     }
 
-    private fun sense(sense: Sense): JavaText = when (sense) {
+    private fun sense(sense: Sense): JavaText = if (nxtSensors == null) rcxSense(sense) else nxtSense(sense, nxtSensors)
+
+    private fun nxtSense(sense: Sense, sensors: NxtSensorFields): JavaText = when (sense) {
+        Sense.Timer -> {
+            primary("${helpers.use(JavaHelper.TIMER)}()")
+        }
+
+        Sense.Battery -> {
+            primary("Battery.getVoltage()")
+        }
+
+        is Sense.Button -> {
+            primary("Button.${checkNotNull(sense.button.on(BrickKind.NXT)).name}.isPressed()")
+        }
+
+        is Sense.Turned -> {
+            primary("Motor.${sense.port.name}.getTachoCount()")
+        }
+
+        is Sense.Sensor -> {
+            val value = sensors.valueOf(sense)
+            primary(if (sensors.isTouch(sense)) "($value ? 1 : 0)" else value)
+        }
+
+        Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Distance, Sense.Colour, Sense.Loudness -> {
+            primary(sensors.valueOf(sense))
+        }
+    }
+
+    private fun rcxSense(sense: Sense): JavaText = when (sense) {
         Sense.LeftBumper -> primary("Sensor.S1.readBooleanValue()")
         Sense.RightBumper -> primary("Sensor.S3.readBooleanValue()")
         Sense.Light -> primary("Sensor.S$lightPort.readValue()")
@@ -157,6 +190,7 @@ internal class JavaExpressions(
         is Sense.Button -> primary("Button.${sense.button.name}.isPressed()")
         Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")
         Sense.Battery -> primary("Battery.getVoltage()")
+        Sense.Distance, Sense.Colour, Sense.Loudness, is Sense.Turned -> error("An RCX has no $sense.")
     }
 
     /** The pupil's brackets, unless the operand is atomic. */
@@ -193,7 +227,7 @@ private fun decimal(typed: String, value: Float): String {
 
 /** The Java type for [type]. */
 internal fun javaType(type: ValueType): String = when (type) {
-    ValueType.WHOLE -> "int"
+    ValueType.WHOLE, ValueType.COLOUR -> "int"
     ValueType.DECIMAL -> "float"
     ValueType.TRUTH -> "boolean"
     ValueType.LIST_OF_WHOLE -> "int[]"

@@ -52,7 +52,7 @@ internal class JavaFields(
 
     /** Whether [value] is constant and evaluating it cannot fail. */
     private fun isPlain(value: Expression): Boolean = when (value) {
-        is Expression.Number, is Expression.BooleanLiteral -> true
+        is Expression.Number, is Expression.BooleanLiteral, is Expression.ColourLiteral -> true
         is Expression.ListOf -> value.elements.all(::isPlain)
         is Expression.Variable -> program.symbolOf(value.name).let { it in settled && !it.type.isList }
         is Expression.Unary -> isPlain(value.operand)

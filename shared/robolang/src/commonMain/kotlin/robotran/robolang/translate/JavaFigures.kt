@@ -1,6 +1,7 @@
 package robotran.robolang.translate
 
-import robotran.robolang.robot.Calibration
+import robotran.brick.kind.BrickKind
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.decimalText
 
@@ -8,7 +9,7 @@ import robotran.robolang.run.decimalText
  * Writes the fields that the translation itself needs at the top of the class, first the robot's figures with
  * instructions to correct them.
  */
-internal class JavaFigures(private val calibration: Calibration) {
+internal class JavaFigures(private val robot: RobotTarget) {
     fun write(used: List<JavaHelper>, writer: JavaWriter) {
         for (field in used.filter { it.isField }) {
             writer.blank()
@@ -20,14 +21,14 @@ internal class JavaFigures(private val calibration: Calibration) {
         JavaHelper.CENTIMETRE -> {
             """
             /** How many milliseconds the wheels turn for one centimetre. Let the robot draw 100 cm and correct it. */
-            static final float ${field.called} = ${decimal(calibration.millisecondsPerCentimetre)};
+            static final float ${field.called} = ${decimal(rcx.millisecondsPerCentimetre)};
             """.trimIndent()
         }
 
         JavaHelper.DEGREE -> {
             """
             /** How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it. */
-            static final float ${field.called} = ${decimal(calibration.millisecondsPerDegree)};
+            static final float ${field.called} = ${decimal(rcx.millisecondsPerDegree)};
             """.trimIndent()
         }
 
@@ -38,10 +39,30 @@ internal class JavaFigures(private val calibration: Calibration) {
             """.trimIndent()
         }
 
+        JavaHelper.PILOT_FIELD -> {
+            pilot(robot as RobotTarget.Nxt)
+        }
+
         else -> {
-            field.text
+            NxtTexts.of(field, isReacting = true).takeIf { robot.kind == BrickKind.NXT } ?: field.text
         }
     }
+
+    private val rcx: RobotTarget.Rcx get() = robot as RobotTarget.Rcx
+
+    private fun newPilot(robot: RobotTarget.Nxt): String =
+        "new Pilot(WHEEL_DIAMETER, TRACK_WIDTH, Motor.${robot.left.name}, Motor.${robot.right.name})"
+
+    private fun pilot(robot: RobotTarget.Nxt): String =
+        """
+        /** The diameter of the wheels in cm: let the robot draw 100 cm and correct it. */
+        static final float WHEEL_DIAMETER = ${decimal(robot.wheelDiameter)};
+
+        /** How far apart the wheels are, in cm: let the robot turn ten times round and correct it. */
+        static final float TRACK_WIDTH = ${decimal(robot.track)};
+
+        static final Pilot pilot = ${newPilot(robot)};
+        """.trimIndent()
 
     private fun decimal(figure: Double): String = decimalText(figure.toFloat()) + "f"
 }

@@ -32,7 +32,7 @@ internal class JavaFlow(private val program: CheckedProgram) {
 
     /** Whether [expression] is constant for Java, which then treats it as such in reachability. */
     fun isConstant(expression: Expression): Boolean = when (expression) {
-        is Expression.Number, is Expression.BooleanLiteral -> true
+        is Expression.Number, is Expression.BooleanLiteral, is Expression.ColourLiteral -> true
         is Expression.Variable -> program.symbolOf(expression.name).kind == SymbolKind.CONSTANT
         is Expression.Unary -> isConstant(expression.operand)
         is Expression.Binary -> isConstant(expression.left) && isConstant(expression.right)

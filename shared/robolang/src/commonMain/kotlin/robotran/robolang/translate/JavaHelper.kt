@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.translate.JavaMathTexts as Maths
 import robotran.robolang.translate.JavaMoveTexts as Moves
@@ -15,6 +16,7 @@ import robotran.robolang.translate.JavaReactingTexts as Reacting
  * @property isCalculation whether it is in the class [CALCULATION]: its many constants must not use up those of the
  * program's class, whose constant indices are bytes.
  * @property needs the helpers that it uses, which are declared above it.
+ * @property brick the only brick that it is for; null for both.
  */
 internal enum class JavaHelper(
     val called: String,
@@ -23,10 +25,12 @@ internal enum class JavaHelper(
     val isField: Boolean = false,
     val isCalculation: Boolean = false,
     private val reactingText: String? = null,
+    private val brick: BrickKind? = null,
 ) {
     CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", "", isField = true),
     DEGREE("MILLISECONDS_PER_DEGREE", "", isField = true),
     PEN_TIME("PEN_MILLISECONDS", "", isField = true),
+    PILOT_FIELD("pilot", "", isField = true, brick = BrickKind.NXT),
     DICE("dice", Numbers.DICE, isField = true),
     TIMER_START("timerStart", Others.TIMER_START, isField = true),
     CONTROL("mainIsPaused", Reacting.CONTROL, isField = true),
@@ -36,6 +40,12 @@ internal enum class JavaHelper(
     ROUND_HALF_UP("roundHalfUp", Numbers.ROUND_HALF_UP),
     WAIT_SECONDS("waitSeconds", Moves.WAIT_SECONDS, listOf(ROUND_HALF_UP)),
     WAIT_MILLISECONDS("waitMilliseconds", Moves.WAIT_MILLISECONDS, listOf(ROUND_HALF_UP)),
+    PILOT("Pilot", "", brick = BrickKind.NXT),
+    AWAIT_MOTOR("awaitMotor", "", listOf(GIVE_WAY), brick = BrickKind.NXT),
+    TURN_MOTOR("turnMotor", "", listOf(AWAIT_MOTOR), brick = BrickKind.NXT),
+    SPEED_OF("speedOf", "", brick = BrickKind.NXT),
+    SHOW_TEXT("show", "", brick = BrickKind.NXT),
+    SHOW_COLOUR("showColour", "", listOf(SHOW_TEXT), brick = BrickKind.NXT),
     DURATION_OF("durationOf", Moves.DURATION_OF, listOf(ROUND_HALF_UP)),
     STOP_AT("stopAt", Moves.STOP_AT, reactingText = Reacting.STOP_AT),
     FORWARD_CENTIMETRES("forwardCentimetres", Moves.FORWARD_CENTIMETRES, listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
@@ -69,8 +79,19 @@ internal enum class JavaHelper(
     POW("pow", Maths.POW, listOf(ROUND), isCalculation = true),
     ;
 
-    /** Its Java, for a program with behaviours if [isReacting]. */
-    fun textIn(isReacting: Boolean): String = when {
+    /** Its Java for [robot], for a program with behaviours if [isReacting]. */
+    fun textIn(isReacting: Boolean, robot: BrickKind): String =
+        (if (robot == BrickKind.NXT) NxtTexts.of(this, isReacting) else null) ?: textIn(isReacting)
+
+    /** The helpers that its Java for [robot] uses. */
+    fun needsOn(robot: BrickKind, isReacting: Boolean): List<JavaHelper> = when {
+        robot == BrickKind.RCX -> needs
+        this == PILOT_FIELD -> listOf(PILOT)
+        this == PILOT -> if (isReacting) listOf(GIVE_WAY) else emptyList()
+        else -> NxtTexts.needsOf(this, isReacting) ?: needs
+    }
+
+    private fun textIn(isReacting: Boolean): String = when {
         !isReacting || this == GIVE_WAY || this == PAUSE || this == PAUSE_IN_CONTROL -> text
         else -> reactingText ?: text.replace("Thread.sleep(", "pause(")
     }
@@ -79,12 +100,19 @@ internal enum class JavaHelper(
         /** The class for helpers with many constants. */
         const val CALCULATION = "Calculation"
 
-        /** Names that no variable of a program may have. */
-        val FIELDS: Set<String> = entries.filter { it.isField }.map { it.called }.toSet() +
+        /** Names that no variable of a program for [robot] may have. */
+        fun fields(robot: BrickKind): Set<String> = namesOf(robot) { it.isField } + OTHER_FIELDS
+
+        /** Names that no routine of a program for [robot] may have. */
+        fun methods(robot: BrickKind): Set<String> = namesOf(robot) { !it.isField } + OTHER_METHODS
+
+        private fun namesOf(robot: BrickKind, isMeant: (JavaHelper) -> Boolean): Set<String> =
+            entries.filter { isMeant(it) && (it.brick == null || it.brick == robot) }.map { it.called }.toSet()
+
+        private val OTHER_FIELDS =
             setOf("mainThread", "watchingThread", "mainIsPaused", "mainStandsStill", "actionIsSuppressed", "takenOver")
 
-        /** Names that no routine of a program may have. */
-        val METHODS: Set<String> = entries.filterNot { it.isField }.map { it.called }.toSet() +
+        private val OTHER_METHODS =
             setOf("cosineOfSmall", "arcOf", "smallArcOf", "wholePower", "logarithmToBase2", "powerOfTwo", "mustGiveWay")
 
         /** The helper for [builtIn]. */

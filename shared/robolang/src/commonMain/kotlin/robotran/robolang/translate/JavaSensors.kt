@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.robolang.run.SensorPorts
+import robotran.robolang.robot.SensorPorts
 
 /** Writes the set-up of the sensors at [ports]. */
 internal class JavaSensors(private val ports: SensorPorts) {

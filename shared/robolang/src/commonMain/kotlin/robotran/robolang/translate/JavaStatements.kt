@@ -12,12 +12,14 @@ internal class JavaStatements(
     private val program: CheckedProgram,
     private val names: JavaNames,
     private val expressions: JavaExpressions,
-    helpers: UsedHelpers,
+    private val helpers: UsedHelpers,
     texts: JavaShownTexts,
+    nxt: NxtCommands?,
+    private val stopsAtEnd: Boolean,
     private val writer: JavaWriter,
 ) {
     private val flow = JavaFlow(program)
-    private val commands = JavaCommands(flow, expressions, helpers, texts, writer)
+    private val commands = JavaCommands(flow, expressions, helpers, texts, nxt, writer)
     private val loops = JavaLoops(program, names, expressions, writer, ::block)
 
     /** The statements of one block, in a scope of its own. */
@@ -42,33 +44,54 @@ internal class JavaStatements(
     private fun write(statement: Statement) {
         val line = statement.range.line
         when (statement) {
-            is Statement.Loop -> loops.write(statement)
+            is Statement.Loop -> {
+                loops.write(statement)
+            }
 
-            is Statement.If -> choose(statement)
+            is Statement.If -> {
+                choose(statement)
+            }
 
-            is Statement.Break -> writer.line("break;", line)
+            is Statement.Break -> {
+                writer.line("break;", line)
+            }
 
-            is Statement.Continue -> writer.line("continue;", line)
+            is Statement.Continue -> {
+                writer.line("continue;", line)
+            }
 
-            is Statement.Declare -> declare(statement)
+            is Statement.Declare -> {
+                declare(statement)
+            }
 
-            is Statement.Assign -> writer.line(
-                "${target(statement.target)} = ${expressions.text(statement.value)};",
-                line,
-            )
+            is Statement.Assign -> {
+                writer.line(
+                    "${target(statement.target)} = ${expressions.text(statement.value)};",
+                    line,
+                )
+            }
 
-            is Statement.Call -> call(statement)
+            is Statement.Call -> {
+                call(statement)
+            }
 
-            is Statement.Return -> writer.line(
-                statement.value?.let {
-                    "return ${expressions.text(it)};"
-                } ?: "return;",
-                line,
-            )
+            is Statement.Return -> {
+                writer.line(
+                    statement.value?.let {
+                        "return ${expressions.text(it)};"
+                    } ?: "return;",
+                    line,
+                )
+            }
 
-            is Statement.Halt -> writer.line("System.exit(0);", line)
+            is Statement.Halt -> {
+                if (stopsAtEnd) writer.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();", line)
+                writer.line("System.exit(0);", line)
+            }
 
-            else -> commands.write(statement)
+            else -> {
+                commands.write(statement)
+            }
         }
     }
 
@@ -119,7 +142,7 @@ internal class JavaStatements(
 
     /** A dummy value of [type] for the end of a function that Java considers reachable. */
     fun defaultOf(type: ValueType): String = when (type) {
-        ValueType.WHOLE, ValueType.DECIMAL -> "0"
+        ValueType.WHOLE, ValueType.DECIMAL, ValueType.COLOUR -> "0"
         ValueType.TRUTH -> "false"
         ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL, ValueType.NOTHING -> "null"
     }

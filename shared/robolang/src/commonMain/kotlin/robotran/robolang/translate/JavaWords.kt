@@ -1,5 +1,7 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
+
 /** The words that cannot be names in Java. */
 internal object JavaWords {
     private val LANGUAGE =
@@ -27,9 +29,26 @@ internal object JavaWords {
     /** The class names of the translation itself, and file names forbidden on Windows. */
     private val FILES = words("MainProgram Reactions Con Prn Aux Nul")
 
-    val NO_VARIABLES: Set<String> = LANGUAGE + CLASSES + JavaHelper.FIELDS + words("arguments josx java")
-    val NO_METHODS: Set<String> = LANGUAGE + CLASSES + METHODS + JavaHelper.METHODS
-    val NO_CLASSES: Set<String> = LANGUAGE + CLASSES + FILES
+    private val NXJ_CLASSES =
+        words(
+            "Motor MotorPort NXTRegulatedMotor NXTMotor SensorPort TouchSensor LightSensor UltrasonicSensor " +
+                "ColorSensor SoundSensor Color",
+            "Button LCD Sound Battery NXT Math Thread System String StringBuffer StringBuilder Object Integer Float " +
+                "Throwable Exception Behavior",
+            "InterruptedException Random Runtime Class Error Enum Iterable Override Calculation Pilot Actions",
+        )
+
+    private val RCX_VARIABLES = LANGUAGE + CLASSES + JavaHelper.fields(BrickKind.RCX) + words("arguments josx java")
+    private val RCX_METHODS = LANGUAGE + CLASSES + METHODS + JavaHelper.methods(BrickKind.RCX)
+    private val NXT_VARIABLES = LANGUAGE + NXJ_CLASSES + JavaHelper.fields(BrickKind.NXT) + NxtSensorFields.ALL +
+        words("arguments lejos java WHEEL_DIAMETER TRACK_WIDTH")
+    private val NXT_METHODS = LANGUAGE + NXJ_CLASSES + METHODS + JavaHelper.methods(BrickKind.NXT)
+
+    val NO_CLASSES: Set<String> = LANGUAGE + CLASSES + NXJ_CLASSES + FILES
+
+    fun noVariables(robot: BrickKind): Set<String> = if (robot == BrickKind.RCX) RCX_VARIABLES else NXT_VARIABLES
+
+    fun noMethods(robot: BrickKind): Set<String> = if (robot == BrickKind.RCX) RCX_METHODS else NXT_METHODS
 
     private fun words(vararg lines: String): Set<String> = lines.flatMap { it.split(' ') }.toSet()
 }

@@ -1,5 +1,7 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
+
 /**
  * One file of a kit.
  *
@@ -10,20 +12,22 @@ package robotran.robolang.translate
 data class KitFile(val path: String, val text: String, val isExecutable: Boolean = false)
 
 /**
- * The files to bring a program onto a real RCX with leJOS 2.1 or 3.0: the Java, its Robolang source, instructions, an
- * Ant build file, and scripts for a Unix shell and for Windows.
+ * The files to bring a program onto a real brick, an RCX with leJOS 2.1 or 3.0 or an NXT with leJOS NXJ 0.9: the Java,
+ * its Robolang source, instructions, an Ant build file, and scripts for a Unix shell and for Windows.
  *
  * @param sourceName the name of the Robolang file, without folders.
  * @param source its text.
  */
 fun kitFiles(translation: Translation, sourceName: String, source: String): List<KitFile> {
     val className = translation.className
-    val scripts = KitScripts(className, className, listOf(translation.fileName))
-    return listOf(
+    val program = listOf(
         KitFile("$className/${translation.fileName}", translation.java),
         KitFile("$className/$sourceName", source),
-        KitFile("$className/README.txt", KitTexts.readme(className, sourceName)),
-    ) + filesOf(scripts, className)
+    )
+    if (translation.brick == BrickKind.NXT) return program + NxtKit(className, sourceName).files()
+    val scripts = KitScripts(className, className, listOf(translation.fileName))
+    val readme = KitFile("$className/README.txt", KitTexts.readme(className, sourceName))
+    return program + readme + filesOf(scripts, className)
 }
 
 /**
@@ -31,13 +35,15 @@ fun kitFiles(translation: Translation, sourceName: String, source: String): List
  *
  * @param mainClass its main class, with slashes after the parts of its package.
  * @param sources its files by name; folders in names are dropped.
+ * @param brick that the program is for.
  */
-fun javaKitFiles(mainClass: String, sources: List<KitFile>): List<KitFile> {
+fun javaKitFiles(mainClass: String, sources: List<KitFile>, brick: BrickKind = BrickKind.RCX): List<KitFile> {
     val className = mainClass.substringAfterLast('/')
     val names = mutableListOf<String>()
     for (source in sources) names += uniqueName(plainName(source.path), names)
-    val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
     val files = names.zip(sources) { name, source -> KitFile("$className/$name", source.text) }
+    if (brick == BrickKind.NXT) return files + NxtKit(className, null, mainClass.replace('/', '.'), names).files()
+    val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
     return files + KitFile("$className/README.txt", KitTexts.javaReadme(className)) + filesOf(scripts, className)
 }
 

@@ -10,9 +10,11 @@ internal class SourceLines(tree: SyntaxTree) {
         tree.comments.forEach { add(it.range.line) }
         tree.robot?.let {
             addAll(
-                listOfNotNull(it.range, it.lightSensor?.range, it.endRange).map { range ->
-                    range.line
-                },
+                (
+                    listOf(it.range, it.endRange) + it.settings.map { setting ->
+                        setting.range
+                    }
+                ).map { range -> range.line },
             )
         }
         tree.routines.forEach { addAll(listOf(it.range.line, it.endRange.line)) }

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.syntax.Expression
@@ -10,7 +11,11 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.withParts
 
 /** Finds the routines that may wait: in Java they and their callers declare `throws InterruptedException`. */
-internal class Throwing(private val program: CheckedProgram) {
+internal class Throwing(
+    private val program: CheckedProgram,
+    private val robot: BrickKind,
+    private val stopsAtEnd: Boolean,
+) {
     private val waiting: Set<Symbol> = routinesThatWait()
 
     fun mayWait(routine: Routine): Boolean = program.symbolOf(routine.name) in waiting
@@ -44,6 +49,12 @@ internal class Throwing(private val program: CheckedProgram) {
         -> true
 
         is Statement.Loop -> program.tree.behaviours.isNotEmpty()
+
+        is Statement.MotorTurn -> statement.waits
+
+        is Statement.StopDriving -> robot == BrickKind.NXT
+
+        is Statement.Halt -> stopsAtEnd
 
         else -> false
     }

@@ -1,14 +1,18 @@
 package robotran.robolang.translate
 
-import robotran.robolang.robot.Calibration
+import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.Durations
+import robotran.robolang.robot.RobotTarget
 
 /** Collects the helpers that a translation uses; only those are written. */
-internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
+internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boolean) {
     private val used = mutableSetOf<JavaHelper>()
 
+    /** What the motors of the robot are called. */
+    val motors = JavaMotors(robot)
+
     /** For constants. */
-    val durations = Durations(calibration)
+    val durations = Durations(robot)
 
     /** The used helpers, in order of declaration. */
     val all: List<JavaHelper> get() = JavaHelper.entries.filter { it in used }
@@ -17,12 +21,23 @@ internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
         if (isReacting) listOf(JavaHelper.PAUSE, JavaHelper.PAUSE_IN_CONTROL).forEach(::use)
     }
 
+    /** The Java of [helper] for the robot. */
+    fun textOf(helper: JavaHelper): String {
+        val text = helper.textIn(isReacting, robot.kind)
+        return when {
+            robot.kind == BrickKind.RCX -> motors.of(text)
+            helper == JavaHelper.PILOT -> motors.ofPilot(text)
+            helper == JavaHelper.PEN_DOWN || helper == JavaHelper.PEN_UP -> motors.ofPen(text, isReacting)
+            else -> text
+        }
+    }
+
     /** The Java that waits for so many milliseconds. */
     fun sleep(milliseconds: Int): String = if (isReacting) "pause($milliseconds);" else "Thread.sleep($milliseconds);"
 
     /** Marks [helper] and its dependencies as used; returns the name to call it by. */
     fun use(helper: JavaHelper): String {
-        if (used.add(helper)) helper.needs.forEach(::use)
+        if (used.add(helper)) helper.needsOn(robot.kind, isReacting).forEach(::use)
         return if (helper.isCalculation) "${JavaHelper.CALCULATION}.${helper.called}" else helper.called
     }
 }

@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.program.ProgramStatus
 import robotran.robolang.RecordedCall
 import robotran.robolang.RecordingRom
 import robotran.robolang.SensorEvent

@@ -7,7 +7,7 @@ import kotlin.test.assertEquals
 class CommentsTest {
     @Test
     fun `each comment of each program is in the Java once`() {
-        val problems = translatablePrograms.flatMap { (path, program) ->
+        val problems = programsForBoth.flatMap { (path, program) ->
             val wanted = program.checked.tree.comments.map {
                 it.text.trimEnd().replace('\\', '/')
             }.groupingBy { it }.eachCount()

@@ -9,7 +9,7 @@ import kotlin.test.assertTrue
 class LineMapTest {
     @Test
     fun `each line of each program has its lines of Java and they lead back to it`() {
-        val problems = translatablePrograms.flatMap { (path, program) ->
+        val problems = programsForBoth.flatMap { (path, program) ->
             val lineMap = translateRobolang(program).lineMap
             linesWithJava(program.checked.tree).mapNotNull { line ->
                 val javaLines = lineMap.javaLinesOf(line)

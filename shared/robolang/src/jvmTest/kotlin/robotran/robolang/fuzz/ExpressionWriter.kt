@@ -3,8 +3,16 @@ package robotran.robolang.fuzz
 import kotlin.random.Random
 
 /** Generates random expressions of each type from the variables in [known]. */
-class ExpressionWriter(private val random: Random, private val known: KnownNames) {
+class ExpressionWriter(
+    private val random: Random,
+    private val known: KnownNames,
+    private val isForNxt: Boolean = false,
+    private val hasBumpers: Boolean = true,
+) {
     fun whole(depth: Int = DEEPEST): String {
+        if (isForNxt && random.nextInt(6) == 0) {
+            return pick("distance", "turned b", "turned A", if (hasBumpers) "sensor 4" else "Loudness")
+        }
         val leaf = random.nextInt(5)
         val node = if (depth == 0) leaf else random.nextInt(20)
         return when (node) {
@@ -42,10 +50,28 @@ class ExpressionWriter(private val random: Random, private val known: KnownNames
         else -> "(${decimal(depth - 1)})"
     }
 
-    fun truth(depth: Int = DEEPEST): String = when (if (depth == 0) random.nextInt(5) else random.nextInt(12)) {
+    fun truth(depth: Int = DEEPEST): String = if (isForNxt && random.nextInt(3) == 0) {
+        if (hasBumpers) {
+            "button ${pick(
+                "enter",
+                "left",
+                "right",
+                "escape",
+            )}"
+        } else {
+            "${colour()} ${pick("==", "!=")} ${colour()}"
+        }
+    } else {
+        usualTruth(depth)
+    }
+
+    /** A colour, where there is a colour sensor. */
+    fun colour(): String = pick("colour", "Color", "red", "black", "white", "blue", "green", "yellow")
+
+    private fun usualTruth(depth: Int): String = when (if (depth == 0) random.nextInt(5) else random.nextInt(12)) {
         0 -> pick("true", "FALSE")
-        1 -> "left bumper"
-        2 -> "Right  bumper"
+        1 -> if (hasBumpers) "left bumper" else "true"
+        2 -> if (hasBumpers) "Right  bumper" else "false"
         3 -> "button ${pick("run", "view", "prgm")}"
         4 -> known.oneOf(known.truths, random) ?: "false"
         5, 6 -> "${number(depth - 1)} ${pick("==", "!=", "<", "<=", ">", ">=")} ${number(depth - 1)}"

@@ -1,19 +1,19 @@
 package robotran.robolang.fuzz
 
+import robotran.brick.program.ProgramStatus
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.memory.RcxMemory
-import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
-import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.RobotTarget
 
 /**
  * Checks that any text can be compiled, formatted and, if valid, run without a crash.
@@ -22,7 +22,7 @@ import robotran.robolang.robot.Calibration
  */
 fun checkHarmless(source: String) {
     when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
-        is RobolangResult.Ready -> runFor(result.program, STEPS)
+        is RobolangResult.Ready -> runFor(result.program as RobolangRcxProgram, STEPS)
         is RobolangResult.HasErrors -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }
     val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
@@ -33,7 +33,7 @@ fun checkHarmless(source: String) {
  * Runs [program] for at most [steps], and advances the clock to the end of each wait. Returns its status and its ROM
  * calls.
  */
-fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<String>> {
+fun runFor(program: RobolangRcxProgram, steps: Int): Pair<ProgramStatus, List<String>> {
     val rom = CountingRom()
     val run = program.start(rom)
     var status: ProgramStatus = ProgramStatus.Running
@@ -78,7 +78,7 @@ private fun checkRange(range: SourceRange, lines: List<String>) {
     }
 }
 
-private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+private val CALIBRATION = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 private const val STEPS = 200
 private const val STEPS_AT_ONCE = 20
 

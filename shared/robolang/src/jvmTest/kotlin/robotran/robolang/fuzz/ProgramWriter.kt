@@ -3,16 +3,25 @@ package robotran.robolang.fuzz
 import kotlin.random.Random
 
 /** Generates a random valid program, with statements of all kinds and with irregular spaces, capitals and comments. */
-class ProgramWriter(private val random: Random) {
+class ProgramWriter(private val random: Random, private val isForNxt: Boolean = false) {
     private val text = StringBuilder()
     private val known = KnownNames()
-    private val expressions = ExpressionWriter(random, known)
+    private val hasBumpers = !isForNxt || random.nextBoolean()
+    private val expressions = ExpressionWriter(random, known, isForNxt, hasBumpers)
     private var names = 0
     private var loops = 0
     private var isProcedure = false
 
     fun write(): String {
-        if (random.nextInt(3) == 0) {
+        if (isForNxt) {
+            block("robot") {
+                line("brick nxt")
+                line("sonar on 4")
+                line("light sensor on ${if (hasBumpers) 3 else 1} facing ${pick("down", "forward")}")
+                if (!hasBumpers) line(pick("colour", "Color") + " sensor on 3")
+                if (!hasBumpers) line("sound sensor on 2")
+            }
+        } else if (random.nextInt(3) == 0) {
             block("robot") { line("light sensor on ${random.nextInt(1, 4)} facing ${pick("down", "forward")}") }
         }
         repeat(random.nextInt(6)) { declare() }
@@ -76,7 +85,7 @@ class ProgramWriter(private val random: Random) {
         }
     }
 
-    private fun command(): String = when (random.nextInt(21)) {
+    private fun command(): String = when (random.nextInt(if (isForNxt) 25 else 21)) {
         0 -> {
             "forward ${expressions.number()}" + pick("", " cm")
         }
@@ -154,8 +163,20 @@ class ProgramWriter(private val random: Random) {
             "show ${pick("\"\"", "\"Hi-_5\"", "\"a\"")}"
         }
 
-        else -> {
+        20 -> {
             "clear screen"
+        }
+
+        21 -> {
+            "${pick("", "start ")}motor ${pick("A", "b", "C")} turn ${expressions.number()}${pick("", " degrees")}"
+        }
+
+        22 -> {
+            "reset motor ${pick("a", "B", "C")}"
+        }
+
+        else -> {
+            "show ${if (hasBumpers) "distance" else expressions.colour()}"
         }
     }
 

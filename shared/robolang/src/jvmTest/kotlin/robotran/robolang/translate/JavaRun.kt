@@ -37,7 +37,7 @@ internal fun runJava(classes: Map<String, ByteArray>, className: String, terms: 
     }
 }
 
-private fun callMain(program: Class<*>) {
+internal fun callMain(program: Class<*>) {
     try {
         program.getMethod("main", Array<String>::class.java).invoke(null, null)
     } catch (failure: InvocationTargetException) {
@@ -49,7 +49,7 @@ private fun callMain(program: Class<*>) {
 private const val LONGEST_RUN_MILLISECONDS = 600_000L
 
 /** Loads the classes anew for each run, so that their static fields have their initial values. */
-private class ClassesOfOneRun(private val classes: Map<String, ByteArray>) :
+internal class ClassesOfOneRun(private val classes: Map<String, ByteArray>) :
     ClassLoader(ClassesOfOneRun::class.java.classLoader) {
     override fun findClass(name: String): Class<*> {
         val bytes = classes[name] ?: throw ClassNotFoundException(name)

@@ -16,14 +16,24 @@ import javax.tools.ToolProvider
 
 /** Compiles Java in memory against the leJOS stubs in the test resources. */
 internal object LejosCompiler {
-    private val standIns: List<JavaFileObject> = readStandIns()
+    private val standIns: List<JavaFileObject> by lazy { readStandIns("/lejos") }
+    private val nxtStandIns: List<JavaFileObject> by lazy { readStandIns("/nxj") }
     private val compiler = checkNotNull(ToolProvider.getSystemJavaCompiler()) { "These tests need a JDK." }
 
     /**
      * Returns the class files of [translations] and the stubs, by name. Throws with javac's message if one does not
      * compile.
      */
-    fun compile(translations: Collection<Translation>): Map<String, ByteArray> {
+    fun compile(translations: Collection<Translation>): Map<String, ByteArray> = compile(translations, standIns)
+
+    /** The same for translations for an NXT, with the stubs of leJOS NXJ. */
+    fun compileForNxt(translations: Collection<Translation>): Map<String, ByteArray> =
+        compile(translations, nxtStandIns)
+
+    private fun compile(
+        translations: Collection<Translation>,
+        standIns: List<JavaFileObject>,
+    ): Map<String, ByteArray> {
         val problems = DiagnosticCollector<JavaFileObject>()
         val sources = standIns + translations.map { SourceInMemory(it.fileName, it.java) }
         val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
@@ -47,8 +57,8 @@ internal object LejosCompiler {
         return "$problem\n${java.lines().getOrNull(problem.lineNumber.toInt() - 1)}\n$java"
     }
 
-    private fun readStandIns(): List<JavaFileObject> {
-        val folder = File(checkNotNull(javaClass.getResource("/lejos")) { "The stand-ins are missing." }.toURI())
+    private fun readStandIns(place: String): List<JavaFileObject> {
+        val folder = File(checkNotNull(javaClass.getResource(place)) { "The stand-ins are missing." }.toURI())
         return folder.walk().filter { it.extension == "java-stub" }.map { file ->
             SourceInMemory(
                 file.relativeTo(folder).invariantSeparatorsPath.replace(".java-stub", ".java"),
@@ -58,10 +68,12 @@ internal object LejosCompiler {
     }
 
     private const val MAX_ERRORS = 3
-    private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options")
+
+    /** Without a source path, javac would look for sources among the test resources. */
+    private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options", "-sourcepath", "")
 }
 
-private class SourceInMemory(name: String, private val text: String) :
+internal class SourceInMemory(name: String, private val text: String) :
     SimpleJavaFileObject(URI("memory", null, "/$name", null), JavaFileObject.Kind.SOURCE) {
     override fun getCharContent(ignoreEncodingErrors: Boolean): CharSequence = text
 }

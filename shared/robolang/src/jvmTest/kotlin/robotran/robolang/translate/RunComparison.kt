@@ -1,8 +1,9 @@
 package robotran.robolang.translate
 
-import robotran.rcxrom.program.ProgramStatus
+import robotran.brick.program.ProgramStatus
 import robotran.robolang.RecordingRom
 import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.SensorEvent
 import robotran.robolang.messages.EnglishRobolangMessages
 
@@ -12,7 +13,7 @@ import robotran.robolang.messages.EnglishRobolangMessages
  *
  * @property programs the programs by name.
  */
-internal class RunComparison(private val programs: Map<String, RobolangProgram>) {
+internal class RunComparison(private val programs: Map<String, RobolangRcxProgram>) {
     private val translations: Map<String, Translation> =
         programs.entries.mapIndexed { index, (name, program) -> name to translatedAs("P$index", program) }.toMap()
 
@@ -51,7 +52,7 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
     }
 
     /** The interpreter's calls; null if it fails, which a brick may not, or loops forever without a call. */
-    private fun interpret(program: RobolangProgram, sensors: List<SensorEvent>): List<TimedCall>? {
+    private fun interpret(program: RobolangRcxProgram, sensors: List<SensorEvent>): List<TimedCall>? {
         val rom = RecordingRom(sensors)
         val run = program.start(rom)
         var steps = 0
@@ -95,4 +96,4 @@ internal fun isReacting(program: RobolangProgram): Boolean = program.checked.tre
 
 /** Translates [program] to the Java class [className]. */
 internal fun translatedAs(className: String, program: RobolangProgram): Translation =
-    translateRobolang(RobolangProgram(className, program.checked, program.calibration, EnglishRobolangMessages))
+    translateRobolang(RobolangProgram.of(className, program.checked, program.robot, EnglishRobolangMessages))

@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.robolang.Expectations
-import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.testPrograms
@@ -26,7 +26,7 @@ class TranslatedRunTest {
     }
 
     /** Compares the programs that are [wanted]; returns how many were comparable and equal. */
-    private fun compare(wanted: (RobolangProgram) -> Boolean): Int {
+    private fun compare(wanted: (RobolangRcxProgram) -> Boolean): Int {
         val programs = translatablePrograms.filterValues(wanted) - UNCERTAIN
         val comparison = RunComparison(programs)
         val compared = programs.keys.map { path ->

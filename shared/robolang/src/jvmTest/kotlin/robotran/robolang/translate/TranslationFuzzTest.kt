@@ -3,7 +3,8 @@ package robotran.robolang.translate
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.fuzz.ProgramWriter
-import robotran.robolang.testCalibration
+import robotran.robolang.rcxProgram
+import robotran.robolang.testTarget
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -17,7 +18,7 @@ class TranslationFuzzTest {
         val programs = (0 until RANDOM_PROGRAMS).associate { number ->
             val text = ProgramWriter(Random(number)).write()
             "program $number" to
-                assertIs<RobolangResult.Ready>(compileRobolang("random", text, testCalibration), text).program
+                assertIs<RobolangResult.Ready>(compileRobolang("random", text, testTarget), text).rcxProgram
         }
         val comparison = RunComparison(programs)
         val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)

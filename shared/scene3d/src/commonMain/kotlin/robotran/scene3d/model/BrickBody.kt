@@ -82,10 +82,12 @@ private fun port(x: Double, y: Double): DoubleArray = Round.flat(
     RobotPlan3D.BRICK_TOP,
 )
 
-/** The frame on the brick and the light in it. */
-internal fun beaconBody(palette: RobotPalette, round: Round): Body {
-    val x = (RobotPlan3D.MIDDLE + RobotPlan3D.FRONT) / 2
-
+/** The frame on the brick and the light in it, at [x] on the robot. */
+internal fun beaconBody(
+    palette: RobotPalette,
+    round: Round,
+    x: Double = (RobotPlan3D.MIDDLE + RobotPlan3D.FRONT) / 2,
+): Body {
     fun ring(radius: Double, height: Double) = Ring(round.circle(x, 0.0, radius, BEACON_CORNERS), height)
     return loft(
         listOf(ring(1.0, RobotPlan3D.BRICK_TOP), ring(1.3, 9.0), ring(1.0, 10.0), ring(0.4, RobotPlan3D.BEACON_TOP)),

@@ -43,6 +43,9 @@ data class RobotPalette(
     val beacon: Int,
     val eye: Int,
     val pupil: Int,
+    val nxtFace: Int = 0xFFEDEEEC.toInt(),
+    val nxtGrey: Int = 0xFFC9CED2.toInt(),
+    val orange: Int = 0xFFF07C1A.toInt(),
 )
 
 /** [colour] with its red, green and blue multiplied by [brightness], at most white. */

@@ -10,8 +10,18 @@ import kotlin.math.PI
  * Their pupils and lids have the measures of the robot from above.
  *
  * @param lid the colour of the brick, which lids and backs have, too; [edge] that of its edge.
+ * @param ahead where they are on the robot.
+ * @param aside their distance from the middle.
  */
-internal class EyeBodies(private val lid: Int, private val edge: Int, palette: RobotPalette, private val round: Round) {
+internal class EyeBodies(
+    private val lid: Int,
+    private val edge: Int,
+    palette: RobotPalette,
+    private val round: Round,
+    ahead: Double = PLACE_AHEAD,
+    private val aside: Double = PLACE_ASIDE,
+) {
+    private val placeAhead = ahead
     private val rim = palette.chassisEdge
     private val white = palette.eye
     private val dark = palette.pupil
@@ -22,7 +32,7 @@ internal class EyeBodies(private val lid: Int, private val edge: Int, palette: R
     /** The left one and the right one. */
     fun of(face: RobotFace): List<Body> {
         latest?.let { (known, bodies) -> if (known == face) return bodies }
-        return listOf(PLACE_ASIDE, -PLACE_ASIDE).map { eye(it, face) }.also { latest = face to it }
+        return listOf(aside, -aside).map { eye(it, face) }.also { latest = face to it }
     }
 
     private fun eye(aside: Double, face: RobotFace): Body {
@@ -92,7 +102,7 @@ internal class EyeBodies(private val lid: Int, private val edge: Int, palette: R
 
     /** [place] on the tile, x towards its lower edge, which is ahead, y to the robot's left. */
     private fun onFront(aside: Double, place: Point) = Vector3(
-        PLACE_AHEAD + place.x * down,
+        placeAhead + place.x * down,
         aside + place.y,
         RobotPlan3D.BRICK_TOP + RADIUS * ahead + DEPTH * down - place.x * ahead,
     )

@@ -4,19 +4,37 @@ import robotran.scene3d.geometry.ConvexPolygon
 import kotlin.math.PI
 import kotlin.math.floor
 
+/**
+ * The wheels of a robot.
+ *
+ * @property inner the distance of a tyre's inner side from the middle of the robot; [outer] that of its outer side.
+ */
+internal class WheelShape(val radius: Double, val inner: Double, val outer: Double) {
+    companion object {
+        val PENBOT = WheelShape(RobotPlan3D.WHEEL_RADIUS, RobotPlan3D.WHEEL_INNER, RobotPlan3D.WHEEL_OUTER)
+    }
+}
+
 /** The parts of a robot that move: wheels, bumpers and the pen. */
-internal class MovingBodies(private val palette: RobotPalette, private val round: Round) {
+internal class MovingBodies(
+    private val palette: RobotPalette,
+    private val round: Round,
+    private val wheels: WheelShape = WheelShape.PENBOT,
+) {
+    /** Rims and spokes are as large as on the penbot, relative to the tyre. */
+    private val scale = wheels.radius / RobotPlan3D.WHEEL_RADIUS
+
     /**
      * A wheel on the axle, [left] or right of the robot, after [turn] turns forwards. Its treads are in turn light and
      * dark and its rim has spokes, so that one sees it turn.
      */
     fun wheel(left: Boolean, turn: Double): Body {
-        val inner = if (left) RobotPlan3D.WHEEL_INNER else -RobotPlan3D.WHEEL_OUTER
-        val outer = if (left) RobotPlan3D.WHEEL_OUTER else -RobotPlan3D.WHEEL_INNER
+        val inner = if (left) wheels.inner else -wheels.outer
+        val outer = if (left) wheels.outer else -wheels.inner
         // Forwards, the top of the wheel moves to the front: seen from the left, clockwise.
         val angle = -(turn - floor(turn)) * 2 * PI
-        val x = DoubleArray(TREADS) { RobotPlan3D.WHEEL_RADIUS * round.cosine(angle + it * 2 * PI / TREADS) }
-        val z = DoubleArray(TREADS) { RobotPlan3D.WHEEL_RADIUS * (1 + round.sine(angle + it * 2 * PI / TREADS)) }
+        val x = DoubleArray(TREADS) { wheels.radius * round.cosine(angle + it * 2 * PI / TREADS) }
+        val z = DoubleArray(TREADS) { wheels.radius * (1 + round.sine(angle + it * 2 * PI / TREADS)) }
         val faces = mutableListOf<Face>()
         for (tread in 0 until TREADS) {
             val next = (tread + 1) % TREADS
@@ -39,9 +57,9 @@ internal class MovingBodies(private val palette: RobotPalette, private val round
         faces += side(x, z, outer, outside = true, angle, decorated = left)
         faces += side(x, z, inner, outside = false, angle, decorated = !left)
         return Body(
-            ConvexPolygon.rectangle(-RobotPlan3D.WHEEL_RADIUS, inner, RobotPlan3D.WHEEL_RADIUS, outer),
+            ConvexPolygon.rectangle(-wheels.radius, inner, wheels.radius, outer),
             0.0,
-            2 * RobotPlan3D.WHEEL_RADIUS,
+            2 * wheels.radius,
             faces,
         )
     }
@@ -68,7 +86,7 @@ internal class MovingBodies(private val palette: RobotPalette, private val round
     }
 
     private fun hub(y: Double, angle: Double): List<Decal> = buildList {
-        add(Decal(upright(0.0, HUB_RADIUS, HUB_CORNERS, y, angle), palette.hub, fine = false))
+        add(Decal(upright(0.0, HUB_RADIUS * scale, HUB_CORNERS, y, angle), palette.hub, fine = false))
         add(Decal(List(SPOKES) { gap(angle + it * 2 * PI / SPOKES, y) }, palette.chassisEdge))
         add(Decal(upright(0.0, AXLE_RADIUS, AXLE_CORNERS, y, angle), palette.chassisEdge))
     }
@@ -80,7 +98,7 @@ internal class MovingBodies(private val palette: RobotPalette, private val round
             when (it % 3) {
                 0 -> radius * round.cosine(way)
                 1 -> y
-                else -> RobotPlan3D.WHEEL_RADIUS + radius * round.sine(way)
+                else -> wheels.radius + radius * round.sine(way)
             }
         }
 
@@ -95,9 +113,9 @@ internal class MovingBodies(private val palette: RobotPalette, private val round
         return DoubleArray(places.size * 3) {
             val (radius, angle) = places[it / 3]
             when (it % 3) {
-                0 -> radius * round.cosine(angle)
+                0 -> radius * scale * round.cosine(angle)
                 1 -> y
-                else -> RobotPlan3D.WHEEL_RADIUS + radius * round.sine(angle)
+                else -> wheels.radius + radius * scale * round.sine(angle)
             }
         }
     }

@@ -46,6 +46,17 @@ class Placement(
         sine,
     )
 
+    /** This place on something that stands at [other]. */
+    fun on(other: Placement): Placement = other.shifted(x, y, z).let {
+        Placement(
+            it.x,
+            it.y,
+            it.z,
+            other.cosine * cosine - other.sine * sine,
+            other.sine * cosine + other.cosine * sine,
+        )
+    }
+
     companion object {
         val ORIGIN = Placement()
     }

@@ -7,7 +7,7 @@ internal object SimulationLimits {
     /** One tick: the RCX's own clock. */
     const val TICK_SECONDS = 0.001
 
-    /** Ticks between two physics steps: 5 ms, in which a wheel moves at most 1.5 mm. */
+    /** Ticks between two physics steps: 5 ms, in which a penbot's wheel moves at most 1.5 mm, and any wheel 3 mm. */
     const val TICKS_PER_PHYSICS_STEP = 5L
     const val PHYSICS_STEP_SECONDS = TICKS_PER_PHYSICS_STEP * TICK_SECONDS
 

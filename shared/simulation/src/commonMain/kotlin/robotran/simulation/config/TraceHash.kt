@@ -1,6 +1,6 @@
 package robotran.simulation.config
 
-import robotran.rcxrom.log.RomLogEntry
+import robotran.brick.log.LoggedCall
 
 /**
  * A 64-bit hash over the added numbers. It multiplies like FNV-1a, but by whole numbers instead of bytes, and folds the
@@ -8,19 +8,15 @@ import robotran.rcxrom.log.RomLogEntry
  */
 internal class TraceHash {
     private var hash = OFFSET_BASIS
+    private val addNumber: (Long) -> Unit = { add(it) }
 
     fun add(number: Long) {
         val product = (hash xor number) * PRIME
         hash = product xor (product ushr FOLD)
     }
 
-    /** Adds the time, address and arguments of a ROM call. */
-    fun add(entry: RomLogEntry) {
-        add(entry.milliseconds)
-        add(entry.call.address.toLong())
-        add(entry.call.arguments.size.toLong())
-        entry.call.arguments.forEach { add(it.toLong()) }
-    }
+    /** Adds what identifies a call of a program or of a brick's firmware. */
+    fun add(call: LoggedCall) = call.identify(addNumber)
 
     /** The hash so far, as 16 hexadecimal digits. */
     val text: String get() = hash.toULong().toString(HEXADECIMAL).padStart(DIGITS, '0')

@@ -40,4 +40,16 @@ enum class Cause {
 
     /** The bumper switches bounced: number of bounces. */
     BOUNCE,
+
+    /** Play between the motors of an NXT and their wheels: centimetres that both wheels together did not follow. */
+    MOTOR_PLAY,
+
+    /** The ultrasonic sensor always measures too far, or too near if negative: centimetres. */
+    SONAR_BIAS,
+
+    /** The ultrasonic sensor's readings are noisy: standard deviation in centimetres. */
+    SONAR_NOISE,
+
+    /** The colour sensor's readings are noisy: standard deviation in parts of 255. */
+    COLOUR_NOISE,
 }

@@ -1,9 +1,8 @@
 package robotran.simulation.explain
 
-import robotran.simulation.messages.DeviationMessages
-import robotran.simulation.noise.Realism
+import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.robot.SensorErrors
 import robotran.simulation.robot.SimulatedRobot
-import robotran.world.Penbot
 import robotran.world.RobotPlacement
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.length
@@ -14,9 +13,8 @@ import kotlin.math.abs
 internal class Explanation(
     private val place: RobotPlacement,
     private val machine: SimulatedRobot,
-    private val lightBias: Double,
-    private val realism: Double,
-    private val messages: DeviationMessages,
+    private val sensors: SensorErrors,
+    private val messages: SimulationMessages,
 ) {
     private val left = machine.leftWheel.account
     private val right = machine.rightWheel.account
@@ -33,6 +31,10 @@ internal class Explanation(
         lightBias(),
         lightNoise(),
         bounce(),
+        motorPlay(),
+        sonarBias(),
+        sonarNoise(),
+        colourNoise(),
     )
 
     private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
@@ -53,7 +55,7 @@ internal class Explanation(
 
     private fun flutter() = (left.flutter - right.flutter).let {
         told(Cause.FLUTTER, it, MIN_LENGTH) {
-            messages.flutter(text(it), text(it / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE), left = it < 0)
+            messages.flutter(text(it), text(it / machine.figures.wheelTrack / RADIANS_PER_DEGREE), left = it < 0)
         }
     }
 
@@ -65,19 +67,35 @@ internal class Explanation(
         told(Cause.BATTERY, it, MIN_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
     }
 
-    private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, MIN_RAW) {
+    private fun lightBias() = told(Cause.LIGHT_BIAS, sensors.lightBias, MIN_RAW) {
         messages.lightBias(
-            text(lightBias),
-            dark = lightBias > 0,
+            text(sensors.lightBias),
+            dark = sensors.lightBias > 0,
         )
     }
 
-    private fun lightNoise() = (realism * Realism.LIGHT_NOISE).let {
+    private fun lightNoise() = sensors.lightNoise.let {
         told(Cause.LIGHT_NOISE, it, MIN_RAW) { messages.lightNoise(text(it)) }
     }
 
-    private fun bounce() = (machine.leftBumper.bounceCount + machine.rightBumper.bounceCount).let {
+    private fun bounce() = machine.bumpers.sumOf { it.bounceCount }.let {
         told(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }
+    }
+
+    private fun motorPlay() = (machine.leftWheel.playedAway + machine.rightWheel.playedAway).let {
+        told(Cause.MOTOR_PLAY, it, MIN_LENGTH) { messages.motorPlay(text(it)) }
+    }
+
+    private fun sonarBias() = sensors.sonarBias.let {
+        told(Cause.SONAR_BIAS, it, MIN_DISTANCE) { messages.sonarBias(text(it), far = it > 0) }
+    }
+
+    private fun sonarNoise() = sensors.sonarNoise.let {
+        told(Cause.SONAR_NOISE, it, MIN_DISTANCE) { messages.sonarNoise(text(it)) }
+    }
+
+    private fun colourNoise() = sensors.colourNoise.let {
+        told(Cause.COLOUR_NOISE, it, MIN_RAW) { messages.colourNoise(text(it)) }
     }
 
     private fun told(cause: Cause, amount: Double, min: Double, sentence: () -> String): DeviationCause? =
@@ -96,6 +114,7 @@ internal class Explanation(
         /** In each change from driving to turning the tyres slip minimally, which is part of the calibration. */
         const val MIN_SPIN = 1.0
         const val MIN_RAW = 0.5
+        const val MIN_DISTANCE = 0.1
         const val PER_CENT = 100.0
         const val TENTH = 100L
         const val HALF_TENTH = 50L

@@ -7,6 +7,7 @@ import robotran.world.GoalCondition
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.World
+import robotran.world.robot.lineSensor
 
 /** Evaluates whether the robot's light sensor has followed the line often enough. */
 internal class FollowLineEvaluator(
@@ -14,6 +15,7 @@ internal class FollowLineEvaluator(
     private val goal: GoalCondition.FollowLine,
     private val actor: Actor.OfRobots,
     line: MarkFigure.Line,
+    ahead: Double,
 ) : SingleGoalEvaluator(sentence) {
     private val laps = if (line.closed) {
         Rounds(
@@ -21,7 +23,7 @@ internal class FollowLineEvaluator(
             goal,
         )
     } else {
-        EndToEnd(ArcLengthPath(line).length, goal)
+        EndToEnd(ArcLengthPath(line).length, goal, ahead)
     }
     private val tracker = LineTracker<Scene>(ArcLengthPath(line), goal.tolerance, laps)
 
@@ -70,7 +72,8 @@ internal fun followLineEvaluator(
     actor: Actor.OfRobots,
     world: World,
 ): GoalEvaluator? = world.marks.find { it.name == goal.line && it.isWay() }?.let {
-    FollowLineEvaluator(sentence, goal, actor, it.figure as MarkFigure.Line)
+    val ahead = world.robots[actor.number].description.lineSensor.x
+    FollowLineEvaluator(sentence, goal, actor, it.figure as MarkFigure.Line, maxOf(0.0, ahead))
 }
 
 /** Whether it has at least two different points. */

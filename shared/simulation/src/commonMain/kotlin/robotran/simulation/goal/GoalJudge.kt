@@ -1,7 +1,7 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
 import robotran.simulation.messages.EnglishSimulationMessages
 import robotran.simulation.messages.GoalMessages
 import robotran.simulation.state.GoalProgress

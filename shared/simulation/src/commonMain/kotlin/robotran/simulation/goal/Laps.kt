@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import robotran.world.GoalCondition
-import robotran.world.Penbot
 import kotlin.math.floor
 
 /** Counts the laps of a robot along a line from its positions. */
@@ -58,11 +57,15 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
     override fun goOn(at: Double) = advance.goOn(at)
 }
 
-/** Laps from one end of an open line to the other, and back again. */
-internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine) : Laps() {
+/**
+ * Laps from one end of an open line to the other, and back again.
+ *
+ * @param ahead how far the robot's line sensor is in front of its pen.
+ */
+internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine, ahead: Double) : Laps() {
     /** The robot may start with its pen at the end, and it leaves the line when its sensor passes the other end. */
     private val wanted =
-        length - minOf(Penbot.LIGHT_SENSOR_POSITION + goal.tolerance, length / MIN_PARTS) -
+        length - minOf(ahead + goal.tolerance, length / MIN_PARTS) -
             minOf(goal.tolerance, length / MIN_PARTS)
     private var legs = 0
     private var advance = Advance()

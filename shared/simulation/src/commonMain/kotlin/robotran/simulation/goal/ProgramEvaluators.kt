@@ -1,6 +1,6 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.ProgramShortfall

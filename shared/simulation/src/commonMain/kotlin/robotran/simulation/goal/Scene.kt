@@ -1,12 +1,11 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.RunMoment
 import robotran.simulation.state.SessionState
 import robotran.world.Block
-import robotran.world.Penbot
 import robotran.world.TouchKind
 import robotran.world.Wall
 import robotran.world.World
@@ -19,6 +18,8 @@ import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.centre
 import robotran.world.geometry.length
 import robotran.world.geometry.outline
+import robotran.world.robot.footprint
+import robotran.world.robot.lineSensor
 
 /** A robot or block of a goal, by its index in the world. */
 internal sealed interface Actor {
@@ -57,9 +58,8 @@ internal class Scene(
     /** The outline of a robot or a block, seen from above; null if it is nowhere. */
     fun footprint(actor: Actor): Outline? = pose(actor)?.let { places.footprint(actor, it) }
 
-    /** The point under the light sensor of a robot; null if the robot is nowhere. */
-    fun lightSensor(actor: Actor.OfRobots): Point? =
-        pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_POSITION, 0.0) }
+    /** The point with which a robot follows a line; null if the robot is nowhere. */
+    fun lightSensor(actor: Actor.OfRobots): Point? = pose(actor)?.let { places.lineSensor(actor, it) }
 
     /** How far the middle or, if [whole], any part of [actor] is outside [region]; null if it is nowhere. */
     fun distance(actor: Actor, region: Outline, whole: Boolean): Overhang? =
@@ -102,6 +102,7 @@ internal class Contact(val place: Point, val name: String?, val distance: Double
 /** The locations of a world's objects, recomputed only when they have moved. */
 internal class ObjectLocations(private val world: World, private val trigonometry: Trigonometry) {
     private val blocks = world.blocks.map { RestingBlock(it, trigonometry) }
+    private val robots = world.robots.map { RobotPlan(it.description.footprint, it.description.lineSensor) }
     private val footprints = mutableMapOf<Actor, Pair<Pose, Outline>>()
 
     /** The robot or block named [name], or the first robot for null; null if there is none. */
@@ -139,7 +140,7 @@ internal class ObjectLocations(private val world: World, private val trigonometr
         val known = footprints[actor]
         if (known != null && known.first == pose) return known.second
         return when (actor) {
-            is Actor.OfRobots -> Outline.Angular(ROBOT_CORNERS.map { ahead(pose, it.x, it.y) })
+            is Actor.OfRobots -> Outline.Angular(robots[actor.number].corners.map { ahead(pose, it.x, it.y) })
             is Actor.OfBlocks -> movedBlock(actor.number, pose)
         }.also { footprints[actor] = pose to it }
     }
@@ -161,6 +162,10 @@ internal class ObjectLocations(private val world: World, private val trigonometr
             }
         }
     }
+
+    /** The point with which a robot at [pose] follows a line. */
+    fun lineSensor(actor: Actor.OfRobots, pose: Pose): Point =
+        robots[actor.number].lineSensor.let { ahead(pose, it.x, it.y) }
 
     /** The point on a robot at [pose] at these distances in front of its pen and to the left of it. */
     fun ahead(pose: Pose, forwards: Double, leftwards: Double): Point {
@@ -186,24 +191,14 @@ internal class ObjectLocations(private val world: World, private val trigonometr
             )
         }
     }
-
-    private companion object {
-        const val WHEEL_REACH = Penbot.WHEEL_DIAMETER / 2
-        const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
-
-        /** The convex hull of chassis, wheels and bumpers, seen from the pen, counter-clockwise. */
-        val ROBOT_CORNERS = listOf(
-            Point(Penbot.CHASSIS_BACK, -Penbot.CHASSIS_WIDTH / 2),
-            Point(-WHEEL_REACH, -Penbot.OVERALL_WIDTH / 2),
-            Point(WHEEL_REACH, -Penbot.OVERALL_WIDTH / 2),
-            Point(Penbot.BUMPER_FRONT, -BUMPER_REACH),
-            Point(Penbot.BUMPER_FRONT, BUMPER_REACH),
-            Point(WHEEL_REACH, Penbot.OVERALL_WIDTH / 2),
-            Point(-WHEEL_REACH, Penbot.OVERALL_WIDTH / 2),
-            Point(Penbot.CHASSIS_BACK, Penbot.CHASSIS_WIDTH / 2),
-        )
-    }
 }
+
+/**
+ * What a goal needs of the construction of a robot.
+ *
+ * @property corners of its footprint, counter-clockwise.
+ */
+private class RobotPlan(val corners: List<Point>, val lineSensor: Point)
 
 /** A block at its initial pose. */
 private class RestingBlock(block: Block, trigonometry: Trigonometry) {

@@ -1,8 +1,8 @@
 package robotran.simulation.goal
 
+import robotran.brick.state.RunState
+import robotran.brick.state.Screen
 import robotran.language.editDistance
-import robotran.rcxrom.display.LcdGlass
-import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.ProgramShortfall
@@ -20,28 +20,33 @@ internal class ShowOnDisplayEvaluator(
     private var leftByFirmware: String? = null
 
     /** What the program has shown last. */
-    private var last: LcdGlass? = null
+    private var last: Screen? = null
     private var nearest: ShownText? = null
 
     override fun look(scene: Scene) {
         val brick = scene.robot(actor)?.brick ?: return
-        val glass = brick.glass
+        val screen = brick.screen
         when {
             brick.run !is RunState.Running || brick.explanation != null -> {
-                leftByFirmware = charactersOf(glass)
+                leftByFirmware = charactersOf(screen)
+                brick.leftByProgram?.let { lookAt(it, scene) }
             }
 
-            leftByFirmware == charactersOf(glass) -> {
+            leftByFirmware == charactersOf(screen) -> {
                 return
             }
 
             else -> {
                 leftByFirmware = null
-                if (glass == last) return
-                if (glass.shows(goal.text)) return tell(scene, GoalStatus.MET)
-                remember(glass, scene)
+                lookAt(screen, scene)
             }
         }
+    }
+
+    private fun lookAt(screen: Screen, scene: Scene) {
+        if (screen == last) return
+        if (screen.shows(goal.text)) return tell(scene, GoalStatus.MET)
+        remember(screen, scene)
     }
 
     override fun shortfall(scene: Scene): GoalShortfall = ProgramShortfall.DisplayDiffered(
@@ -51,9 +56,9 @@ internal class ShowOnDisplayEvaluator(
         nearest?.let { it.scene.moment(actor, it.scene.middle(actor)) },
     )
 
-    private fun remember(glass: LcdGlass, scene: Scene) {
-        last = glass
-        for (text in setOf(glass.text, glass.number, glass.characters)) {
+    private fun remember(screen: Screen, scene: Scene) {
+        last = screen
+        for (text in screen.texts.toSet()) {
             if (text.isEmpty()) continue
             val errors = editDistance(text.lowercase(), wanted.lowercase())
             if (errors < (nearest?.errors ?: Int.MAX_VALUE)) nearest = ShownText(text, errors, scene)
@@ -61,7 +66,7 @@ internal class ShowOnDisplayEvaluator(
     }
 
     /** Without the icons, which the firmware changes when a program starts. */
-    private fun charactersOf(glass: LcdGlass): String = glass.text
+    private fun charactersOf(screen: Screen): String = screen.text
 
     private class ShownText(val text: String, val errors: Int, val scene: Scene)
 }

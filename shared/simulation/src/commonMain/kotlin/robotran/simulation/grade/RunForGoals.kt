@@ -1,6 +1,6 @@
 package robotran.simulation.grade
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.Session
 import robotran.simulation.goal.isDecided
 import robotran.simulation.pressRun

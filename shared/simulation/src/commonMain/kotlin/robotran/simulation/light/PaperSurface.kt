@@ -19,7 +19,7 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         PreparedMark(
             mark.figure,
             (mark.figure as? MarkFigure.Area)?.shape?.outline(trigonometry),
-            mark.shade.reflectance,
+            mark.shade,
         )
     }.reversed()
 
@@ -42,6 +42,37 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
             }
         }
         return sum / (SPOT_SAMPLES.size / 2)
+    }
+
+    /** The colour of the sensor's spot centred at [x], [y]: the mean of its points. */
+    fun colour(x: Double, y: Double): Tint {
+        val mayBeInked = ink.mayHave(x - SPOT, y - SPOT, x + SPOT, y + SPOT)
+        val isPlain = isPlain(x, y)
+        if (!mayBeInked && isPlain) return PAPER_TINT
+        var red = 0.0
+        var green = 0.0
+        var blue = 0.0
+        for (place in SPOT_SAMPLES.indices step 2) {
+            val atX = x + SPOT_SAMPLES[place]
+            val atY = y + SPOT_SAMPLES[place + 1]
+            val tint = when {
+                mayBeInked && ink.has(atX, atY) -> INK_TINT
+                isPlain -> PAPER_TINT
+                else -> tintWithoutInk(atX, atY)
+            }
+            red += tint.red
+            green += tint.green
+            blue += tint.blue
+        }
+        val count = SPOT_SAMPLES.size / 2
+        return Tint(red / count, green / count, blue / count)
+    }
+
+    private fun tintWithoutInk(x: Double, y: Double): Tint {
+        if (!paper.contains(x, y)) return FLOOR_TINT
+        val layers = layersAt(x, y)
+        for (number in layers.indices) layers[number].tintAt(x, y)?.let { return it }
+        return PAPER_TINT
     }
 
     /** Whether there are no marks near the spot, and the whole spot is on the paper. */
@@ -92,6 +123,10 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
     }
 
     private companion object {
+        val PAPER_TINT = Tint.grey(Light.PAPER)
+        val INK_TINT = Tint.grey(Light.INK)
+        val FLOOR_TINT = Tint.grey(Light.FLOOR)
+
         /** The side of a square in centimetres. */
         const val SQUARE = 2.0
 

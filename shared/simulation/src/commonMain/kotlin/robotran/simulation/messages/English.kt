@@ -1,7 +1,7 @@
 package robotran.simulation.messages
 
+import robotran.brick.sensors.SensorKind
 import robotran.language.listed
-import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 object EnglishSimulationMessages :
@@ -9,6 +9,7 @@ object EnglishSimulationMessages :
     GoalMessages by EnglishGoalMessages,
     ShortfallMessages by EnglishShortfallMessages,
     DeviationMessages by EnglishDeviationMessages,
+    NxtDeviationMessages by EnglishNxtDeviationMessages,
     SensorMessages by EnglishSensorMessages
 
 private object EnglishGoalMessages : GoalMessages {
@@ -188,7 +189,13 @@ private object EnglishSensorMessages : SensorMessages {
             SensorKind.TEMPERATURE -> "temperature sensor"
             SensorKind.LIGHT -> "light sensor"
             SensorKind.ROTATION -> "rotation sensor"
+            SensorKind.ULTRASONIC -> "ultrasonic sensor"
+            SensorKind.SOUND -> "sound sensor"
+            SensorKind.COLOUR -> "colour sensor"
+            SensorKind.COMPASS -> "compass sensor"
+            SensorKind.GYRO -> "gyro sensor"
         }
-        return if (ports.size == 1) "a $sensor" else "${sensor}s"
+        val article = if (kind == SensorKind.ULTRASONIC) "an" else "a"
+        return if (ports.size == 1) "$article $sensor" else "${sensor}s"
     }
 }

@@ -1,8 +1,8 @@
 package robotran.simulation.messages
 
+import robotran.brick.sensors.SensorKind
 import robotran.language.listed
 import robotran.language.withComma
-import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 /** The messages in German. */
@@ -11,6 +11,7 @@ object GermanSimulationMessages :
     GoalMessages by GermanGoalMessages,
     ShortfallMessages by GermanShortfallMessages,
     DeviationMessages by GermanDeviationMessages,
+    NxtDeviationMessages by GermanNxtDeviationMessages,
     SensorMessages by GermanSensorMessages
 
 /**
@@ -216,6 +217,11 @@ private object GermanSensorMessages : SensorMessages {
             SensorKind.TEMPERATURE -> "Temperatursensor"
             SensorKind.LIGHT -> "Lichtsensor"
             SensorKind.ROTATION -> "Drehsensor"
+            SensorKind.ULTRASONIC -> "Ultraschallsensor"
+            SensorKind.SOUND -> "Geräuschsensor"
+            SensorKind.COLOUR -> "Farbsensor"
+            SensorKind.COMPASS -> "Kompasssensor"
+            SensorKind.GYRO -> "Kreiselsensor"
         }
         return if (ports.size == 1) "ein $sensor" else "${sensor}en"
     }

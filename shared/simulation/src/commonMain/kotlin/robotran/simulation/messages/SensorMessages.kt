@@ -1,6 +1,6 @@
 package robotran.simulation.messages
 
-import robotran.rcxrom.sensors.SensorKind
+import robotran.brick.sensors.SensorKind
 
 /** The sentences about the sensors of a robot. */
 interface SensorMessages {

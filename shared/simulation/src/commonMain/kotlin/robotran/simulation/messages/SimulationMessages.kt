@@ -10,6 +10,7 @@ interface SimulationMessages :
     GoalMessages,
     ShortfallMessages,
     DeviationMessages,
+    NxtDeviationMessages,
     SensorMessages {
     companion object {
         fun of(language: Language): SimulationMessages =

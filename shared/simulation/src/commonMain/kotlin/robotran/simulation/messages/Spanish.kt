@@ -1,8 +1,8 @@
 package robotran.simulation.messages
 
+import robotran.brick.sensors.SensorKind
 import robotran.language.listed
 import robotran.language.withComma
-import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 /** The messages in Spanish. */
@@ -11,6 +11,7 @@ object SpanishSimulationMessages :
     GoalMessages by SpanishGoalMessages,
     ShortfallMessages by SpanishShortfallMessages,
     DeviationMessages by SpanishDeviationMessages,
+    NxtDeviationMessages by SpanishNxtDeviationMessages,
     SensorMessages by SpanishSensorMessages
 
 /**
@@ -202,6 +203,11 @@ private object SpanishSensorMessages : SensorMessages {
             SensorKind.TEMPERATURE -> "temperatura"
             SensorKind.LIGHT -> "luz"
             SensorKind.ROTATION -> "giro"
+            SensorKind.ULTRASONIC -> "ultrasonidos"
+            SensorKind.SOUND -> "sonido"
+            SensorKind.COLOUR -> "color"
+            SensorKind.COMPASS -> "brújula"
+            SensorKind.GYRO -> "giroscopio"
         }
         val numbers = listed(ports.map { "$it" }, "y")
         return if (ports.size == 1) {

@@ -68,6 +68,11 @@ interface PhysicsWorld {
      */
     fun freeDistance(body: Int, from: Point, to: Point): Double
 
+    /**
+     * What is in the way from one point towards another, seen from where [freeDistance] sees it; null if nothing is.
+     */
+    fun ray(body: Int, from: Point, to: Point): RayHit?
+
     /** Releases the world; it must not be used afterwards. */
     fun close()
 
@@ -76,6 +81,17 @@ interface PhysicsWorld {
         const val FIXTURE_BITS = 16
     }
 }
+
+/**
+ * What a ray has met.
+ *
+ * @property distance from where the ray begins.
+ * @property normalX of the direction, of length 1, in which the surface looks.
+ * @property normalY of the same.
+ * @property isRound whether it is a circle.
+ * @property body its index.
+ */
+data class RayHit(val distance: Double, val normalX: Double, val normalY: Double, val isRound: Boolean, val body: Int)
 
 /**
  * The pose and velocity of a body.

@@ -1,12 +1,13 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.world.Penbot
+import robotran.world.robot.RobotFigures
 
 /** The pen on its motor. It starts lifted. */
 internal class PenLift {
-    private val motor = Motor()
+    private val motor = RcxMotor(RobotFigures.PENBOT)
 
     /** 0 at the upper end stop, 1 at the lower. */
     var depth = 0.0

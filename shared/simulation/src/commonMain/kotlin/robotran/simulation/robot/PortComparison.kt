@@ -1,15 +1,14 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.sensors.ExpectedSensor
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.sensors.ExpectedSensor
 import robotran.simulation.messages.SensorMessages
 import robotran.simulation.state.MissingSensor
 import robotran.simulation.state.MissingSensors
-import robotran.simulation.state.kind
-import robotran.world.RobotPlacement
+import robotran.world.RobotDescription
 
-/** Compares what a program expects at the ports of [place] with what is plugged in there. */
-internal class PortComparison(private val place: RobotPlacement, private val messages: SensorMessages) {
+/** Compares what a program expects at the ports of [robot] with what is plugged in there. */
+internal class PortComparison(private val robot: RobotDescription, private val messages: SensorMessages) {
     private var compared: List<ExpectedSensor> = emptyList()
     private var missing: MissingSensors? = null
 
@@ -22,7 +21,7 @@ internal class PortComparison(private val place: RobotPlacement, private val mes
         return missing
     }
 
-    private fun isPlugged(sensor: ExpectedSensor) = place.ports[sensor.port - 1].any { it.kind == sensor.kind }
+    private fun isPlugged(sensor: ExpectedSensor) = robot.parts.any { it.port == sensor.port && it.kind == sensor.kind }
 
     private fun missing(sensors: List<ExpectedSensor>) = MissingSensors(
         sensors.map { MissingSensor(it.port, it.kind, remark(listOf(it))) }.sortedBy { it.port },

@@ -1,42 +1,65 @@
 package robotran.simulation.robot
 
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
+import robotran.brick.controls.MotorState
+import robotran.brick.kind.BrickKind
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.BatteryNoise
 import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.noise.NxtRealism
 import robotran.simulation.noise.WheelNoise
 import robotran.simulation.noise.realStart
 import robotran.simulation.physics.PhysicsWorld
 import robotran.simulation.state.RobotState
-import robotran.world.Penbot
+import robotran.world.BumperPart
+import robotran.world.BumperSide
+import robotran.world.NxtMotorFigures
+import robotran.world.RobotDescription
 import robotran.world.TouchKind
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Trigonometry
+import robotran.world.isSameThing
+import robotran.world.robot.RobotFigures
+import robotran.world.robot.bumpers
 
-/** A penbot without its brick: wheels, pen and bumpers on a physics body. */
+/** A robot without its brick: wheels, pen and bumpers on a physics body. */
 internal class SimulatedRobot(
     physics: PhysicsWorld,
     trigonometry: Trigonometry,
     plannedStart: Pose,
+    private val robot: RobotDescription,
     streams: NoiseStreams,
     realism: Double,
 ) {
     /** Its real start pose. */
     val start = realStart(plannedStart, streams, realism)
-    val body = PenbotBody(physics, trigonometry, start)
+    val figures = RobotFigures.of(robot)
+    val body = RobotBody(physics, trigonometry, start, robot, figures)
     val leftNoise = WheelNoise(streams, "left wheel", realism)
     val rightNoise = WheelNoise(streams, "right wheel", realism)
-    val leftWheel = Wheel(leftNoise)
-    val rightWheel = Wheel(rightNoise)
-    val battery = BatteryNoise(streams, realism)
-    val leftBumper = Bumper(streams.named("left bumper"), realism)
-    val rightBumper = Bumper(streams.named("right bumper"), realism)
-    private val pen = PenLift()
-    private var rollingImpulses = rollingImpulses(body.motion, 0.0, 0.0)
+
+    /** null for a robot with an RCX. */
+    private val nxt = if (robot.brick == BrickKind.NXT) NxtMotors(robot, figures, streams, realism) else null
+    val leftWheel = Wheel(leftNoise, nxt?.left ?: RcxMotor(figures), figures, nxt?.play("left wheel"))
+    val rightWheel = Wheel(rightNoise, nxt?.right ?: RcxMotor(figures), figures, nxt?.play("right wheel"))
+    val battery = if (nxt == null) {
+        BatteryNoise(streams, realism)
+    } else {
+        BatteryNoise(streams, realism, NxtMotorFigures.VOLTS, NxtRealism.EMPTY_BATTERY)
+    }
+    private val bumperParts = robot.bumpers
+
+    /** In the order of the robot's bumpers. */
+    val bumpers = bumperParts.indices.map { Bumper(streams.named(bumperName(it)), realism) }
+    private val pen = robot.pen?.takeIf { nxt == null }?.let { PenLift() }
+    private val left = MotorCommand(robot.drive.reversed)
+    private val right = MotorCommand(robot.drive.reversed)
+    private val traction = Traction(figures)
+    private var rollingImpulses = traction.rollingImpulses(body.motion, 0.0, 0.0)
     private var touchedKinds = 0
 
-    /** Number of collisions; both bumpers at once count as one. */
+    /** Number of collisions; several bumpers at once count as one. */
     var bumps = 0
         private set
 
@@ -44,27 +67,49 @@ internal class SimulatedRobot(
     var bumpedAt: Long? = null
         private set
 
-    val penIsDown: Boolean get() = pen.isDown
+    val penIsDown: Boolean get() = if (nxt == null) pen?.isDown == true else nxt.penIsDown
+
+    /** Degrees that the turret has turned to the left. */
+    val turret: Double get() = nxt?.turret ?: 0.0
 
     val state: RobotState
         get() = RobotState(
             pose = body.pose,
-            leftWheelTurn = leftWheel.turned / Penbot.WHEEL_CIRCUMFERENCE,
-            rightWheelTurn = rightWheel.turned / Penbot.WHEEL_CIRCUMFERENCE,
-            penDown = pen.isDown,
-            leftBumperPressed = leftBumper.isPressed,
-            rightBumperPressed = rightBumper.isPressed,
+            leftWheelTurn = leftWheel.turned / figures.wheelCircumference,
+            rightWheelTurn = rightWheel.turned / figures.wheelCircumference,
+            penDown = penIsDown,
+            leftBumperPressed = isPressed(BumperSide.LEFT),
+            rightBumperPressed = isPressed(BumperSide.RIGHT),
             touching = kindsOf(body.touchedKinds),
             touched = kindsOf(touchedKinds),
-            penDepth = pen.depth,
+            penDepth = if (nxt == null) pen?.depth ?: 0.0 else nxt.penDepth,
+            pressed = pressed,
+            motorDegrees = if (nxt == null) emptyList() else MotorPort.entries.map(::motorDegrees),
+            turret = turret,
         )
 
-    /** Advances by the millisecond number [tick] with these motor commands. */
-    fun tick(left: MotorState, lift: MotorState, right: MotorState, tick: Long) {
-        if (leftNoise.isOn) battery.tick(driven(left) + driven(lift) + driven(right))
-        leftWheel.tick(left, battery.share, tick)
-        rightWheel.tick(right, battery.share, tick)
-        pen.tick(lift)
+    /** The switch of a bumper of this robot, plugged in or not. */
+    fun bumper(part: BumperPart): Bumper = bumpers[bumperParts.indexOfFirst { it.isSameThing(part) }]
+
+    /** Degrees that the hub of a motor of an NXT has turned since the session began, forwards for the motor positive. */
+    fun motorDegrees(port: MotorPort): Double = when {
+        nxt == null -> 0.0
+        port == robot.drive.left -> nxt.degreesOf(leftWheel.motorTravel)
+        port == robot.drive.right -> nxt.degreesOf(rightWheel.motorTravel)
+        else -> nxt.third.degrees
+    }
+
+    /**
+     * Advances by the millisecond number [tick] with the commands of the motors A, B and C.
+     *
+     * @param isRegulated whether something makes up for a strong or weak motor of the wheels.
+     */
+    fun tick(a: MotorState, b: MotorState, c: MotorState, tick: Long, isRegulated: Boolean = false) {
+        if (leftNoise.isOn) battery.tick(nxt?.currents ?: (driven(a) + driven(b) + driven(c)))
+        leftWheel.tick(left.of(command(robot.drive.left, a, b, c)), battery.share, tick, isRegulated)
+        rightWheel.tick(right.of(command(robot.drive.right, a, b, c)), battery.share, tick, isRegulated)
+        pen?.tick(command(checkNotNull(robot.pen).motor, a, b, c))
+        nxt?.third?.tick(command(nxt.thirdPort, a, b, c), battery.share, tick)
         touch(tick)
     }
 
@@ -72,7 +117,7 @@ internal class SimulatedRobot(
     fun beginStep() {
         leftWheel.beginStep()
         rightWheel.beginStep()
-        rollingImpulses = rollingImpulses(body.motion, leftWheel.speed, rightWheel.speed)
+        rollingImpulses = traction.rollingImpulses(body.motion, leftWheel.speed, rightWheel.speed)
         body.push(rollingImpulses)
     }
 
@@ -82,14 +127,14 @@ internal class SimulatedRobot(
         touchedKinds = touchedKinds or body.touchedKinds
         val left = leftWheel.speedChange
         val right = rightWheel.speedChange
-        val place = Penbot.WHEEL_TRACK / 2
+        val place = figures.wheelTrack / 2
         leftWheel.endStep(
-            force(rollingImpulses.left - rollingImpulse(left, right)),
+            force(rollingImpulses.left - traction.rollingImpulse(left, right)),
             rollingImpulses.leftSlips,
             body.groundSpeed(place),
         )
         rightWheel.endStep(
-            force(rollingImpulses.right - rollingImpulse(right, left)),
+            force(rollingImpulses.right - traction.rollingImpulse(right, left)),
             rollingImpulses.rightSlips,
             body.groundSpeed(-place),
         )
@@ -101,13 +146,41 @@ internal class SimulatedRobot(
         if (told.mode == MotorMode.FORWARD || told.mode == MotorMode.BACKWARD) (told.power + 1) / SLOTS else 0.0
 
     private fun touch(tick: Long) {
-        val wasFree = !leftBumper.isPressed && !rightBumper.isPressed
-        leftBumper.tick(body.leftBumperTouches)
-        rightBumper.tick(body.rightBumperTouches)
-        if (wasFree && (leftBumper.isPressed || rightBumper.isPressed)) {
+        var wasFree = true
+        var isFree = true
+        for (number in bumpers.indices) {
+            val bumper = bumpers[number]
+            if (bumper.isPressed) wasFree = false
+            bumper.tick(body.bumperTouches(number))
+            if (bumper.isPressed) isFree = false
+        }
+        if (wasFree && !isFree) {
             bumps++
             bumpedAt = tick
         }
+    }
+
+    private fun command(port: MotorPort, a: MotorState, b: MotorState, c: MotorState) = when (port) {
+        MotorPort.A -> a
+        MotorPort.B -> b
+        MotorPort.C -> c
+    }
+
+    private fun isPressed(side: BumperSide) =
+        bumpers.indices.any { bumperParts[it].side == side && bumpers[it].isPressed }
+
+    private val pressed: Set<Int>
+        get() = if (bumpers.none { it.isPressed }) {
+            emptySet()
+        } else {
+            bumpers.indices.filterTo(mutableSetOf()) { bumpers[it].isPressed }
+        }
+
+    /** The name of its stream of random numbers. */
+    private fun bumperName(number: Int): String {
+        val side = bumperParts[number].side
+        val isFirst = side != null && bumperParts.indexOfFirst { it.side == side } == number
+        return if (isFirst) "${side.name.lowercase()} bumper" else "bumper ${number + 1}"
     }
 
     private fun kindsOf(bits: Int): Set<TouchKind> =
@@ -115,5 +188,26 @@ internal class SimulatedRobot(
 
     private companion object {
         const val SLOTS = 8.0
+    }
+}
+
+/** Turns the commands of a motor that is mounted the other way round. */
+private class MotorCommand(private val isReversed: Boolean) {
+    private var known: MotorState? = null
+    private var turned: MotorState? = null
+
+    fun of(told: MotorState): MotorState {
+        if (!isReversed) return told
+        if (told != known) {
+            known = told
+            turned = told.copy(
+                mode = when (told.mode) {
+                    MotorMode.FORWARD -> MotorMode.BACKWARD
+                    MotorMode.BACKWARD -> MotorMode.FORWARD
+                    else -> told.mode
+                },
+            )
+        }
+        return checkNotNull(turned)
     }
 }

@@ -1,6 +1,6 @@
 package robotran.simulation.state
 
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.brick.program.RuntimeWarning
 
 /**
  * The sensors that a program expects, but its robot does not have.

@@ -1,7 +1,7 @@
 package robotran.simulation.state
 
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.state.BrickState
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.state.BrickState
 import robotran.world.Light
 import robotran.world.TouchKind
 import robotran.world.World
@@ -49,7 +49,7 @@ data class SessionState(
  * @property robot the pose and the parts of the penbot.
  * @property bumps number of times a bumper has touched something.
  * @property remarks warnings for the pupil about the current or last program, that of [missingSensors] first.
- * @property romCalls number of ROM calls so far.
+ * @property romCalls number of logged calls so far.
  * @property missingSensors what that program expects at the ports, but the robot does not have there; null for nothing.
  * @property bumpedAt virtual time of the latest of [bumps], in milliseconds since the session began; null before it.
  */
@@ -75,7 +75,7 @@ data class AmbientConditions(val light: Double = Light.DIM_ROOM, val celsius: Do
 data class LampState(val place: Point, val on: Boolean)
 
 /**
- * The penbot on the paper.
+ * A robot on the paper.
  *
  * @property pose the point between its wheels, and its heading.
  * @property leftWheelTurn rotation of the left wheel since the session began, in turns, forwards positive.
@@ -86,6 +86,10 @@ data class LampState(val place: Point, val on: Boolean)
  * @property rightBumperPressed whether the right bumper is pressed.
  * @property touching the kinds that any part of it touches now.
  * @property touched the kinds that any part of it has touched since the session began.
+ * @property pressed the indices of the pressed ones among the robot's bumpers, see [robotran.world.robot.bumpers].
+ * @property motorDegrees degrees that the motors A, B and C of an NXT have turned since the session began; empty for an
+ * RCX, whose motors nobody counts.
+ * @property turret degrees by which a turret is turned to the left.
  */
 data class RobotState(
     val pose: Pose,
@@ -97,4 +101,7 @@ data class RobotState(
     val touching: Set<TouchKind> = emptySet(),
     val touched: Set<TouchKind> = emptySet(),
     val penDepth: Double = if (penDown) 1.0 else 0.0,
+    val pressed: Set<Int> = emptySet(),
+    val motorDegrees: List<Double> = emptyList(),
+    val turret: Double = 0.0,
 )

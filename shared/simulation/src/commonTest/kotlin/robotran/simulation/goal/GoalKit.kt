@@ -1,11 +1,12 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.Brick
+import robotran.brick.sound.SoundEvent
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
-import robotran.rcxrom.sound.SoundEvent
-import robotran.rcxrom.state.RunState
+import robotran.rcxrom.state.RcxState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -35,7 +36,7 @@ internal fun rectangle(left: Double, bottom: Double, right: Double, top: Double)
 /** A fake run with only the data that goals use; each call is the next moment. */
 internal class Run(world: World, trigonometry: Trigonometry) {
     val judge = GoalJudge(world, trigonometry)
-    private val brick = Brick(emptyList()).state
+    private val brick = RcxBrick(emptyList()).state
     private var milliseconds = 0L
     private var robots = world.robots.map {
         RobotSnapshot(brick, RobotState(it.start, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
@@ -63,11 +64,13 @@ internal class Run(world: World, trigonometry: Trigonometry) {
         change(number) { copy(robot = robot.copy(touching = kinds.toSet(), touched = robot.touched + kinds)) }
     }
 
-    fun programIs(run: RunState, number: Int = 0) = look { change(number) { copy(brick = brick.copy(run = run)) } }
+    fun programIs(run: RunState, number: Int = 0) = look {
+        change(number) { copy(brick = brick.withRun(brick.motors.map { it.mode }, run)) }
+    }
 
     fun shows(text: String, number: Int = 0) = look {
         val memory = RcxMemory().also { TextLcd.print(text, it) }
-        change(number) { copy(brick = brick.copy(glass = LcdGlass.of(memory))) }
+        change(number) { copy(brick = (brick as RcxState).copy(glass = LcdGlass.of(memory))) }
     }
 
     fun draws(vararg places: Pair<Double, Double>, robot: Int = 0) = look {

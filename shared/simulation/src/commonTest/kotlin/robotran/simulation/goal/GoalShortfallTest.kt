@@ -1,8 +1,8 @@
 package robotran.simulation.goal
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.state.RunState
+import robotran.brick.program.ProgramFailure
+import robotran.brick.state.RunState
 import robotran.simulation.state.ForbiddenTouch
 import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus

@@ -1,8 +1,8 @@
 package robotran.simulation.goal
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.state.RunState
+import robotran.brick.program.ProgramFailure
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
 import robotran.world.GoalCondition.EndWithin

@@ -61,5 +61,11 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun freeDistance(body: Int, from: Point, to: Point) = world.freeDistance(body, from.x, from.y, to.x, to.y)
 
+    override fun ray(body: Int, from: Point, to: Point): RayHit? {
+        val distance = world.ray(body, from.x, from.y, to.x, to.y)
+        if (distance < 0) return null
+        return RayHit(distance, world.rayNormalX(), world.rayNormalY(), world.rayMetCircle(), world.rayBody())
+    }
+
     override fun close() = Unit
 }

@@ -54,6 +54,21 @@ internal external fun freeDistanceIn(
     toY: Double,
 ): Double
 
+@WasmImport(PHYSICS, "ray")
+internal external fun rayIn(world: Int, body: Int, fromX: Double, fromY: Double, toX: Double, toY: Double): Double
+
+@WasmImport(PHYSICS, "rayBody")
+internal external fun rayBodyIn(world: Int): Int
+
+@WasmImport(PHYSICS, "rayMetCircle")
+internal external fun rayMetCircleIn(world: Int): Boolean
+
+@WasmImport(PHYSICS, "rayNormalX")
+internal external fun rayNormalXIn(world: Int): Double
+
+@WasmImport(PHYSICS, "rayNormalY")
+internal external fun rayNormalYIn(world: Int): Double
+
 @WasmImport(PHYSICS, "sineOf")
 internal external fun sineOf(angle: Double): Double
 

@@ -66,5 +66,17 @@ private class WasmPhysicsWorld(private val module: PhysicsModule, private val wo
     override fun freeDistance(body: Int, from: Point, to: Point) =
         freeDistanceIn(world, body, from.x, from.y, to.x, to.y)
 
+    override fun ray(body: Int, from: Point, to: Point): RayHit? {
+        val distance = rayIn(world, body, from.x, from.y, to.x, to.y)
+        if (distance < 0) return null
+        return RayHit(
+            distance,
+            rayNormalXIn(world),
+            rayNormalYIn(world),
+            rayMetCircleIn(world),
+            rayBodyIn(world),
+        )
+    }
+
     override fun close() = module.closeWorld(world)
 }

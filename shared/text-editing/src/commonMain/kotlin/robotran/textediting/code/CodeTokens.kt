@@ -1,19 +1,29 @@
 package robotran.textediting.code
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.robolang.SourceTokenKind
 import robotran.robolang.robolangTokens
 import robotran.textediting.text.TextLines
 
-/** The tokens of the lines of a program, computed on demand. */
-class CodeTokens(private val lines: TextLines, private val language: ProgramLanguage) {
+/**
+ * The tokens of the lines of a program, computed on demand.
+ *
+ * @param otherwise the brick of a Java program that does not name one.
+ */
+class CodeTokens(
+    private val lines: TextLines,
+    private val language: ProgramLanguage,
+    otherwise: BrickKind = BrickKind.RCX,
+) {
+    private val brick = if (language == ProgramLanguage.JAVA) brickOfJava(lines, otherwise) else otherwise
     private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
 
     /** Whether [line], from 0, begins inside a comment of several lines. */
     fun startsInComment(line: Int): Boolean = startsInComment?.get(line) ?: false
 
     /** The tokens of [line], from 0. */
-    fun of(line: Int): List<CodeToken> = tokensOf(lines.line(line), language, startsInComment(line))
+    fun of(line: Int): List<CodeToken> = tokensOf(lines.line(line), language, startsInComment(line), brick)
 
     private fun commentStarts(): BooleanArray? {
         if (language == ProgramLanguage.ROBOLANG || "/*" !in lines.text) return null
@@ -28,10 +38,15 @@ class CodeTokens(private val lines: TextLines, private val language: ProgramLang
     }
 }
 
-/** The tokens of one [line]. Never throws for any input. */
-fun tokensOf(line: String, language: ProgramLanguage, startsInComment: Boolean): List<CodeToken> = when (language) {
+/** The tokens of one [line] of a program for a [brick]. Never throws for any input. */
+fun tokensOf(
+    line: String,
+    language: ProgramLanguage,
+    startsInComment: Boolean,
+    brick: BrickKind = BrickKind.RCX,
+): List<CodeToken> = when (language) {
     ProgramLanguage.ROBOLANG -> robolangTokens(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
-    ProgramLanguage.JAVA -> tokenizeJavaLine(line, startsInComment).tokens
+    ProgramLanguage.JAVA -> tokenizeJavaLine(line, startsInComment, brick).tokens
 }
 
 private fun kindOf(kind: SourceTokenKind): CodeTokenKind = when (kind) {

@@ -1,6 +1,7 @@
 package robotran.textediting.code
 
-import robotran.textediting.api.LejosApi
+import robotran.brick.kind.BrickKind
+import robotran.textediting.api.BrickApi
 
 /** The reserved words and literals of Java 1.3. */
 val JAVA_KEYWORDS: List<String> = (
@@ -15,10 +16,17 @@ val JAVA_KEYWORDS: List<String> = (
  * Splits one [line] of Java into tokens. Never throws for any input.
  *
  * @param startsInComment whether the line begins inside a comment.
+ * @param brick the brick that the program is for.
  */
-fun tokenizeJavaLine(line: String, startsInComment: Boolean): LineTokens = JavaLine(line, startsInComment).tokens()
+fun tokenizeJavaLine(line: String, startsInComment: Boolean, brick: BrickKind = BrickKind.RCX): LineTokens =
+    JavaLine(line, startsInComment, BrickApi.of(brick).classNames, keywordsFor(brick)).tokens()
 
-private class JavaLine(private val line: String, private var isInComment: Boolean) {
+private class JavaLine(
+    private val line: String,
+    private var isInComment: Boolean,
+    private val classes: Set<String>,
+    private val keywords: Set<String>,
+) {
     private val tokens = mutableListOf<CodeToken>()
     private var position = 0
 
@@ -45,8 +53,8 @@ private class JavaLine(private val line: String, private var isInComment: Boolea
         val end = endOf { isNamePart(it) }
         val word = line.substring(position, end)
         val kind = when (word) {
-            in KEYWORDS -> CodeTokenKind.KEYWORD
-            in LejosApi.classNames -> CodeTokenKind.BUILT_IN
+            in keywords -> CodeTokenKind.KEYWORD
+            in classes -> CodeTokenKind.BUILT_IN
             else -> CodeTokenKind.NAME
         }
         take(kind, end)
@@ -82,4 +90,12 @@ private fun isNameStart(character: Char) = character.isLetter() || character == 
 
 private fun isNamePart(character: Char) = character.isLetterOrDigit() || character == '_' || character == '$'
 
+/** The reserved words of Java for a [brick]: leJOS NXJ has enumerations and assertions. */
+internal fun keywordsFor(brick: BrickKind): Set<String> = when (brick) {
+    BrickKind.RCX -> KEYWORDS
+    BrickKind.NXT -> NXJ_KEYWORDS
+}
+
 private val KEYWORDS = JAVA_KEYWORDS.toSet()
+
+private val NXJ_KEYWORDS = KEYWORDS + "enum" + "assert"

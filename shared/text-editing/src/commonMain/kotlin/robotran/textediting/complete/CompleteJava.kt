@@ -1,21 +1,23 @@
 package robotran.textediting.complete
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.api.ApiMember
-import robotran.textediting.api.LejosApi
+import robotran.textediting.api.BrickApi
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.CodeTokens
-import robotran.textediting.code.JAVA_KEYWORDS
+import robotran.textediting.code.keywordsFor
 import robotran.textediting.text.Draft
 
-/** The completions at the caret of a leJOS program; null if there are none. */
-internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean): CompletionList? {
+/** The completions at the caret of a Java program for a [brick]; null if there are none. */
+internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean, brick: BrickKind): CompletionList? {
+    val api = BrickApi.of(brick)
     val caret = draft.selection.caret
     val line = draft.lines.lineOf(caret)
     val text = draft.lines.line(line)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA).of(line)
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA, brick).of(line)
     val around = tokens.firstOrNull { column > it.start && column <= it.end }
     if (around != null && around.kind in WITHOUT_COMPLETIONS) return null
     val word = around?.takeIf { it.kind != CodeTokenKind.SIGN }
@@ -26,12 +28,12 @@ internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean): Co
     if (!isMember && typed.isEmpty() && !isExplicit) return null
     val isAtEnd = text.substring(column).isBlank()
     val candidates = if (isMember) {
-        membersBehind(receiverOf(before.dropLast(1)), draft)
+        membersBehind(receiverOf(before.dropLast(1)), draft, api)
     } else {
         namesIn(draft, lineStart + start) +
-            JAVA_KEYWORDS.map { completionOf(it, KEYWORD_SUFFIXES[it].takeIf { isAtEnd }, help) } +
-            LejosApi.classNames.sorted().map {
-                Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null })
+            keywordsFor(brick).map { completionOf(it, KEYWORD_SUFFIXES[it].takeIf { isAtEnd }, help) } +
+            api.classNames.sorted().map {
+                Completion(it, CompletionKind.CLASS, help = api.classOf(it)?.help?.ifEmpty { null })
             }
     }
     if (!isExplicit && candidates.any { it.isWritten(typed) }) return null
@@ -51,18 +53,18 @@ private fun receiverOf(before: List<String>): List<String> {
     return emptyList()
 }
 
-private fun membersBehind(receiver: List<String>, draft: Draft): List<Completion> {
+private fun membersBehind(receiver: List<String>, draft: Draft, api: BrickApi): List<Completion> {
     if (receiver.isEmpty()) return emptyList()
     val first = receiver.first()
-    var type = if (LejosApi.classOf(first) != null) first else typeOfVariable(first, draft) ?: return emptyList()
-    var isClass = LejosApi.classOf(first) != null
+    var type = if (api.classOf(first) != null) first else typeOfVariable(first, draft, api) ?: return emptyList()
+    var isClass = api.classOf(first) != null
     for (name in receiver.drop(1)) {
         type =
-            LejosApi.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type
+            api.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type
                 ?: return emptyList()
         isClass = false
     }
-    return LejosApi.membersOf(type).filter { it.isStatic == isClass }.map(::completionOf)
+    return api.membersOf(type).filter { it.isStatic == isClass }.map(::completionOf)
 }
 
 private fun completionOf(member: ApiMember): Completion {
@@ -74,7 +76,7 @@ private fun completionOf(member: ApiMember): Completion {
 }
 
 /** The declared type of a variable: the class name before it. */
-private fun typeOfVariable(name: String, draft: Draft): String? {
+private fun typeOfVariable(name: String, draft: Draft, api: BrickApi): String? {
     var before = ""
     val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA)
     for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
@@ -82,7 +84,7 @@ private fun typeOfVariable(name: String, draft: Draft): String? {
         if (name !in text) continue
         for (token in tokens.of(line)) {
             val word = text.substring(token.start, token.end)
-            if (word == name && before in LejosApi.classNames) return before
+            if (word == name && before in api.classNames) return before
             before = word
         }
     }

@@ -1,5 +1,6 @@
 package robotran.textediting.complete
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.robolang.RobolangWords
 import robotran.textediting.code.CodeTokenKind
@@ -8,7 +9,12 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.isWordCharacter
 
 /** The completions at the caret of a Robolang program; null if there are none. */
-internal fun completeRobolang(draft: Draft, help: WordHelp, isExplicit: Boolean): CompletionList? {
+internal fun completeRobolang(
+    draft: Draft,
+    help: WordHelp,
+    isExplicit: Boolean,
+    robot: BrickKind = BrickKind.RCX,
+): CompletionList? {
     val caret = draft.selection.caret
     val line = draft.lines.lineOf(caret)
     val lineStart = draft.lines.start(line)
@@ -26,18 +32,22 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isExplicit: Boolean)
     if (typed.isEmpty() && !isExplicit) return null
     val before = tokens.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
     val names = namesIn(draft, lineStart + start)
+    val header = headerAt(draft, line)
+    val brick = header.brick ?: robot
     val isAtEnd = text.substring(column).isBlank()
-    val candidates = if (before.isEmpty() || before == listOf("else")) {
+    val candidates = if (before.isEmpty() && header.isInside) {
+        settingsOn(brick) + words(listOf("end"), help)
+    } else if (before.isEmpty() || before == listOf("else")) {
         val blocks = if (before.isEmpty() && isAtEnd) BLOCKS else emptyList()
         val commands = words(RobolangWords.commands, help, COMMAND_SUFFIXES.takeIf { isAtEnd })
         commands + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
     } else {
         val last = before.last()
         val own = FOLLOWER_SUFFIXES[last].orEmpty()
-        FOLLOWERS[last]?.let { words(it, help, own.takeIf { isAtEnd }) }
+        followersOf(last, brick)?.let { words(it, help, own.takeIf { isAtEnd }) }
             ?: (
-                valueWords(help, (VALUE_SUFFIXES + own).takeIf { isAtEnd }) + names + functions(help) +
-                    words(RobolangWords.keywords, help)
+                valueWords(brick, help, (VALUE_SUFFIXES + own).takeIf { isAtEnd }) + names + functions(help) +
+                    words(RobolangWords.keywordsOn(brick), help)
             )
     }
     if (!isExplicit && candidates.any { it.isWritten(typed) }) return null
@@ -51,7 +61,11 @@ private fun words(words: List<String>, help: WordHelp, suffixes: Map<String, Com
         completion.copy(offersNext = completion.inserted == "$word " && word in FOLLOWERS)
     }
 
-private fun valueWords(help: WordHelp, suffixes: Map<String, CompletionSuffix>?) = words(VALUE_WORDS, help, suffixes)
+private fun valueWords(brick: BrickKind, help: WordHelp, suffixes: Map<String, CompletionSuffix>?) =
+    words(VALUE_WORDS + NXT_VALUE_WORDS.takeIf { brick == BrickKind.NXT }.orEmpty(), help, suffixes)
+
+private fun followersOf(word: String, brick: BrickKind): List<String>? =
+    NXT_FOLLOWERS.takeIf { brick == BrickKind.NXT }?.get(word) ?: FOLLOWERS[word]
 
 private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
     val commas = ", ".repeat(parameters - 1)
@@ -108,6 +122,7 @@ private val FOLLOWERS = mapOf(
     "clear" to listOf("screen"),
     "button" to listOf("run", "view", "prgm"),
     "facing" to listOf("down", "forward"),
+    "brick" to listOf("rcx", "nxt"),
     "for" to listOf("each"),
     "left" to listOf("bumper"),
     "right" to listOf("bumper"),
@@ -118,6 +133,16 @@ private val VALUE_WORDS =
 
 private fun block(first: String, caret: Int, label: String = "$first … end") =
     Completion(label, CompletionKind.BLOCK, "$first\n  \nend", caret)
+
+/** The same for an NXT, where it differs. */
+private val NXT_FOLLOWERS = mapOf(
+    "start" to listOf("forward", "backward", "turning", "motor"),
+    "reset" to listOf("timer", "motor"),
+    "button" to listOf("enter", "left", "right", "escape"),
+)
+
+private val NXT_VALUE_WORDS = listOf("distance", "colour", "loudness", "turned") +
+    listOf("black", "blue", "green", "yellow", "red", "white")
 
 private val BLOCKS = listOf(
     block("repeat 4 times", "repeat 4 times\n  ".length),

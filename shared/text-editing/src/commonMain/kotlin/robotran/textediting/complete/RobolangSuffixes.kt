@@ -10,7 +10,7 @@ internal val COMMAND_SUFFIXES = mapOf(
     "motor" to " |A| forward",
     "pen" to " ",
     "wait" to " |1| second",
-    "reset" to " timer",
+    "reset" to " ",
     "play" to " |440| for 1 second",
     "show" to " ",
     "clear" to " screen",
@@ -31,6 +31,8 @@ internal val FOLLOWER_SUFFIXES = mapOf(
     "wait" to mapOf("until" to " "),
     "for" to mapOf("each" to " "),
     "power" to mapOf("left" to " |5|", "right" to " |5|"),
+    "reset" to mapOf("motor" to " |A|"),
+    "start" to mapOf("motor" to " |A| turn 90"),
 ).mapValues { (_, suffixes) -> suffixes.mapValues { CompletionSuffix.of(it.value) } }
 
 /** The suffixes of words in expressions. */
@@ -39,6 +41,7 @@ internal val VALUE_SUFFIXES = mapOf(
     "right" to " bumper",
     "sensor" to " |1|",
     "button" to " ",
+    "turned" to " |A|",
     "and" to " ",
     "or" to " ",
     "not" to " ",

@@ -1,6 +1,6 @@
 package robotran.tinyvm.config
 
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 
 /**
  * How fast a program runs.
@@ -15,5 +15,5 @@ enum class TinyVmSpeed(bytecodesPerMillisecond: Int) {
     UNLIMITED(TinyVmCosts.UNLIMITED_BYTECODES_PER_MILLISECOND),
     ;
 
-    val bytecodesPerStep: Int = bytecodesPerMillisecond / Brick.STEPS_PER_MILLISECOND
+    val bytecodesPerStep: Int = bytecodesPerMillisecond / RcxBrick.STEPS_PER_MILLISECOND
 }

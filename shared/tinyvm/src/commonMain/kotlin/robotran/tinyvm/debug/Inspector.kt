@@ -1,11 +1,11 @@
 package robotran.tinyvm.debug
 
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.ThreadActivity
-import robotran.rcxrom.program.ThreadView
-import robotran.rcxrom.program.VariableScope
-import robotran.rcxrom.program.VariableView
+import robotran.brick.program.CallFrame
+import robotran.brick.program.Statement
+import robotran.brick.program.ThreadActivity
+import robotran.brick.program.ThreadView
+import robotran.brick.program.VariableScope
+import robotran.brick.program.VariableView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap
@@ -29,7 +29,7 @@ internal class Inspector(private val machine: VirtualMachine) {
 
     fun activityOf(thread: VmThread): ThreadActivity = when (thread.state) {
         ThreadState.SLEEPING -> ThreadActivity.SLEEPING
-        ThreadState.WAITING -> ThreadActivity.WAITING_FOR_NOTIFICATION
+        ThreadState.WAITING, ThreadState.JOINING -> ThreadActivity.WAITING_FOR_NOTIFICATION
         ThreadState.BLOCKED -> ThreadActivity.WAITING_FOR_MONITOR
         else -> ThreadActivity.RUNNABLE
     }
@@ -61,7 +61,7 @@ internal class Inspector(private val machine: VirtualMachine) {
         val owner = frame.method.owner
         val statics = owner.fields.filter {
             it.isStatic
-        }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
+        }.map { VariableView(it.name, values.of(it.descriptor, machine.statics, it.slot)) }
         return listOf(
             VariableScope(nameOf(frame), locals(thread, frame)),
             VariableScope("this", fieldsOfThis(thread, frame)),
@@ -71,7 +71,7 @@ internal class Inspector(private val machine: VirtualMachine) {
 
     private fun locals(thread: VmThread?, frame: Frame): List<VariableView> = frame.body.variablesAt(frame.next)
         .filter { it.name != "this" && it.slot < frame.method.maxLocals }
-        .map { VariableView(it.name, values.of(it.descriptor, thread?.stack?.get(frame.base + it.slot) ?: 0)) }
+        .map { VariableView(it.name, values.of(it.descriptor, thread?.stack ?: NO_WORDS, frame.base + it.slot)) }
 
     private fun fieldsOfThis(thread: VmThread?, frame: Frame): List<VariableView> {
         if (frame.method.isStatic || thread == null) return emptyList()
@@ -84,13 +84,7 @@ internal class Inspector(private val machine: VirtualMachine) {
             .map {
                 VariableView(
                     it.name,
-                    values.of(
-                        it.descriptor,
-                        machine.heap.words[
-                            reference + Heap.HEADER_WORDS +
-                                it.slot,
-                        ],
-                    ),
+                    values.of(it.descriptor, machine.heap.words, reference + Heap.HEADER_WORDS + it.slot),
                 )
             }
     }
@@ -103,5 +97,9 @@ internal class Inspector(private val machine: VirtualMachine) {
         "<init>" -> "new ${frame.method.owner.sourceName}"
         "<clinit>" -> "static ${frame.method.owner.sourceName}"
         else -> "${frame.method.owner.sourceName}.${frame.method.name}"
+    }
+
+    private companion object {
+        val NO_WORDS = IntArray(0)
     }
 }

@@ -5,6 +5,7 @@ internal class ArrayTransferFunctions(
     private val relations: TypeRelations,
     private val resolver: Resolver,
     private val code: ResolvedCode,
+    private val isExact: Boolean,
 ) {
     /** Applies an instruction that creates an array or reads its length. */
     fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
@@ -54,8 +55,11 @@ internal class ArrayTransferFunctions(
         }
         val element = array?.element
         when {
-            isStore -> if (isObject && element != null && !relations.fits(stored, element)) unsound()
+            // An exact machine looks at what it stores, since an array may be one of a subclass.
+            isStore -> if (isObject && !isExact && element != null && !relations.fits(stored, element)) unsound()
+
             isObject -> frameState.push(element?.let { VerificationType.reference(it) } ?: VerificationType.NULL)
+
             else -> frameState.pushValue(VerificationType.ofLetter(letters[0]))
         }
     }

@@ -7,6 +7,8 @@ package robotran.tinyvm.link
  * @param depths the operand words before each position.
  * @param isJoin whether a jump or branch goes to a position.
  * @param locals the number of locals, which is the register of the lowest operand.
+ * @param switches the tables of its `switch` statements.
+ * @param isExact whether it is for an exact machine.
  * @param argumentWords the argument words of a method, by its number.
  */
 internal class BlockCompiler(
@@ -14,16 +16,19 @@ internal class BlockCompiler(
     private val depths: IntArray,
     private val isJoin: BooleanArray,
     private val locals: Int,
+    private val switches: List<SwitchTable>,
+    private val isExact: Boolean,
     private val argumentWords: (Int) -> Int,
 ) {
     private val instructions = ArrayList<RegisterInstruction>()
     private val operands = OperandStack(locals, instructions)
     private val calculations = CalculationCompiler(operands, instructions, ::exit)
+    private val wide = WideCompiler(operands, instructions, ::exit)
     private val joined = HashSet<Int>()
     private var position = 0
     private var bytecodes = 0
     private var statements = 0
-    private var continuation: Int? = null
+    private var continuations: List<Int> = emptyList()
 
     /**
      * Compiles the block at [start]. It contains also what follows it without a condition, up to a limit, so code after
@@ -32,7 +37,7 @@ internal class BlockCompiler(
     fun compile(start: Int): RegisterBlock {
         instructions.clear()
         joined.clear()
-        continuation = null
+        continuations = emptyList()
         position = start
         bytecodes = 0
         statements = 0
@@ -40,7 +45,7 @@ internal class BlockCompiler(
         val startExit = exit()
         while (continuesBlock()) compileOperation()
         val fused = InstructionFusion.fuse(instructions, locals)
-        return RegisterBlock(fused, startExit, bytecodes, statements, continuation)
+        return RegisterBlock(fused, startExit, bytecodes, statements, continuations)
     }
 
     /** Whether the block contains the operation at [position], unless its end was reached. If not, jumps there. */
@@ -90,14 +95,63 @@ internal class BlockCompiler(
             }
 
             Operation.RETURN, Operation.RETURN_VALUE, Operation.RETURN_WIDE -> {
-                leave(operation)
+                if (isExact && operation == Operation.RETURN_WIDE) plain() else leave(operation)
+            }
+
+            Operation.SWITCH -> {
+                switch()
             }
 
             else -> {
-                if (!calculations.compile(operation, code, position)) plain() else position = next
+                other(operation, next)
             }
         }
         bytecodes++
+    }
+
+    private fun other(operation: Int, next: Int) {
+        val first = code.getOrElse(position + 1) { 0 }
+        val second = code.getOrElse(position + 2) { 0 }
+        when {
+            isExact && operation == Operation.CALL_INTERFACE && first in RegisterInstruction.REGISTERS -> {
+                callInterface(first, second, next)
+            }
+
+            isExact && wide.compile(operation, first, second) -> {
+                bytecodes += ExactCosts.of(operation)
+                position = next
+            }
+
+            calculations.compile(operation, code, position) -> {
+                position = next
+            }
+
+            else -> {
+                plain()
+            }
+        }
+    }
+
+    private fun switch() {
+        val index = code[position + 1]
+        val register = operands.popRegister()
+        operands.complete()
+        instructions += RegisterInstruction(RegisterOperation.SWITCH, register, words = intArrayOf(index))
+        for (target in switches[index].targets) {
+            instructions += RegisterInstruction(RegisterOperation.JUMP, successors = intArrayOf(target))
+        }
+        position = END
+    }
+
+    private fun callInterface(method: Int, argumentWords: Int, next: Int) {
+        val exit = exit()
+        val first = operands.end - argumentWords
+        val receiver = operands.leaveReceiver(argumentWords)
+        operands.complete()
+        val words = intArrayOf(next)
+        instructions += RegisterInstruction(RegisterOperation.CALL_INTERFACE, first, method, receiver, exit, words)
+        continuations = listOf(next)
+        position = END
     }
 
     private fun branch(operation: Int, successors: IntArray) {
@@ -139,17 +193,19 @@ internal class BlockCompiler(
     }
 
     private fun call(operation: Int, argumentWords: Int, next: Int) {
+        val exit = if (operation == Operation.CALL_STATIC) null else exit()
         val first = operands.end - argumentWords
         val receiver = if (operation == Operation.CALL_STATIC) 0 else operands.leaveReceiver(argumentWords)
         operands.complete()
-        instructions += RegisterInstruction(
-            RegisterOperation.CALL_STATIC + operation - Operation.CALL_STATIC,
-            first,
-            code[position + 1],
-            receiver,
-            words = intArrayOf(next),
-        )
-        continuation = next
+        val method = code[position + 1]
+        instructions += if (operation != Operation.CALL_VIRTUAL && method !in RegisterInstruction.REGISTERS) {
+            val far = RegisterOperation.CALL_STATIC_FAR + operation - Operation.CALL_STATIC
+            RegisterInstruction(far, first, 0, receiver, exit, intArrayOf(next, method))
+        } else {
+            val near = RegisterOperation.CALL_STATIC + operation - Operation.CALL_STATIC
+            RegisterInstruction(near, first, method, receiver, exit, intArrayOf(next))
+        }
+        continuations = listOf(next)
         position = END
     }
 
@@ -166,7 +222,10 @@ internal class BlockCompiler(
     private fun plain() {
         operands.complete()
         instructions += RegisterInstruction(RegisterOperation.PLAIN, operands.end, words = intArrayOf(position))
-        if (code[position] != Operation.THROW) continuation = position + lengthOf(code[position])
+        continuations = when (code[position]) {
+            Operation.THROW, Operation.RETURN_WIDE -> emptyList()
+            else -> listOf(position + lengthOf(code[position]))
+        }
         position = END
     }
 

@@ -12,6 +12,9 @@ internal class CodeWriter {
     /** The positions of the words that are branch targets. */
     val branchPositions: List<Int> get() = branches
 
+    /** The tables of `switch` statements; their targets are byte positions until [finish]. */
+    val switches = ArrayList<SwitchTable>()
+
     /** The byte position that the next words come from. */
     var place = 0
 
@@ -41,9 +44,19 @@ internal class CodeWriter {
         write(target)
     }
 
+    /** Writes a `switch` that continues at the instructions at the targets of [table], which [finish] fills in. */
+    fun writeSwitch(table: SwitchTable) {
+        write(Operation.SWITCH, switches.size)
+        switches += table
+    }
+
     /** Returns the words, with the branch targets looked up in [positions]. */
     fun finish(positions: IntArray): IntArray {
         for (branch in branches) words[branch] = positions[words[branch]]
+        for (index in switches.indices) {
+            val table = switches[index]
+            switches[index] = table.withTargets(IntArray(table.targets.size) { positions[table.targets[it]] })
+        }
         return words.copyOf(size)
     }
 

@@ -2,7 +2,6 @@ package robotran.tinyvm.link
 
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.ConstantPool
-import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
@@ -12,6 +11,7 @@ internal class ConstantTransferFunctions(
     private val constants: ConstantPool,
     private val types: TypeTable,
     private val messages: LinkMessages,
+    private val code: ResolvedCode,
 ) {
     fun apply(instruction: Instruction, frameState: FrameState, location: CodeLocation) {
         val wide = instruction.opcode == Opcode.LDC2_W
@@ -33,14 +33,18 @@ internal class ConstantTransferFunctions(
             }
 
             is Constant.StringText -> {
-                if (constants.string(constant).length > TinyVmLimits.STRING_CHARACTERS) {
-                    location.reject(messages.tooMany(Counted.TEXT_CHARACTERS, TinyVmLimits.STRING_CHARACTERS))
+                if (constants.string(constant).length > types.model.textCharacters) {
+                    location.reject(messages.tooMany(Counted.TEXT_CHARACTERS, types.model.textCharacters))
                 }
                 frameState.push(VerificationType.reference(types.text))
             }
 
             is Constant.ClassName -> {
-                location.reject(messages.unsupportedFeature(UnsupportedFeature.CLASS_LITERAL))
+                if (!types.model.isExact) {
+                    location.reject(messages.unsupportedFeature(UnsupportedFeature.CLASS_LITERAL))
+                }
+                code.types[instruction.place] = types.typeNamed(constants.className(instruction.operand), location)
+                frameState.push(VerificationType.reference(types.classNamed("java/lang/Class", location)))
             }
 
             else -> {

@@ -1,6 +1,7 @@
 package robotran.tinyvm.link
 
 import robotran.tinyvm.classfile.ClassFile
+import robotran.tinyvm.classfile.wordsOf
 
 /**
  * The type of an object in the heap: a class or an array type.
@@ -20,18 +21,31 @@ internal sealed class HeapType(val id: Int, val descriptor: String) {
 }
 
 /** @property element the element type if the elements are objects, null for numbers. */
-internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, private val root: LinkedClass) :
-    HeapType(id, descriptor) {
+internal class ArrayType(
+    id: Int,
+    descriptor: String,
+    val element: HeapType?,
+    private val root: LinkedClass,
+    private val isExact: Boolean,
+) : HeapType(id, descriptor) {
     /** The descriptor of an element; a single letter for numbers. */
     val elementDescriptor: String = descriptor.drop(1)
+
+    /** The words of an element. */
+    val elementWords: Int = if (isExact) wordsOf(elementDescriptor) else 1
 
     override val virtualMethods: List<LinkedMethod> get() = root.virtualMethods
 
     override val interfaceMethods: Array<LinkedMethod?> get() = root.interfaceMethods
 
     override fun isA(other: HeapType): Boolean = when (other) {
-        is LinkedClass -> other === root
+        is LinkedClass -> other === root || (isExact && other.name in INTERFACES)
         is ArrayType -> other === this || (element != null && other.element != null && element.isA(other.element))
+    }
+
+    private companion object {
+        /** The interfaces of all arrays. */
+        val INTERFACES = setOf("java/lang/Cloneable", "java/io/Serializable")
     }
 }
 

@@ -7,13 +7,20 @@ import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Decodes a method's code into instructions and rejects those that TinyVM does not support. */
+/**
+ * Decodes a method's code into instructions and rejects those that a machine does not support.
+ *
+ * @param isExact whether it is an exact machine.
+ */
 internal class InstructionReader(
     private val code: CodeEntry,
     private val messages: LinkMessages,
+    private val isExact: Boolean = false,
     private val locationOf: (Int) -> CodeLocation,
 ) {
     private val reader = ByteReader(code.bytes)
+    private val simple = simpleInstructions(isExact)
+    private val newer = NewerInstructions(reader, locationOf, messages)
 
     /** The instructions, indexed by byte position. */
     fun read(): Array<Instruction?> {
@@ -32,8 +39,9 @@ internal class InstructionReader(
     private fun readInstruction(offset: Int): Instruction {
         val opcode = reader.unsignedByte()
         largeStep(opcode, offset)?.let { return it }
+        if (isExact) newer.read(opcode, offset)?.let { return it }
+        if (simple[opcode] != null) return made(opcode, offset)
         UNSUPPORTED_OPCODES[opcode]?.let { locationOf(offset).reject(messages.unsupportedFeature(it)) }
-        if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, offset)
         return when (opcode) {
             Opcode.ACONST_NULL -> {
                 made(opcode, offset)

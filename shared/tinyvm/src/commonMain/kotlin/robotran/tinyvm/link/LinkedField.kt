@@ -14,15 +14,21 @@ internal class LinkedField(
     val slot: Int,
     val initialValue: InitialValue?,
 ) {
+    /** Whether code reads it. */
+    var isRead = false
+
     val isReference: Boolean get() = isReferenceDescriptor(descriptor)
 
-    /** Whether it is a long or a double, which takes two words in locals and operands but one in an object. */
+    /** Whether it is a long or a double, which takes two words in locals and operands; on an RCX, it takes one in an object. */
     val isWide: Boolean get() = descriptor == "J" || descriptor == "D"
 }
 
 /** The initial value of a static constant. */
 internal sealed interface InitialValue {
     class Word(val bits: Int) : InitialValue
+
+    /** Of two words, on an exact machine. */
+    class Wide(val value: Long) : InitialValue
 
     class Text(val text: String) : InitialValue
 }

@@ -9,11 +9,12 @@ import robotran.tinyvm.classfile.MethodEntry
 /**
  * A method with its indices.
  *
- * @property number the index among all methods of a program.
  * @property signatureNumber the index of its name and descriptor among all of a program; the brick shows it for an
  * uncaught exception. See [SpecialNumbers].
  */
-internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val number: Int, val signatureNumber: Int) {
+internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val signatureNumber: Int) {
+    /** The index among all methods of a program; -1 if it has none, because it is never called. */
+    var number = NO_NUMBER
     val name: String get() = entry.name
     val descriptor: String get() = entry.descriptor
     val signature: String = entry.name + entry.descriptor
@@ -42,6 +43,10 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
 
     /** The executable code; null if the method is abstract or native. */
     var body: MethodBody? = null
+
+    companion object {
+        const val NO_NUMBER = -1
+    }
 }
 
 /**
@@ -50,6 +55,7 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
  * @property handlers five numbers for each handler: start, end, target, the id of the caught type, -1 for all, and the
  * bytes of the instruction before the start that a brick lets it serve, too, 0 for none.
  * @property places for each word of [code], its byte position in the class file.
+ * @property switches the tables of its `switch` statements.
  * @property registerCode the same code for quick execution without a debugger, null if it cannot express the method.
  */
 internal class MethodBody(
@@ -59,9 +65,13 @@ internal class MethodBody(
     private val lines: LineTable,
     private val variables: List<LocalVariable>,
     val registerCode: RegisterCode?,
+    val switches: List<SwitchTable>,
 ) {
     /** The source line of the word at [position], 0 if unknown. */
     fun lineAt(position: Int): Int = places.getOrNull(position)?.let { lines.lineAt(it) } ?: 0
+
+    /** The byte position in the class file of the word at [position]. */
+    fun byteAt(position: Int): Int = places.getOrElse(position) { 0 }
 
     /** The variables in scope before the word at [position] is executed. */
     fun variablesAt(position: Int): List<LocalVariable> {

@@ -53,13 +53,21 @@ internal class MemberCompiler(
     fun compile(operation: Int, operand: Int): Boolean {
         when (operation) {
             Operation.STATIC, Operation.STATIC_WIDE -> {
-                emit(RegisterOperation.STATIC, operands.pushResult(), operand)
+                if (operand in RegisterInstruction.REGISTERS) {
+                    emit(RegisterOperation.STATIC, operands.pushResult(), operand)
+                } else {
+                    far(RegisterOperation.STATIC_FAR, operands.pushResult(), operand)
+                }
                 if (operation == Operation.STATIC_WIDE) operands.pushConstant(0)
             }
 
             Operation.SET_STATIC, Operation.SET_STATIC_WIDE -> {
                 if (operation == Operation.SET_STATIC_WIDE) operands.pop()
-                emit(RegisterOperation.SET_STATIC, operand, operands.popRegister())
+                if (operand in RegisterInstruction.REGISTERS) {
+                    emit(RegisterOperation.SET_STATIC, operand, operands.popRegister())
+                } else {
+                    far(RegisterOperation.SET_STATIC_FAR, operands.popRegister(), operand)
+                }
             }
 
             Operation.FIELD, Operation.FIELD_WIDE -> {
@@ -95,6 +103,10 @@ internal class MemberCompiler(
         val value = operands.popRegister()
         val index = operands.popRegister()
         emit(operation, operands.popRegister(), index, value, exit)
+    }
+
+    private fun far(operation: Int, register: Int, slot: Int) {
+        instructions += RegisterInstruction(operation, register, words = intArrayOf(slot))
     }
 
     private fun emit(operation: Int, a: Int, b: Int, c: Int = 0, exit: BlockExit? = null) {

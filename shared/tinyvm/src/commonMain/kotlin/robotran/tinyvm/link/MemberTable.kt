@@ -2,23 +2,30 @@ package robotran.tinyvm.link
 
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.FieldEntry
+import robotran.tinyvm.classfile.wordsOf
+import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /** Assigns slots and indices to the fields and methods of classes. */
-internal class MemberTable(private val messages: LinkMessages) {
+internal class MemberTable(private val messages: LinkMessages, private val model: MachineModel) {
     private val allMethods = ArrayList<LinkedMethod>()
     private val allStatics = ArrayList<LinkedField>()
     private val signatureNumbers =
         SpecialNumbers.SIGNATURES.withIndex().associateTo(HashMap<String, Int>()) { it.value to it.index }
     private val interfaceNumbers = HashMap<String, Int>()
 
+    /** The methods with a number: on an exact machine those that can be called. */
     val methods: List<LinkedMethod> get() = allMethods
 
-    /** The static fields of all classes, indexed by slot. */
+    /** The static fields of all classes, in the order of their slots. */
     val statics: List<LinkedField> get() = allStatics
+
+    /** The words of all static fields. */
+    var staticWords = 0
+        private set
 
     /** The index in [HeapType.interfaceMethods] of the interface method with this [signature]. */
     fun interfaceNumber(signature: String): Int = interfaceNumbers.getOrPut(signature) { interfaceNumbers.size }
@@ -49,14 +56,11 @@ internal class MemberTable(private val messages: LinkMessages) {
         var bytes = linked.superclass?.brickBytes ?: BRICK_HEADER_BYTES
         val references = linked.superclass?.referenceWords?.toMutableList() ?: mutableListOf()
         linked.fields = linked.file.fields.map { entry ->
-            val field = LinkedField(
-                linked,
-                entry.name,
-                entry.descriptor,
-                entry.isStatic,
-                if (entry.isStatic) allStatics.size else words++,
-                initialValue(linked, entry),
-            )
+            val slot = if (entry.isStatic) staticWords else words
+            val taken = if (model.isExact) wordsOf(entry.descriptor) else 1
+            if (entry.isStatic) staticWords += taken else words += taken
+            val value = initialValue(linked, entry)
+            val field = LinkedField(linked, entry.name, entry.descriptor, entry.isStatic, slot, value)
             if (entry.isStatic) allStatics += field else bytes += brickBytesOf(entry.descriptor)
             if (!entry.isStatic && field.isReference) references += field.slot
             field
@@ -74,9 +78,9 @@ internal class MemberTable(private val messages: LinkMessages) {
 
             is Constant.Decimal -> InitialValue.Word(constant.value.toBits())
 
-            is Constant.Long -> InitialValue.Word(constant.value.toInt())
+            is Constant.Long -> wide(constant.value, constant.value.toInt())
 
-            is Constant.Double -> InitialValue.Word(constant.value.toFloat().toBits())
+            is Constant.Double -> wide(constant.value.toBits(), constant.value.toFloat().toBits())
 
             is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf {
                 entry.descriptor == "Ljava/lang/String;"
@@ -86,12 +90,15 @@ internal class MemberTable(private val messages: LinkMessages) {
         }.takeIf { it !is InitialValue.Word || !isReferenceDescriptor(entry.descriptor) }
     }
 
+    private fun wide(value: Long, wordOnRcx: Int): InitialValue =
+        if (model.isExact) InitialValue.Wide(value) else InitialValue.Word(wordOnRcx)
+
     private fun placeMethods(linked: LinkedClass, place: CodeLocation) {
         val virtual = linked.superclass?.virtualMethods.orEmpty().toMutableList()
         linked.methods = linked.file.methods.map { entry ->
             val signature = signatureNumbers.getOrPut(entry.name + entry.descriptor) { signatureNumbers.size }
-            val method = LinkedMethod(linked, entry, allMethods.size, signature)
-            allMethods += method
+            val method = LinkedMethod(linked, entry, signature)
+            if (!model.isExact) number(method)
             if (method.argumentWords > TinyVmLimits.PARAMETERS) {
                 CodeLocation(
                     linked.name,
@@ -105,6 +112,12 @@ internal class MemberTable(private val messages: LinkMessages) {
             method
         }
         linked.virtualMethods = virtual
+    }
+
+    /** Gives [method] the next number. */
+    fun number(method: LinkedMethod) {
+        method.number = allMethods.size
+        allMethods += method
     }
 
     private fun placeVirtual(method: LinkedMethod, virtual: MutableList<LinkedMethod>) {

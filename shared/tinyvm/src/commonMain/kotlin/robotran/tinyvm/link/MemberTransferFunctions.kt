@@ -14,6 +14,7 @@ internal class MemberTransferFunctions(
         val isWrite = instruction.opcode == Opcode.PUTSTATIC || instruction.opcode == Opcode.PUTFIELD
         if (isWrite) popOf(field.descriptor, frameState, place)
         if (!isStatic && !relations.fits(frameState.popReference(), field.owner)) unsound()
+        if (!isWrite) field.isRead = true
         if (!isWrite) pushOf(field.descriptor, frameState, place)
     }
 

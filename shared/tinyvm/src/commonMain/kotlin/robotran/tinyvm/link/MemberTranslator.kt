@@ -10,14 +10,20 @@ internal class MemberTranslator(
     fun field(instruction: Instruction) {
         val field = code.fields.getValue(instruction.place)
         if (field.isStatic) initialize(field.owner)
-        val isCharacter = field.descriptor == "C"
+        // What an exact machine stores was made a character before.
+        val isCharacter = field.descriptor == "C" && !types.model.isExact
         val plain = when (instruction.opcode) {
             Opcode.GETSTATIC -> Operation.STATIC
             Opcode.PUTSTATIC -> if (isCharacter) Operation.SET_STATIC_CHARACTER else Operation.SET_STATIC
             Opcode.GETFIELD -> Operation.FIELD
             else -> if (isCharacter) Operation.SET_FIELD_CHARACTER else Operation.SET_FIELD
         }
-        writer.write(if (field.isWide) plain + 1 else plain, field.slot)
+        val operation = when {
+            !field.isWide -> plain
+            types.model.isExact -> LONG_FORMS.getValue(plain)
+            else -> plain + 1
+        }
+        writer.write(operation, field.slot)
     }
 
     fun call(instruction: Instruction) {
@@ -78,5 +84,14 @@ internal class MemberTranslator(
      */
     private fun initialize(used: LinkedClass) {
         if (used.needsInitializing && used !== method.owner) writer.write(Operation.INITIALIZE, used.number)
+    }
+
+    private companion object {
+        val LONG_FORMS = mapOf(
+            Operation.STATIC to Operation.STATIC_LONG,
+            Operation.SET_STATIC to Operation.SET_STATIC_LONG,
+            Operation.FIELD to Operation.FIELD_LONG,
+            Operation.SET_FIELD to Operation.SET_FIELD_LONG,
+        )
     }
 }

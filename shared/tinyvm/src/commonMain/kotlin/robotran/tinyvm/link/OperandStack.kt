@@ -38,6 +38,30 @@ internal class OperandStack(
     /** Pops an operand and returns the register it is in. */
     fun popRegister(): Int = registerOf(pop())
 
+    /** Pushes an operand of two words that the next instruction computes; returns the first register to put it in. */
+    fun pushPair(): Int = pushResult().also { pushResult() }
+
+    /** Pops an operand of two words and returns the first of the two registers it is in. */
+    fun popPair(): Int {
+        val high = pop()
+        val low = pop()
+        if (low.kind == Operand.LOCAL && high.kind == Operand.LOCAL && high.value == low.value + 1) return low.value
+        if (low.kind != Operand.ON_STACK) put(low)
+        if (high.kind != Operand.ON_STACK) put(high)
+        return low.register
+    }
+
+    /** Pushes [operand], which was popped from the same place. */
+    fun push(operand: Operand) {
+        operands += if (operand.isConstant) Operand(Operand.ON_STACK, operand.register) else operand
+    }
+
+    /** Puts the popped [operand] on the stack; returns its register there. */
+    fun putOnStack(operand: Operand): Int {
+        put(operand)
+        return operand.register
+    }
+
     /** Pushes a copy of the operand that is [below] operands below the topmost. */
     fun pushCopy(below: Int) {
         val copied = operands[operands.lastIndex - below]

@@ -2,7 +2,7 @@ package robotran.tinyvm.link
 
 /**
  * The operations of the interpreter, each followed by its operands. Each costs one bytecode, except [STATEMENT] and
- * [INITIALIZE], which are free. A long or a double takes two stack words: its value and an unused word above.
+ * [INITIALIZE], which are free. On an RCX, a long or a double takes two stack words: its value and an unused word above.
  */
 internal object Operation {
     /** Operand: the line. Occurs only in a program's own classes, before the first bytecode of each line. */
@@ -146,4 +146,71 @@ internal object Operation {
     /** Set a field of type char. Operand: the index of the word in the object, or the slot of a static field. */
     const val SET_FIELD_CHARACTER = 106
     const val SET_STATIC_CHARACTER = 107
+
+    /**
+     * The operations from here on are those of an exact machine, in which a long or a double has its lower word in the first
+     * stack word and its upper word in the second.
+     */
+    const val FIRST_EXACT = 108
+
+    /** Operands: the lower and the upper word. */
+    const val PUSH_LONG = 108
+
+    /** Operand: the first local. */
+    const val LOAD_LONG = 109
+    const val STORE_LONG = 110
+
+    /** Operand: the first slot. */
+    const val STATIC_LONG = 111
+    const val SET_STATIC_LONG = 112
+
+    /** Operand: the index of the first word in the object. */
+    const val FIELD_LONG = 113
+    const val SET_FIELD_LONG = 114
+    const val ELEMENT_LONG = 115
+    const val SET_ELEMENT_LONG = 116
+
+    /** This and the next eleven calculate with long. */
+    const val ADD_LONG = 117
+    const val SUBTRACT_LONG = 118
+    const val MULTIPLY_LONG = 119
+    const val DIVIDE_LONG = 120
+    const val REMAINDER_LONG = 121
+    const val NEGATE_LONG = 122
+    const val SHIFT_LEFT_LONG = 123
+    const val SHIFT_RIGHT_LONG = 124
+    const val SHIFT_RIGHT_UNSIGNED_LONG = 125
+    const val AND_LONG = 126
+    const val OR_LONG = 127
+    const val XOR_LONG = 128
+
+    /** This and the next six calculate with decimals. */
+    const val REMAINDER_FLOAT = 129
+    const val ADD_DOUBLE_64 = 130
+    const val SUBTRACT_DOUBLE_64 = 131
+    const val MULTIPLY_DOUBLE_64 = 132
+    const val DIVIDE_DOUBLE_64 = 133
+    const val REMAINDER_DOUBLE_64 = 134
+    const val NEGATE_DOUBLE_64 = 135
+
+    /** This and the next nine convert. */
+    const val INT_TO_LONG = 136
+    const val INT_TO_DOUBLE_64 = 137
+    const val LONG_TO_INT = 138
+    const val LONG_64_TO_FLOAT = 139
+    const val LONG_64_TO_DOUBLE = 140
+    const val FLOAT_TO_LONG_64 = 141
+    const val FLOAT_TO_DOUBLE_64 = 142
+    const val DOUBLE_64_TO_INT = 143
+    const val DOUBLE_64_TO_LONG = 144
+    const val DOUBLE_64_TO_FLOAT = 145
+    const val COMPARE_LONG = 146
+    const val COMPARE_DOUBLE_64_LOW = 147
+    const val COMPARE_DOUBLE_64_HIGH = 148
+
+    /** Operand: the index in [MethodBody.switches]. */
+    const val SWITCH = 149
+
+    /** Operand: the type. */
+    const val PUSH_CLASS = 150
 }

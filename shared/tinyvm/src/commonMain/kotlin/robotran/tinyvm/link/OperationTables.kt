@@ -33,16 +33,27 @@ internal object OperationTables {
         Operation.IF_NOT_GREATER,
     )
 
-    fun load(opcode: Int): Int = if ((opcode - Opcode.ILOAD) % 2 == 1) Operation.LOAD_WIDE else Operation.LOAD
+    fun load(opcode: Int, isExact: Boolean): Int = when {
+        (opcode - Opcode.ILOAD) % 2 == 0 -> Operation.LOAD
+        isExact -> Operation.LOAD_LONG
+        else -> Operation.LOAD_WIDE
+    }
 
-    fun store(opcode: Int): Int = if ((opcode - Opcode.ISTORE) % 2 == 1) Operation.STORE_WIDE else Operation.STORE
+    fun store(opcode: Int, isExact: Boolean): Int = when {
+        (opcode - Opcode.ISTORE) % 2 == 0 -> Operation.STORE
+        isExact -> Operation.STORE_LONG
+        else -> Operation.STORE_WIDE
+    }
 
-    fun arrayLoad(opcode: Int): Int = when (opcode - Opcode.IALOAD) {
-        1, 3 -> Operation.ELEMENT_WIDE
+    fun arrayLoad(opcode: Int, isExact: Boolean): Int = when (opcode - Opcode.IALOAD) {
+        1, 3 -> if (isExact) Operation.ELEMENT_LONG else Operation.ELEMENT_WIDE
         else -> Operation.ELEMENT
     }
 
-    fun arrayStore(opcode: Int): Int = ARRAY_STORES[opcode - Opcode.IASTORE]
+    fun arrayStore(opcode: Int, isExact: Boolean): Int {
+        val operation = ARRAY_STORES[opcode - Opcode.IASTORE]
+        return if (isExact && operation == Operation.SET_WIDE) Operation.SET_ELEMENT_LONG else operation
+    }
 
     fun branch(opcode: Int): Int = when (opcode) {
         Opcode.IFNULL -> Operation.IF_ZERO

@@ -60,7 +60,7 @@ internal class RegisterCompiler(
                 queue += successor
             }
         }
-        block.next?.let { queue += it }
+        queue += block.next
     }
 
     private fun addWord(word: Int, exit: Int) {

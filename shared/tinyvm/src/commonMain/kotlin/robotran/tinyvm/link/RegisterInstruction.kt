@@ -87,13 +87,12 @@ internal class BlockExit(
  * @property start the exit before its first instruction.
  * @property bytecodes their number in the block.
  * @property statements likewise.
- * @property next where the method continues after a call or another operation that ends the block without a successor;
- * null if it does not.
+ * @property next where the method may continue after a call or another operation that ends the block without a successor.
  */
 internal class RegisterBlock(
     val instructions: List<RegisterInstruction>,
     val start: BlockExit,
     val bytecodes: Int,
     val statements: Int,
-    val next: Int?,
+    val next: List<Int>,
 )

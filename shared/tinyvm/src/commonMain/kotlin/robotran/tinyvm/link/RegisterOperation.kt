@@ -150,7 +150,105 @@ internal object RegisterOperation {
     /** Next words: the blocks if field B of A is less than C, a constant, and if not. */
     const val IF_FIELD_LESS_CONSTANT = 72
 
+    /**
+     * The instructions from here on are those that a program for an RCX has seldom or never. The interpreter's loop leaves
+     * them to [robotran.tinyvm.run.FarCalls] and [robotran.tinyvm.run.WideOperations]. Of a long or a double, an operand is
+     * its first register.
+     */
+    const val FIRST_FAR_CALL = 73
+
+    /** [CALL_STATIC] and [CALL_EXACTLY] of the method in the word behind the next. */
+    const val CALL_STATIC_FAR = 73
+    const val CALL_EXACTLY_FAR = 74
+
+    /** [CALL_VIRTUAL] of interface method B. */
+    const val CALL_INTERFACE = 75
+
+    /** The first one that [robotran.tinyvm.run.WideOperations] executes. */
+    const val FIRST_WIDE = 76
+
+    /** A = the static field in the next word. */
+    const val STATIC_FAR = 76
+
+    /** The static field in the next word = A. */
+    const val SET_STATIC_FAR = 77
+
+    /**
+     * Continues with one of the instructions behind the next word, which are a [JUMP] for each target of a `switch`, for the
+     * number in A. The next word is the index of its table.
+     */
+    const val SWITCH = 78
+
+    /** This and the next 31 calculate, compare or convert B and C, or B alone, in the order of [Operation]. */
+    const val ADD_LONG = 79
+    const val SUBTRACT_LONG = 80
+    const val MULTIPLY_LONG = 81
+    const val DIVIDE_LONG = 82
+    const val REMAINDER_LONG = 83
+    const val NEGATE_LONG = 84
+    const val SHIFT_LEFT_LONG = 85
+    const val SHIFT_RIGHT_LONG = 86
+    const val SHIFT_RIGHT_UNSIGNED_LONG = 87
+    const val AND_LONG = 88
+    const val OR_LONG = 89
+    const val XOR_LONG = 90
+    const val REMAINDER_FLOAT = 91
+    const val ADD_DOUBLE = 92
+    const val SUBTRACT_DOUBLE = 93
+    const val MULTIPLY_DOUBLE = 94
+    const val DIVIDE_DOUBLE = 95
+    const val REMAINDER_DOUBLE = 96
+    const val NEGATE_DOUBLE = 97
+    const val INT_TO_LONG = 98
+    const val INT_TO_DOUBLE = 99
+    const val LONG_TO_INT = 100
+    const val LONG_TO_FLOAT = 101
+    const val LONG_TO_DOUBLE = 102
+    const val FLOAT_TO_LONG = 103
+    const val FLOAT_TO_DOUBLE = 104
+    const val DOUBLE_TO_INT = 105
+    const val DOUBLE_TO_LONG = 106
+    const val DOUBLE_TO_FLOAT = 107
+    const val COMPARE_LONG = 108
+    const val COMPARE_DOUBLE_LOW = 109
+    const val COMPARE_DOUBLE_HIGH = 110
+
+    /** A = field C of B. */
+    const val FIELD_LONG = 111
+
+    /** Field B of A = C. */
+    const val SET_FIELD_LONG = 112
+
+    /** A = B[C]. */
+    const val ELEMENT_LONG = 113
+
+    /** A[B] = C. */
+    const val SET_ELEMENT_LONG = 114
+
+    /** A = the static field in the next word. */
+    const val STATIC_LONG = 115
+
+    /** The static field in the next word = A. */
+    const val SET_STATIC_LONG = 116
+
+    /** Ensures that A is null or of the type in the next word. */
+    const val CAST = 117
+
+    /** A = whether B is of the type in the next word. */
+    const val IS_INSTANCE = 118
+
+    /** A = the text whose number is the next word. */
+    const val TEXT = 119
+
+    /** A[B] = C, a reference. */
+    const val SET_REFERENCE = 120
+
+    /** The operations whose result is in A and the next register. */
+    val WITH_WIDE_RESULT: Set<Int> =
+        (ADD_LONG..DOUBLE_TO_FLOAT).toSet() + setOf(FIELD_LONG, ELEMENT_LONG, STATIC_LONG) -
+            setOf(REMAINDER_FLOAT, INT_TO_LONG, LONG_TO_INT, LONG_TO_FLOAT, DOUBLE_TO_INT, DOUBLE_TO_FLOAT)
+
     /** The operations whose result is in A. */
-    val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH) +
+    val WITH_RESULT: Set<Int> = setOf(MOVE, CONSTANT, WIDE_CONSTANT, FIELD, STATIC, ELEMENT, LENGTH, STATIC_FAR) +
         (ADD..AND_CONSTANT) + (NEGATE..COMPARE_FLOAT)
 }

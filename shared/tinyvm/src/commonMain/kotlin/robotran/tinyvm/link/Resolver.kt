@@ -11,6 +11,7 @@ internal class Resolver(
     private val constants: ConstantPool,
     private val types: TypeTable,
     private val messages: LinkMessages,
+    private val isExact: Boolean = false,
 ) {
     fun type(index: Int, location: CodeLocation): HeapType = types.typeNamed(constants.className(index), location)
 
@@ -52,8 +53,12 @@ internal class Resolver(
         return method
     }
 
-    /** The class at [index]; rejects array types, because type tests and casts support classes only. */
-    fun testedType(index: Int, location: CodeLocation): LinkedClass = type(index, location) as? LinkedClass
+    /** The type at [index] for a type test or cast, which support only classes on an RCX. */
+    fun testedType(index: Int, location: CodeLocation): HeapType =
+        if (isExact) type(index, location) else classType(index, location)
+
+    /** The class at [index]; rejects array types. */
+    fun classType(index: Int, location: CodeLocation): LinkedClass = type(index, location) as? LinkedClass
         ?: location.reject(messages.unsupportedFeature(UnsupportedFeature.ARRAY_TEST))
 
     private companion object {

@@ -6,8 +6,15 @@ package robotran.tinyvm.link
  * @property takes the operand types, topmost last: I int, F float, J long, D double.
  * @property gives the result type, empty for none.
  * @property constant the value it pushes, null if it computes one.
+ * @property high the upper word of that value on an exact machine.
  */
-internal class SimpleInstruction(val operation: Int, val takes: String, val gives: String, val constant: Int? = null)
+internal class SimpleInstruction(
+    val operation: Int,
+    val takes: String,
+    val gives: String,
+    val constant: Int? = null,
+    val high: Int = 0,
+)
 
 /** The simple bytecodes by opcode, null for others. Source: The Java Virtual Machine Specification, chapter 6. */
 internal val SIMPLE_INSTRUCTIONS: Array<SimpleInstruction?> = arrayOfNulls<SimpleInstruction>(256).also { table ->

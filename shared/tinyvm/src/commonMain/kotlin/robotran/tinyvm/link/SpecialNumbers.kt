@@ -27,6 +27,9 @@ object SpecialNumbers {
         "ThreadDeath",
     ).map { "java/lang/$it" }
 
+    /** The numbers of the special classes. */
+    internal val CLASS_NUMBERS: Map<String, Int> = CLASSES.withIndex().associate { it.value to it.index }
+
     /** The class of an exception that ends its thread silently. */
     val THREAD_DEATH: String = CLASSES.last()
 

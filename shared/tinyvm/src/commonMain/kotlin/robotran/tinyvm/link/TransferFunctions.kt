@@ -13,15 +13,17 @@ internal class TransferFunctions(
     private val relations: TypeRelations,
     messages: LinkMessages,
     private val code: ResolvedCode,
+    isExact: Boolean,
 ) {
+    private val simpleInstructions = simpleInstructions(isExact)
     private val constants = method.owner.file.constants
-    private val resolver = Resolver(constants, types, messages)
+    private val resolver = Resolver(constants, types, messages, isExact)
     private val members = MemberTransferFunctions(method, types, relations, resolver, code)
-    private val literals = ConstantTransferFunctions(constants, types, messages)
-    private val arrays = ArrayTransferFunctions(relations, resolver, code)
+    private val literals = ConstantTransferFunctions(constants, types, messages, code)
+    private val arrays = ArrayTransferFunctions(relations, resolver, code, isExact)
 
     fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
-        val simple = SIMPLE_INSTRUCTIONS[instruction.opcode]
+        val simple = simpleInstructions[instruction.opcode]
         when {
             simple != null -> {
                 for (letter in simple.takes.reversed()) frameState.popValue(VerificationType.ofLetter(letter))
@@ -70,6 +72,10 @@ internal class TransferFunctions(
                 LocalTransferFunctions.apply(instruction, frameState)
             }
 
+            Opcode.TABLESWITCH, Opcode.LOOKUPSWITCH -> {
+                frameState.popValue(VerificationType.INT)
+            }
+
             in Opcode.IFEQ..Opcode.IFLE -> {
                 frameState.popValue(VerificationType.INT)
             }
@@ -87,7 +93,7 @@ internal class TransferFunctions(
             }
 
             Opcode.NEW -> {
-                val type = resolver.testedType(operand, place)
+                val type = resolver.classType(operand, place)
                 if (type.isInterface || type.file.flags and AccessFlag.ABSTRACT != 0) unsound()
                 named(instruction, type)
                 frameState.push(VerificationType.reference(type))

@@ -13,6 +13,8 @@ internal class Translator(
 ) {
     private val constants = method.owner.file.constants
     private val writer = CodeWriter()
+    private val isExact = types.model.isExact
+    private val simpleInstructions = simpleInstructions(isExact)
     private val members = MemberTranslator(method, code, types, writer)
 
     fun translate(): MethodBody {
@@ -31,14 +33,18 @@ internal class Translator(
         val words = writer.finish(positions)
         val places = writer.finishedPositions()
         val handlers = handlers(positions)
-        return MethodBody(words, handlers, places, entry.lines, entry.variables, registerCode(words, places, handlers))
+        val registers = registerCode(words, places, handlers)
+        return MethodBody(words, handlers, places, entry.lines, entry.variables, registers, writer.switches)
     }
 
     private fun registerCode(words: IntArray, places: IntArray, handlers: IntArray): RegisterCode? {
         val isJoin = BooleanArray(words.size)
         for (branch in writer.branchPositions) isJoin[words[branch]] = true
+        for (table in writer.switches) for (target in table.targets) isJoin[target] = true
         val depths = IntArray(words.size) { code.depths[places[it]] }
-        val blocks = BlockCompiler(words, depths, isJoin, method.maxLocals) { types.members.methods[it].argumentWords }
+        val blocks = BlockCompiler(words, depths, isJoin, method.maxLocals, writer.switches, isExact) {
+            types.members.methods[it].argumentWords
+        }
         val targets = handlers.indices.filter { it % HANDLER_NUMBERS == HANDLER_TARGET }.map { handlers[it] }
         return RegisterCompiler(words, targets, blocks).compile()
     }
@@ -56,14 +62,27 @@ internal class Translator(
 
     private fun translate(instruction: Instruction) {
         val opcode = instruction.opcode
-        val simple = SIMPLE_INSTRUCTIONS[opcode]
+        val simple = simpleInstructions[opcode]
+        val table = instruction.targets
         when {
+            simple?.operation == Operation.PUSH_LONG -> pushLong(simple.constant ?: 0, simple.high)
+
+            table != null -> writer.writeSwitch(
+                SwitchTable(instruction.keys ?: IntArray(0), table + instruction.operand),
+            )
+
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
+
             simple != null -> writer.write(simple.operation)
+
             opcode in BRANCHES -> writer.writeBranch(OperationTables.branch(opcode), instruction.operand)
+
             opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
+
             opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
+
             opcode in WITH_TYPE -> members.typed(instruction)
+
             else -> other(instruction)
         }
     }
@@ -80,23 +99,23 @@ internal class Translator(
             }
 
             Opcode.LDC, Opcode.LDC2_W -> {
-                constant(constants.constant(instruction.operand))
+                constant(constants.constant(instruction.operand), instruction)
             }
 
             in Opcode.ILOAD..Opcode.ALOAD -> {
-                writer.write(OperationTables.load(opcode), instruction.operand)
+                writer.write(OperationTables.load(opcode, isExact), instruction.operand)
             }
 
             in Opcode.ISTORE..Opcode.ASTORE -> {
-                writer.write(OperationTables.store(opcode), instruction.operand)
+                writer.write(OperationTables.store(opcode, isExact), instruction.operand)
             }
 
             in Opcode.IALOAD..Opcode.SALOAD -> {
-                writer.write(OperationTables.arrayLoad(opcode))
+                writer.write(OperationTables.arrayLoad(opcode, isExact))
             }
 
             in Opcode.IASTORE..Opcode.SASTORE -> {
-                writer.write(OperationTables.arrayStore(opcode))
+                writer.write(OperationTables.arrayStore(opcode, isExact))
             }
 
             in Opcode.POP..Opcode.SWAP -> {
@@ -141,12 +160,25 @@ internal class Translator(
         }
     }
 
-    private fun constant(constant: Constant) = when (constant) {
+    private fun pushLong(low: Int, high: Int) {
+        writer.write(Operation.PUSH_LONG, low, high)
+    }
+
+    private fun pushWide(value: Long, wordOnRcx: Int) {
+        if (isExact) {
+            pushLong(value.toInt(), (value shr Int.SIZE_BITS).toInt())
+        } else {
+            writer.write(Operation.PUSH_WIDE, wordOnRcx)
+        }
+    }
+
+    private fun constant(constant: Constant, instruction: Instruction) = when (constant) {
         is Constant.Whole -> writer.write(Operation.PUSH, constant.value)
         is Constant.Decimal -> writer.write(Operation.PUSH, constant.value.toBits())
-        is Constant.Long -> writer.write(Operation.PUSH_WIDE, constant.value.toInt())
-        is Constant.Double -> writer.write(Operation.PUSH_WIDE, constant.value.toFloat().toBits())
+        is Constant.Long -> pushWide(constant.value, constant.value.toInt())
+        is Constant.Double -> pushWide(constant.value.toBits(), constant.value.toFloat().toBits())
         is Constant.StringText -> writer.write(Operation.PUSH_TEXT, texts.numberOf(constants.string(constant)))
+        is Constant.ClassName -> writer.write(Operation.PUSH_CLASS, code.types.getValue(instruction.place).id)
         else -> error("no constant that can be pushed")
     }
 

@@ -1,12 +1,14 @@
 package robotran.tinyvm.link
 
 import robotran.tinyvm.classfile.endOfType
+import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 
 /** All classes and array types of a program, each linked on first use. */
-internal class TypeTable(private val files: ClassPath, private val messages: LinkMessages) {
+internal class TypeTable(private val files: ClassPath, private val messages: LinkMessages, val model: MachineModel) {
+    private val specialNumbers = if (model.isExact) NxtNumbers.CLASSES else SpecialNumbers.CLASS_NUMBERS
     private val byDescriptor = HashMap<String, HeapType>()
     private val beingLinked = LinkedHashSet<String>()
     private val allTypes = ArrayList<HeapType>()
@@ -15,7 +17,7 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     private var ordinaryClasses = 0
 
     /** The layout of fields and methods. */
-    val members = MemberTable(messages)
+    val members = MemberTable(messages, model)
 
     val types: List<HeapType> get() = allTypes
 
@@ -52,7 +54,7 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
             place.reject(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
         }
         val root = root
-        return ArrayType(allTypes.size, descriptor, element, root).also { add(it) }
+        return ArrayType(allTypes.size, descriptor, element, root, model.isExact).also { add(it) }
     }
 
     private fun link(name: String, place: CodeLocation): LinkedClass {
@@ -89,8 +91,7 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     }
 
     private fun brickNumberOf(name: String): Int {
-        val special = SpecialNumbers.CLASSES.indexOf(name)
-        return if (special >= 0) special else SpecialNumbers.CLASSES.size + ordinaryClasses++
+        return specialNumbers[name] ?: (specialNumbers.values.max() + 1 + ordinaryClasses++)
     }
 
     private fun add(type: HeapType) {

@@ -20,9 +20,9 @@ internal class Verifier(
 ) {
     private val relations = TypeRelations(types)
     private val code = ResolvedCode(entry.bytes.size)
-    private val transferFunctions = TransferFunctions(method, types, relations, messages, code)
+    private val transferFunctions = TransferFunctions(method, types, relations, messages, code, types.model.isExact)
     private val contexts = SubroutineContexts()
-    private val instructions = InstructionReader(entry, messages, ::locationOf).read()
+    private val instructions = InstructionReader(entry, messages, types.model.isExact, ::locationOf).read()
     private val frameStates = HashMap<Int, FrameState>()
     private val worklist = ArrayDeque<Int>()
     private val isQueued = HashSet<Int>()
@@ -43,7 +43,7 @@ internal class Verifier(
                 currentPosition = key % entry.bytes.size
                 follow(currentPosition, key / entry.bytes.size, frameStates.getValue(key).copy())
             }
-            findEarlyHandlers()
+            if (!types.model.isExact) findEarlyHandlers()
         } catch (_: UnsoundCode) {
             locationOf(currentPosition).unsound(messages)
         } catch (_: DamagedClassFile) {
@@ -85,8 +85,11 @@ internal class Verifier(
     private fun followSuccessors(instruction: Instruction, context: Int, frameState: FrameState) {
         val opcode = instruction.opcode
         val isBranch = opcode in Opcode.IFEQ..Opcode.GOTO || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL
-        if (isBranch) mergeInto(instruction.operand, context, frameState)
-        val isEnd = opcode == Opcode.GOTO || opcode in Opcode.IRETURN..Opcode.RETURN || opcode == Opcode.ATHROW
+        val isSwitch = instruction.targets != null
+        if (isBranch || isSwitch) mergeInto(instruction.operand, context, frameState)
+        instruction.targets?.distinct()?.forEach { mergeInto(it, context, frameState) }
+        val isEnd =
+            isSwitch || opcode == Opcode.GOTO || opcode in Opcode.IRETURN..Opcode.RETURN || opcode == Opcode.ATHROW
         if (!isEnd) mergeInto(instruction.next, context, frameState)
     }
 

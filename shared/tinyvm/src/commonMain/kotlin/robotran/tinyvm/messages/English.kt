@@ -118,6 +118,8 @@ private object EnglishLinkMessages : LinkMessages {
 }
 
 private object EnglishVmRunMessages : RunMessages {
+    override val nxt = EnglishNxtRunMessages
+
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
         val digit = exceptionNumber % 10

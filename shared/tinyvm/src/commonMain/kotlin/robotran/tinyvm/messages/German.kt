@@ -127,6 +127,8 @@ private object GermanLinkMessages : LinkMessages {
 }
 
 private object GermanVmRunMessages : RunMessages {
+    override val nxt = GermanNxtRunMessages
+
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
         val digit = exceptionNumber % 10

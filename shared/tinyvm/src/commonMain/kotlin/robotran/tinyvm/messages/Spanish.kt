@@ -124,6 +124,8 @@ private object SpanishLinkMessages : LinkMessages {
 }
 
 private object SpanishVmRunMessages : RunMessages {
+    override val nxt = SpanishNxtRunMessages
+
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
         val digit = exceptionNumber % 10

@@ -83,6 +83,9 @@ enum class UnsupportedFeature {
 
 /** Messages during a run. */
 interface RunMessages {
+    /** Those of an NXT. */
+    val nxt: NxtRunMessages
+
     /**
      * An uncaught exception; [text] is its message, empty if it has none. The brick shows [methodNumber] and the last
      * digit of [exceptionNumber].

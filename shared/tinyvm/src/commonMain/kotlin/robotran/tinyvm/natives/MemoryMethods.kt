@@ -7,6 +7,7 @@ import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 private const val WORD = 0xFFFF
 private const val MAX_ARGUMENTS = 4
@@ -18,30 +19,30 @@ internal val memoryMethods: Map<String, NativeMethod> = (0..MAX_ARGUMENTS).assoc
 } + mapOf(
     "josx/platform/rcx/Memory.readByte(I)B" to NativeMethod { machine, thread, first ->
         val address = thread.stack[first] and WORD
-        machine.arrays.around(listOf(address)) { machine.rom.memory.readByte(address).toByte().toInt() }
+        machine.rcx.arrays.around(listOf(address)) { machine.rcx.rom.memory.readByte(address).toByte().toInt() }
     },
     "josx/platform/rcx/Memory.writeByte(IB)V" to action { machine, thread, first ->
         val address = thread.stack[first] and WORD
         val value = thread.stack[first + 1]
-        machine.arrays.around(listOf(address)) { machine.rom.memory.writeByte(address, value) }
-        machine.region.written(address)
+        machine.rcx.arrays.around(listOf(address)) { machine.rcx.rom.memory.writeByte(address, value) }
+        machine.rcx.region.written(address)
     },
     "josx/platform/rcx/Memory.setBit(III)V" to action { machine, thread, first ->
         val address = thread.stack[first] and WORD
         val bit = 1 shl (thread.stack[first + 1] and 7)
         val isSet = thread.stack[first + 2] != 0
-        machine.arrays.around(listOf(address)) {
-            val byte = machine.rom.memory.readByte(address)
-            machine.rom.memory.writeByte(address, if (isSet) byte or bit else byte and bit.inv())
+        machine.rcx.arrays.around(listOf(address)) {
+            val byte = machine.rcx.rom.memory.readByte(address)
+            machine.rcx.rom.memory.writeByte(address, if (isSet) byte or bit else byte and bit.inv())
         }
     },
     "josx/platform/rcx/Memory.getDataAddress(Ljava/lang/Object;)I" to NativeMethod { machine, thread, first ->
         val reference = thread.stack[first]
         if (reference == 0) machine.raise(thread, BuiltInException.NULL_POINTER)
-        if (reference == 0) 0 else machine.arrays.addressOf(reference)
+        if (reference == 0) 0 else machine.rcx.arrays.addressOf(reference)
     },
     "josx/platform/rcx/PersistentMemoryArea.getRegionAddress()I" to
-        NativeMethod { machine, _, _ -> machine.region.address() },
+        NativeMethod { machine, _, _ -> machine.rcx.region.address() },
 )
 
 private fun callRom(machine: VirtualMachine, thread: VmThread, first: Int, arguments: Int) {
@@ -49,5 +50,5 @@ private fun callRom(machine: VirtualMachine, thread: VmThread, first: Int, argum
     val line = machine.lineOf(thread)
     val file = machine.fileOf(thread)
     machine.charge(TinyVmCosts.ROM_ROUTINE)
-    machine.arrays.around(words) { machine.rom.call(RomCall(thread.stack[first] and WORD, words), line, file) }
+    machine.rcx.arrays.around(words) { machine.rcx.rom.call(RomCall(thread.stack[first] and WORD, words), line, file) }
 }

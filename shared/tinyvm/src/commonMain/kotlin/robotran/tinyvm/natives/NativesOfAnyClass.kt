@@ -5,6 +5,7 @@ import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 /** How a program declares a native method: its name and descriptor, and whether it is static. */
 internal data class DeclaredNative(val signature: String, val isStatic: Boolean)
@@ -63,7 +64,7 @@ internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
     add("josx/platform/rcx/Poll.setPoller()V", isStatic = false)
     put(
         DeclaredNative("setThrottle(I)V", isStatic = false),
-        action { machine, thread, first -> machine.poller.setThrottle(thread.stack[first] and BYTE) },
+        action { machine, thread, first -> machine.rcx.poller.setThrottle(thread.stack[first] and BYTE) },
     )
     put(
         DeclaredNative("test(Ljava/lang/String;Z)V", isStatic = true),

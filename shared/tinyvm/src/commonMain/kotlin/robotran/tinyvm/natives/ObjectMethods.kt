@@ -6,6 +6,7 @@ import robotran.tinyvm.run.ThreadState
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 /** `java.lang.Object`. Source: leJOS `threads.c`. */
 internal val objectMethods: Map<String, NativeMethod> = mapOf(
@@ -20,7 +21,7 @@ internal val objectMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/Object.notifyAll()V" to
         action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = true) },
     "java/lang/Object.getDataAddress(Ljava/lang/Object;)I" to NativeMethod { machine, thread, first ->
-        machine.arrays.addressOf(thread.stack[first])
+        machine.rcx.arrays.addressOf(thread.stack[first])
     },
 )
 
@@ -43,7 +44,7 @@ private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, millisec
             thread.releasedEntries = machine.monitors.exitCompletely(lock, thread)
             thread.awaitedLock = lock
             thread.wakeTime =
-                if (milliseconds == null || milliseconds == 0) 0 else machine.rom.milliseconds + milliseconds
+                if (milliseconds == null || milliseconds == 0) 0 else machine.milliseconds + milliseconds
             thread.state = ThreadState.WAITING
         }
     }

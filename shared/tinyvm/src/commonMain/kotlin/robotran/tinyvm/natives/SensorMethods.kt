@@ -7,27 +7,28 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.action
+import robotran.tinyvm.run.rcx
 
 /** `josx.platform.rcx.Sensor`, `Poll` and `Serial.resetSerial`. Source: leJOS `native.c`. */
 internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     "josx/platform/rcx/Sensor.readSensorValue(II)I" to NativeMethod { machine, thread, first ->
         val port = thread.stack[first]
         val request = SensorRequest.entries.find { it.code == thread.stack[first + 1] }
-        if (port in 0 until SensorCode.PORTS && request != null) machine.rom.readSensor(port, request) else 0
+        if (port in 0 until SensorCode.PORTS && request != null) machine.rcx.rom.readSensor(port, request) else 0
     },
     "josx/platform/rcx/Sensor.setSensorValue(III)V" to action { machine, thread, first ->
         val port = thread.stack[first]
         val field = SensorField.entries.find { it.code == thread.stack[first + 2] }
         if (port in 0 until SensorCode.PORTS && field != null) {
-            machine.rom.setSensorValue(port, thread.stack[first + 1], field)
+            machine.rcx.rom.setSensorValue(port, thread.stack[first + 1], field)
         }
     },
     "josx/platform/rcx/Poll.setPoller()V" to
-        action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
+        action { machine, thread, first -> machine.rcx.poller.register(thread.stack[first]) },
     "josx/platform/rcx/Throttle.setThrottle(I)V" to action { machine, thread, first ->
-        machine.poller.setThrottle(thread.stack[first])
+        machine.rcx.poller.setThrottle(thread.stack[first])
     },
     "josx/platform/rcx/Serial.resetSerial()V" to action { machine, _, _ ->
-        machine.rom.call(RomCall(RomAddress.INIT_SERIAL, listOf(0, 0, 1, 1)), 0)
+        machine.rcx.rom.call(RomCall(RomAddress.INIT_SERIAL, listOf(0, 0, 1, 1)), 0)
     },
 )

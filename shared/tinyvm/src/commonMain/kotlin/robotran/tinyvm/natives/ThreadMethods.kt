@@ -66,7 +66,7 @@ private fun sleep(machine: VirtualMachine, thread: VmThread, milliseconds: Int) 
         }
 
         else -> {
-            thread.wakeTime = maxOf(1, machine.rom.milliseconds + milliseconds)
+            thread.wakeTime = maxOf(1, machine.milliseconds + milliseconds)
             thread.state = ThreadState.SLEEPING
         }
     }

@@ -14,5 +14,17 @@ internal class BitSet(size: Int) {
         bits[index ushr 5] = bits[index ushr 5] and (1 shl index).inv()
     }
 
+    /** The first number from [from] on that is in the set, -1 if there is none. */
+    fun next(from: Int): Int {
+        var word = from ushr 5
+        if (word >= bits.size) return -1
+        var rest = bits[word] and (-1 shl from)
+        while (rest == 0) {
+            if (++word == bits.size) return -1
+            rest = bits[word]
+        }
+        return (word shl 5) + rest.countTrailingZeroBits()
+    }
+
     fun clear() = bits.fill(0)
 }

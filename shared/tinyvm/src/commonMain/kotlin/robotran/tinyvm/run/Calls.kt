@@ -1,8 +1,8 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.config.NxtCosts
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmCosts
-import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.EarlyHandlers
 import robotran.tinyvm.link.LinkedClass
@@ -20,6 +20,11 @@ internal class Calls(
     private val natives: Array<NativeMethod?>,
     private val uncaught: (VmThread, Int) -> Unit,
 ) {
+    private val isExact = machine.model.isExact
+
+    /** What a native method takes, in bytecodes. */
+    private val nativeCost = if (isExact) NxtCosts.NATIVE_METHOD else TinyVmCosts.NATIVE_METHOD
+
     /**
      * Calls [method] from [caller]. The arguments are the topmost operands; `next` of [caller] is after the call and
      * `top` after the arguments. If the method must wait for a monitor, `next` moves back by [callWords], so that the
@@ -28,7 +33,7 @@ internal class Calls(
     fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int, isVirtual: Boolean) {
         val first = caller.top - method.argumentWords
         val body = method.body
-        val native = natives[method.number]
+        val native = natives.getOrNull(method.number)
         when {
             body != null -> {
                 val lock = lockOf(thread, method, first, isVirtual)
@@ -100,7 +105,7 @@ internal class Calls(
         if (type.initializer != null && above.any { it.isOfProgram && it.initializer != null }) {
             machine.addWarning(Quirk.LATE_INITIALIZER)
         }
-        val uninitialized = if (machine.mode == TinyVmMode.BRICK) type else above.lastOrNull() ?: type
+        val uninitialized = if (machine.model.hasQuirks) type else above.lastOrNull() ?: type
         machine.isInitialized[uninitialized.number] = true
         val initializer = uninitialized.initializer ?: return
         if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) {
@@ -108,7 +113,7 @@ internal class Calls(
         }
     }
 
-    fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind))
+    fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind, thread))
 
     /**
      * Continues at the handler for [exception], or ends the thread if there is none.
@@ -119,7 +124,8 @@ internal class Calls(
         machine.charge(thread.depth / TinyVmCosts.FRAMES_IN_A_BYTECODE)
         val frames = thread.callStack
         if (frames.indices.none { targetOf(frames[it], exception, isOfNative || it > 0) >= 0 }) {
-            uncaught(thread, exception)
+            if (tellLibrary(thread, exception)) return
+            uncaught(thread, if (thread.uncaught != 0) thread.uncaught else exception)
             while (thread.depth > 0) drop(thread, thread.frame)
             machine.end(thread)
             return
@@ -137,6 +143,29 @@ internal class Calls(
             drop(thread, frame)
             isOfCall = true
         }
+    }
+
+    /**
+     * Lets the class library deal with [exception], which leaves the first method of [thread], before the next operation;
+     * false if it has no method for that, or if the exception comes out of that method.
+     */
+    private fun tellLibrary(thread: VmThread, exception: Int): Boolean {
+        if (machine.program.uncaughtHandler == null || thread.uncaught != 0) return false
+        thread.uncaught = exception
+        thread.uncaughtAt = machine.placeOf(thread)
+        while (thread.depth > 0) drop(thread, thread.frame)
+        thread.pending = exception
+        return true
+    }
+
+    /** Calls what the class library has for the exception that has left the first method of [thread]. */
+    fun beginUncaught(thread: VmThread) {
+        val at = thread.uncaughtAt
+        val handler = machine.program.uncaughtHandler
+        thread.stack[0] = thread.uncaught
+        thread.stack[1] = at?.methodNumber ?: 0
+        thread.stack[2] = at?.byte ?: 0
+        if (handler == null || !enter(thread, handler, 0, 0)) machine.end(thread)
     }
 
     /** @param isOfCall whether the exception comes out of a method that [frame] has called. */
@@ -157,7 +186,7 @@ internal class Calls(
                 continue
             }
             if (isEarly && frame.method.owner.isOfProgram) machine.addWarning(Quirk.EARLY_HANDLER)
-            if (!isEarly || machine.mode == TinyVmMode.BRICK) return handlers[index + 2]
+            if (!isEarly || machine.model.hasQuirks) return handlers[index + 2]
         }
         return -1
     }
@@ -167,12 +196,12 @@ internal class Calls(
             throwNew(thread, BuiltInException.NULL_POINTER)
             return
         }
-        machine.charge(TinyVmCosts.NATIVE_METHOD)
+        machine.charge(nativeCost)
         val result = native.call(machine, thread, first)
         caller.top = first
-        if (thread.pending != 0) return
+        if (thread.pending != 0 || thread.state == ThreadState.DEAD) return
         if (method.resultWords > 0) thread.stack[caller.top++] = result
-        if (method.resultWords > 1) thread.stack[caller.top++] = 0
+        if (method.resultWords > 1) thread.stack[caller.top++] = machine.highWord
     }
 
     private fun enter(thread: VmThread, method: LinkedMethod, base: Int, lock: Int): Boolean {
@@ -194,16 +223,22 @@ internal class Calls(
         thread.pop()
     }
 
+    /** The monitor of the static methods of [type]. */
+    private fun lockOf(type: LinkedClass): Int {
+        val lock = if (isExact) machine.classObject(type) else 0
+        return if (lock != 0) lock else -1 - type.number
+    }
+
     /**
      * The monitor to enter for a call of [method], 0 for none. A brick looks at `synchronized` only in virtual calls.
      * Source: leJOS `language.c`, dispatch_virtual.
      */
     private fun lockOf(thread: VmThread, method: LinkedMethod, first: Int, isVirtual: Boolean): Int {
         if (!method.isSynchronized) return 0
-        val lock = if (method.isStatic) -1 - method.owner.number else thread.stack[first]
-        if (isVirtual) return lock
+        val lock = if (method.isStatic) lockOf(method.owner) else thread.stack[first]
+        if (isVirtual || isExact) return lock
         val matters = method.owner.isOfProgram && !machine.monitors.isOwner(lock, thread)
         if (matters) machine.addWarning(Quirk.UNLOCKED_METHOD)
-        return if (machine.mode == TinyVmMode.BRICK) 0 else lock
+        return if (machine.model.hasQuirks) 0 else lock
     }
 }

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.ProgramFailure
+import robotran.brick.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.SpecialNumbers
 import robotran.tinyvm.messages.RunMessages
@@ -20,11 +20,41 @@ internal class Failures(private val machine: VirtualMachine, private val message
     fun add(thread: VmThread, exception: Int) {
         val type = machine.heap.typeOf(exception) as LinkedClass
         if (type.name == SpecialNumbers.THREAD_DEATH) return
+        val name = type.sourceName.substringAfterLast('.')
+        val failure = if (machine.model.isExact) {
+            onNxt(
+                thread,
+                exception,
+                type,
+                name,
+            )
+        } else {
+            onRcx(thread, exception, type, name)
+        }
+        if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
+    }
+
+    private fun onRcx(thread: VmThread, exception: Int, type: LinkedClass, name: String): ProgramFailure {
         val method = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
         val number = machine.program.numberOf(type)
-        val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, number)
-        val failure = ProgramFailure(message, machine.lineOf(thread), method, number, machine.fileOf(thread))
-        if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
+        val message = messages.uncaught(name, textOf(exception), method, number)
+        return ProgramFailure(message, machine.lineOf(thread), method, number, machine.fileOf(thread))
+    }
+
+    private fun onNxt(thread: VmThread, exception: Int, type: LinkedClass, name: String): ProgramFailure {
+        val at = thread.uncaughtAt ?: machine.placeOf(thread)
+        val number = machine.program.numberOf(type)
+        val text = textOf(exception)
+        val message = messages.nxt.uncaught(name, text, number)
+        return ProgramFailure(
+            message,
+            at.line,
+            at.methodNumber,
+            number,
+            at.file,
+            at.calls,
+            text.ifEmpty { null },
+        )
     }
 
     /** Returns an exception that ended a thread and was not returned before, or null. */

@@ -45,6 +45,9 @@ internal class Frame {
     /** The line of the next operation. */
     val upcomingLine: Int get() = body.lineAt(next)
 
+    /** The byte of the current operation in the class file. */
+    val byte: Int get() = body.byteAt(if (next > 0) next - 1 else 0)
+
     /** The line of the current operation. */
     val line: Int get() = body.lineAt(if (next > 0) next - 1 else 0)
 }

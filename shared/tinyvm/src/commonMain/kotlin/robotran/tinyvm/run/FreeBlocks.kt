@@ -17,9 +17,9 @@ internal class FreeBlocks() {
     var words = 0
         private set
 
-    /** Creates one block for an empty heap of [size] words. */
-    constructor(size: Int) : this() {
-        add(Heap.FIRST_OBJECT, size)
+    /** Creates one block for an empty heap from [start] until [end]. */
+    constructor(start: Int, end: Int) : this() {
+        add(start, end)
     }
 
     fun add(start: Int, end: Int) {

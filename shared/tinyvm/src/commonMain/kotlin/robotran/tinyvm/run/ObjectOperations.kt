@@ -14,6 +14,8 @@ internal class ObjectOperations(
     private val words = machine.heap.words
     private val types = machine.program.types.toTypedArray()
     private val tests = TypeTests(machine)
+    private val isExact = machine.model.isExact
+    private val wrongElement = if (isExact) BuiltInException.ARRAY_STORE else BuiltInException.CLASS_CAST
 
     /** Executes [operation] for [thread]; its operands start at `next` of [frame]. */
     fun execute(thread: VmThread, frame: Frame, operation: Int) {
@@ -110,6 +112,7 @@ internal class ObjectOperations(
 
             Operation.NEW_ARRAY -> {
                 val length = stack[--frame.top]
+                if (isExact && length < 0) return calls.throwNew(thread, BuiltInException.NEGATIVE_ARRAY_SIZE)
                 push(thread, frame, machine.newArray(types[code[frame.next++]] as ArrayType, length))
             }
 
@@ -117,6 +120,9 @@ internal class ObjectOperations(
                 val type = types[code[frame.next++]] as ArrayType
                 val dimensions = code[frame.next++]
                 frame.top -= dimensions
+                if (isExact && (0 until dimensions).any { stack[frame.top + it] < 0 }) {
+                    return calls.throwNew(thread, BuiltInException.NEGATIVE_ARRAY_SIZE)
+                }
                 push(thread, frame, machine.newArrays(type, stack, frame.top, dimensions))
             }
 
@@ -183,7 +189,7 @@ internal class ObjectOperations(
         val place = places.find(array, stack[frame.top + 1])
         when {
             place <= 0 -> calls.throwNew(thread, places.failure(place))
-            value != 0 && !tests.mayStore(array, value) -> calls.throwNew(thread, BuiltInException.CLASS_CAST)
+            value != 0 && !tests.mayStore(array, value) -> calls.throwNew(thread, wrongElement)
             else -> words[place] = value
         }
     }

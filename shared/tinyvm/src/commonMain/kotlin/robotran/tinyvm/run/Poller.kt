@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
+import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.link.LinkedClass
@@ -10,7 +11,7 @@ import robotran.tinyvm.link.LinkedClass
  * field of the registered object and wakes all threads that wait for it. Polling is no ROM call. Source: leJOS
  * `poll.c`.
  */
-internal class Poller(private val machine: VirtualMachine) {
+internal class Poller(private val machine: VirtualMachine, private val rom: Rom) {
     private val values = IntArray(SensorCode.PORTS)
     private var buttons = 0
     private var hadMessage = false
@@ -38,7 +39,7 @@ internal class Poller(private val machine: VirtualMachine) {
 
     /** Polls if it is due and no thread is inside the registered object's monitor. */
     fun poll() {
-        val reading = machine.rom.milliseconds / SensorCode.READING_MILLISECONDS
+        val reading = rom.milliseconds / SensorCode.READING_MILLISECONDS
         if (!isActive || reading < lastReading + throttle || !machine.monitors.isFree(reference)) return
         lastReading = reading
         val changed = changedSensors() or changedButtons() or changedMessage()
@@ -51,7 +52,7 @@ internal class Poller(private val machine: VirtualMachine) {
     private fun changedSensors(): Int {
         var changed = 0
         for (port in values.indices) {
-            val value = machine.rom.readSensor(port, SensorRequest.CANONICAL)
+            val value = rom.readSensor(port, SensorRequest.CANONICAL)
             if (value != values[port]) changed = changed or (1 shl port)
             values[port] = value
         }
@@ -59,14 +60,14 @@ internal class Poller(private val machine: VirtualMachine) {
     }
 
     private fun changedButtons(): Int {
-        val pressed = machine.rom.pressedButtons.sumOf { BUTTON_BITS[it] ?: 0 }
+        val pressed = rom.pressedButtons.sumOf { BUTTON_BITS[it] ?: 0 }
         val changed = pressed xor buttons
         buttons = pressed
         return changed
     }
 
     private fun changedMessage(): Int {
-        val hasMessage = machine.rom.hasMessage
+        val hasMessage = rom.hasMessage
         val isNew = hasMessage && !hadMessage
         hadMessage = hasMessage
         return if (isNew) MESSAGE_BIT else 0

@@ -1,11 +1,10 @@
 package robotran.tinyvm.run
 
 import robotran.tinyvm.config.Quirk
-import robotran.tinyvm.config.TinyVmMode
 
 /** Arithmetic in the rare cases where a brick differs from the Java language. */
 internal class QuirkyArithmetic(private val machine: VirtualMachine) {
-    private val isBrick = machine.mode == TinyVmMode.BRICK
+    private val isBrick = machine.model.hasQuirks
 
     /** The effective value of a [divisor] that does not fit 16 bits. */
     fun largeDivisor(divisor: Int): Int {

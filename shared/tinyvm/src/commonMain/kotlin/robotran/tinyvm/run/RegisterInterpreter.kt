@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.RegisterCode
 import robotran.tinyvm.link.RegisterOperation
 
@@ -13,7 +13,7 @@ internal class RegisterInterpreter(
     private val machine: VirtualMachine,
     private val calls: Calls,
     private val gate: StatementGate,
-    rare: RareOperations,
+    private val rare: RareOperations,
 ) {
     /** Why the interpreter returns. */
     enum class Result {
@@ -31,8 +31,8 @@ internal class RegisterInterpreter(
     private val statics = machine.statics
     private val isInitialized = machine.isInitialized
     private val methods = machine.program.methods.toTypedArray()
-    private val numbers = rare.numbers
-    private val objects = rare.objects
+    private val far = FarCalls(machine)
+    private val wide = WideOperations(machine)
 
     /** The code to execute for a call of each method, null if the call is not as simple. */
     private val callable = Array(methods.size) { number ->
@@ -59,8 +59,6 @@ internal class RegisterInterpreter(
         var left = machine.budget
         var begun = 0
         var number: Int
-        var receiver: Int
-        var callWords: Int
         blocks@ while (true) {
             val header = code[at]
             left -= header and LOW_HALF
@@ -413,24 +411,22 @@ internal class RegisterInterpreter(
 
                     RegisterOperation.CALL_STATIC -> {
                         number = word ushr SHIFT_B and BYTE
-                        callWords = CALL_WORDS
-                        receiver = NO_RECEIVER
                         break
                     }
 
                     RegisterOperation.CALL_EXACTLY -> {
-                        number = word ushr SHIFT_B and BYTE
-                        callWords = CALL_WORDS
-                        receiver = stack[c]
+                        val receiver = stack[c]
+                        if (receiver == 0) break@blocks
                         stack[a] = receiver
+                        number = word ushr SHIFT_B and BYTE
                         break
                     }
 
                     RegisterOperation.CALL_VIRTUAL -> {
-                        receiver = stack[c]
+                        val receiver = stack[c]
+                        if (receiver == 0) break@blocks
                         stack[a] = receiver
-                        callWords = VIRTUAL_CALL_WORDS
-                        number = if (receiver == 0) 0 else virtualMethods[words[receiver]][word ushr SHIFT_B and BYTE]
+                        number = virtualMethods[words[receiver]][word ushr SHIFT_B and BYTE]
                         break
                     }
 
@@ -476,8 +472,7 @@ internal class RegisterInterpreter(
                         frame.top = a
                         save(left, begun)
                         begun = 0
-                        val operation = frame.body.code[position]
-                        if (!numbers.execute(frame, stack, operation)) objects.execute(thread, frame, operation)
+                        rare.execute(thread, frame, frame.body.code[position])
                         if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) {
                             return Result.CONTINUE
                         }
@@ -487,8 +482,19 @@ internal class RegisterInterpreter(
                         continue@blocks
                     }
 
-                    else -> {
+                    RegisterOperation.RETURN_WIDE -> {
                         break@blocks
+                    }
+
+                    else -> {
+                        if (word and BYTE < RegisterOperation.FIRST_WIDE) {
+                            number = far.method(code, at, stack, base)
+                            if (number < 0) break@blocks
+                            break
+                        }
+                        val last = wide.execute(frame, code, at, stack)
+                        if (last < 0) break@blocks
+                        at = last
                     }
                 }
                 at++
@@ -497,18 +503,13 @@ internal class RegisterInterpreter(
             // one constant.
             val first = base + (code[at] ushr SHIFT_A and BYTE)
             frame.next = code[at + 1]
-            if (receiver == 0) {
-                save(left, begun)
-                calls.throwNew(thread, BuiltInException.NULL_POINTER)
-                return Result.CONTINUE
-            }
             val method = methods[number]
             val callee = callable[number]
             val called = if (callee == null) null else thread.push(first, method.frameWords)
             if (callee == null || called == null) {
                 frame.top = first + method.argumentWords
                 save(left, begun)
-                calls.call(thread, frame, method, callWords, isVirtual = callWords == VIRTUAL_CALL_WORDS)
+                call(thread, frame, method, code[at] and BYTE)
                 return Result.CONTINUE
             }
             frame.top = first
@@ -531,6 +532,13 @@ internal class RegisterInterpreter(
         save(left + registers.bytecodesAfter(at), begun - registers.statementsAfter(at))
     }
 
+    /** Calls [method], whose call [operation] is not as simple as others. */
+    private fun call(thread: VmThread, frame: Frame, method: LinkedMethod, operation: Int) {
+        val isVirtual =
+            operation == RegisterOperation.CALL_VIRTUAL || operation == RegisterOperation.CALL_INTERFACE
+        calls.call(thread, frame, method, if (isVirtual) VIRTUAL_CALL_WORDS else CALL_WORDS, isVirtual)
+    }
+
     private fun save(left: Int, begun: Int) {
         machine.budget = left
         gate.begin(begun)
@@ -545,9 +553,6 @@ internal class RegisterInterpreter(
         const val LOW_HALF = 0xFFFF
         const val SIXTEENTH_BIT = 0x8000
         const val MAX_SHORT = 32_767
-
-        /** Any number but that of null. */
-        const val NO_RECEIVER = 1
 
         /** Words of a call in the stack code. */
         const val CALL_WORDS = 2

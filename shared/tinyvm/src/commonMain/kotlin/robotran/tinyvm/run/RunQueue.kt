@@ -10,8 +10,13 @@ internal class RunQueue {
     /** Index of the thread that comes last. */
     private var last = -1
 
-    /** The threads, the next one first. */
-    val inOrder: List<VmThread> get() = List(circle.size) { circle[(last + 1 + it) % circle.size] }
+    val size: Int get() = circle.size
+
+    /** The place of the next thread; the others are at the places behind it. */
+    val first: Int get() = last + 1
+
+    /** The thread at [place], of which there are [size] from [first] on. */
+    operator fun get(place: Int): VmThread = circle[if (place < circle.size) place else place - circle.size]
 
     fun add(thread: VmThread) {
         circle.add(++last, thread)

@@ -1,9 +1,10 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.brick.program.RuntimeWarning
+import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.RunMessages
 
 /**
@@ -12,11 +13,12 @@ import robotran.tinyvm.messages.RunMessages
  * @param allBytes brick memory for the program and its objects.
  */
 internal class RuntimeWarnings(
-    private val mode: TinyVmMode,
+    private val model: MachineModel,
     private val messages: RunMessages,
     private val programBytes: Int,
     private val allBytes: Int,
 ) {
+    private var isNearlyFull = false
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
     /** All warnings so far; each new warning makes a new list. */
@@ -28,8 +30,17 @@ internal class RuntimeWarnings(
         all = all + RuntimeWarning(messageOf(quirk), line, file)
     }
 
+    /** Adds, once, that an NXT has little memory left. */
+    fun addNearlyFull(line: Int, file: String?) {
+        if (isNearlyFull || all.size == TinyVmLimits.RUNTIME_WARNINGS) return
+        isNearlyFull = true
+        all = all + RuntimeWarning(messages.nxt.memoryNearlyFull(), line, file)
+    }
+
     private fun messageOf(quirk: Quirk): String = when {
-        mode == TinyVmMode.FORGIVING -> messages.quirkWarning(quirk)
+        model.isExact -> messages.nxt.memoryFull()
+
+        model.quirks == QuirkHandling.WARN -> messages.quirkWarning(quirk)
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
             messages.programMemoryUse(programBytes, allBytes)

@@ -1,15 +1,14 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.config.TinyVmLimits
-
 /**
  * Chooses the thread to run: one of the highest priority; threads of the same priority take turns. A thread that holds a
  * monitor runs in place of a more important one that waits for it. Sources: leJOS's `threads.c`, and its release notes,
  * which have the avoidance of priority inversion under 2.0.
  *
+ * @param mostThreads the most threads that may be alive.
  * @param clock the brick's clock in milliseconds.
  */
-internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
+internal class Scheduler(private val monitors: Monitors, private val mostThreads: Int, private val clock: () -> Long) {
     private val living = ArrayList<VmThread>()
     private var started = 0
 
@@ -22,7 +21,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
     /** Whether a non-daemon thread is alive. */
     val hasUserThreads: Boolean get() = living.any { !it.isDaemon }
 
-    val hasRoom: Boolean get() = living.size < TinyVmLimits.THREADS
+    val hasRoom: Boolean get() = living.size < mostThreads
 
     fun start(thread: VmThread) {
         thread.state = ThreadState.READY
@@ -36,6 +35,13 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         monitors.releaseAll(thread)
         living -= thread
         queueOf(thread).remove(thread)
+        for (other in living) if (other.state == ThreadState.JOINING && other.awaitedThread === thread) goOn(other)
+    }
+
+    /** Makes [thread] ready, which has waited for the end of another. */
+    private fun goOn(thread: VmThread) {
+        thread.awaitedThread = null
+        thread.state = ThreadState.READY
     }
 
     /** Gives [thread], which may not be alive, this [priority]. */
@@ -53,7 +59,9 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
     fun choose(): VmThread? {
         var chosen: VmThread? = null
         for (queue in queues) {
-            for (thread in queue.inOrder) {
+            val first = queue.first
+            for (place in first until first + queue.size) {
+                val thread = queue[place]
                 wake(thread)
                 enterFreeMonitor(thread)
                 if (chosen != null) continue
@@ -70,15 +78,22 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
 
     /** The earliest time at which a waiting thread wakes by itself, null if none does. */
     val nextWake: Long?
-        get() = living.filter {
-            it.wakeTime > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING)
+        get() {
+            var earliest = Long.MAX_VALUE
+            for (thread in living) {
+                val sleeps = thread.state == ThreadState.SLEEPING || thread.state == ThreadState.WAITING ||
+                    thread.state == ThreadState.JOINING
+                if (thread.wakeTime > 0 && sleeps) earliest = minOf(earliest, thread.wakeTime)
+            }
+            return earliest.takeIf { it < Long.MAX_VALUE }
         }
-            .minOfOrNull { it.wakeTime }
 
     /** Wakes all threads that wait for [lock], or only the first one of the highest priority. */
     fun notify(lock: Int, all: Boolean) {
         for (queue in queues) {
-            for (thread in queue.inOrder) {
+            val first = queue.first
+            for (place in first until first + queue.size) {
+                val thread = queue[place]
                 if (thread.state != ThreadState.WAITING || thread.awaitedLock != lock) continue
                 thread.state = ThreadState.BLOCKED
                 if (!all) return
@@ -93,6 +108,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         when (thread.state) {
             ThreadState.SLEEPING -> if (isTime) thread.state = ThreadState.READY
             ThreadState.WAITING -> if (isTime) thread.state = ThreadState.BLOCKED
+            ThreadState.JOINING -> if (isTime) goOn(thread)
             else -> return
         }
     }

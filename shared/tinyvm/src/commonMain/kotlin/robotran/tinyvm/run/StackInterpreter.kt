@@ -11,15 +11,13 @@ internal class StackInterpreter(
     private val machine: VirtualMachine,
     private val calls: Calls,
     private val gate: StatementGate,
-    rare: RareOperations,
+    private val rare: RareOperations,
 ) {
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()
     private val types = machine.program.types.toTypedArray()
     private val places = rare.places
-    private val numbers = rare.numbers
-    private val objects = rare.objects
     private val division = rare.division
 
     /**
@@ -476,7 +474,7 @@ internal class StackInterpreter(
                     frame.next = next
                     frame.top = top
                     machine.budget = left
-                    if (!numbers.execute(frame, stack, code[next - 1])) objects.execute(thread, frame, code[next - 1])
+                    rare.execute(thread, frame, code[next - 1])
                     if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) return false
                     next = frame.next
                     top = frame.top

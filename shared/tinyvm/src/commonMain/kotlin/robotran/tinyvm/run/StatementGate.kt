@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.Statement
-import robotran.rcxrom.program.StatementWatch
+import robotran.brick.program.Statement
+import robotran.brick.program.StatementWatch
 
 /** Counts the program's statements and asks [watch] once before each of them whether to pause. */
 internal class StatementGate {

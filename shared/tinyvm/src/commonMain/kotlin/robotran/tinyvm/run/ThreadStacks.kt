@@ -1,8 +1,8 @@
 package robotran.tinyvm.run
 
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.config.TinyVmMode
 
 /**
  * The room on the threads' stacks. A brick has an array of frames and an array of words for each thread, in the heap.
@@ -10,15 +10,16 @@ import robotran.tinyvm.config.TinyVmMode
  * `threads.c`, init_thread, and `language.c`, dispatch_special.
  */
 internal class ThreadStacks(private val machine: VirtualMachine) {
-    private val isBrick = machine.mode == TinyVmMode.BRICK
+    private val model = machine.model
+    private val room = model.stack
 
     /** Creates the stack of [thread]; returns false if there is no memory. */
     fun create(thread: VmThread): Boolean {
-        val bytes = frameBytes(INITIAL_FRAMES) + wordBytes(INITIAL_WORDS)
-        if (!machine.heap.reserve(bytes)) return false
+        val bytes = frameBytes(room.frames) + wordBytes(room.words)
+        if (!reserve(bytes)) return false
         thread.stackBytes = bytes
-        thread.frameRoom = INITIAL_FRAMES
-        thread.wordRoom = INITIAL_WORDS
+        thread.frameRoom = room.frames
+        thread.wordRoom = room.words
         return true
     }
 
@@ -32,24 +33,26 @@ internal class ThreadStacks(private val machine: VirtualMachine) {
     fun grow(thread: VmThread, base: Int, words: Int): Boolean {
         val needed = base + words
         if (thread.depth == thread.frameRoom) {
-            val longer = thread.frameRoom * 3 / 2
-            val grows = longer <= TinyVmLimits.FRAMES &&
+            val half = thread.frameRoom * 3 / 2
+            val longer = if (model.isExact && thread.frameRoom < room.mostFrames) minOf(half, room.mostFrames) else half
+            val grows = longer <= room.mostFrames &&
                 exchange(thread, frameBytes(thread.frameRoom), frameBytes(longer))
-            thread.frameRoom = if (grows) longer else exceeded(thread.frameRoom, TinyVmLimits.FRAMES)
+            thread.frameRoom = if (grows) longer else exceeded(thread.frameRoom, room.mostFrames)
         }
         if (needed > thread.wordRoom) {
             // leJOS calculates with the index of the last word, and subtracts the header of the array, one word.
-            val longer = (needed - 2) * 3 / 2
-            val grows = longer <= TinyVmLimits.BRICK_ARRAY_ELEMENTS &&
+            val longer = if (model.isExact) needed * 3 / 2 else (needed - 2) * 3 / 2
+            val longest = if (model.isExact) room.mostWords else TinyVmLimits.BRICK_ARRAY_ELEMENTS
+            val grows = longer <= longest &&
                 exchange(thread, wordBytes(thread.wordRoom), wordBytes(longer))
-            thread.wordRoom = if (grows) longer else exceeded(thread.wordRoom, TinyVmLimits.STACK_WORDS)
+            thread.wordRoom = if (grows) longer else exceeded(thread.wordRoom, room.mostWords)
         }
         return thread.depth < thread.frameRoom && needed <= thread.wordRoom
     }
 
     /** Replaces an array of [old] bytes by one of [new] bytes; returns false if there is no memory for both. */
     private fun exchange(thread: VmThread, old: Int, new: Int): Boolean {
-        if (!machine.heap.reserve(new)) return false
+        if (!reserve(new)) return false
         machine.heap.release(old)
         thread.stackBytes += new - old
         return true
@@ -58,22 +61,21 @@ internal class ThreadStacks(private val machine: VirtualMachine) {
     /** The room on a stack that a brick cannot extend: as [before], or in forgiving mode the [largest]. */
     private fun exceeded(before: Int, largest: Int): Int {
         machine.addWarning(Quirk.DEEP_CALLS)
-        return if (isBrick) before else largest
+        return if (model.quirks == QuirkHandling.WARN) largest else before
     }
 
-    private fun frameBytes(frames: Int) = Heap.ARRAY_HEADER_BYTES + frames * FRAME_BYTES
+    private fun reserve(bytes: Int): Boolean {
+        if (machine.heap.reserve(bytes)) return true
+        if (!model.isExact) return false
+        machine.collectGarbage()
+        return machine.heap.reserve(bytes)
+    }
+
+    private fun frameBytes(frames: Int) = Heap.ARRAY_HEADER_BYTES + frames * room.frameBytes
 
     private fun wordBytes(words: Int) = Heap.ARRAY_HEADER_BYTES + words * WORD_BYTES
 
     private companion object {
-        /** Frames of a new stack. Source: leJOS `configure.h`, INITIAL_STACK_FRAMES. */
-        const val INITIAL_FRAMES = 4
-
-        /** Words of a new stack. Source: leJOS `configure.h`, INITIAL_STACK_SIZE. */
-        const val INITIAL_WORDS = 10
-
-        /** Five pointers of two bytes. Source: leJOS `threads.h`, StackFrame. */
-        const val FRAME_BYTES = 10
         const val WORD_BYTES = 4
     }
 }

@@ -8,7 +8,7 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun begin(thread: VmThread) {
         val main = machine.program.main
         if (thread.isMain) {
-            if (calls.begin(thread, main, 0) && !machine.isInitialized[main.owner.number]) {
+            if (calls.begin(thread, main, machine.mainArguments()) && !machine.isInitialized[main.owner.number]) {
                 initializeMainClass(thread, main.owner)
             }
         } else {
@@ -21,7 +21,10 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun throwPending(thread: VmThread) {
         val exception = thread.pending
         thread.pending = 0
-        if (thread.depth > 0) calls.throwObject(thread, exception, isOfNative = true)
+        when {
+            thread.depth > 0 -> calls.throwObject(thread, exception, isOfNative = true)
+            thread.uncaught != 0 -> calls.beginUncaught(thread)
+        }
     }
 
     /** Pushes the initializer above the frame of main, so that it runs first. */

@@ -2,12 +2,6 @@ package robotran.tinyvm.run
 
 /** Constants of the virtual machine, each with its unit and source. */
 internal object VirtualMachineConstants {
-    /** Milliseconds that a thread runs before another of the same priority. Source: leJOS, TICKS_PER_TIME_SLICE. */
-    const val TIME_SLICE_MILLISECONDS = 20
-
-    /** Heap words in forgiving mode: 1 MB. */
-    const val FORGIVING_HEAP_WORDS = 262_144
-
     /**
      * A collection must leave at least one part in this many of the heap free, or the heap counts as full. Collecting
      * for less would take all the time.

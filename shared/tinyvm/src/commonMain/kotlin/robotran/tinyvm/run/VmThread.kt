@@ -1,5 +1,7 @@
 package robotran.tinyvm.run
 
+import robotran.brick.program.FailureFrame
+
 internal enum class ThreadState {
     /** Created, but not started. */
     NEW,
@@ -11,7 +13,25 @@ internal enum class ThreadState {
 
     /** Waits for a notification. */
     WAITING,
+
+    /** Waits for the end of another thread; not on an RCX. */
+    JOINING,
     DEAD,
+}
+
+/**
+ * Where an exception was thrown that nobody has caught.
+ *
+ * @property line in the source of the program, 0 if it is unknown.
+ * @property file the source file, null if the program has only one.
+ * @property calls those that were active, the innermost first.
+ */
+internal class UncaughtPlace(val line: Int, val file: String?, val calls: List<FailureFrame>) {
+    /** The number of the method that threw it. */
+    val methodNumber: Int get() = calls.firstOrNull()?.methodNumber ?: 0
+
+    /** The byte in that method. */
+    val byte: Int get() = calls.firstOrNull()?.offset ?: 0
 }
 
 /** A thread of the program, whose Java object is [reference]; [isMain] is true for the thread that runs main. */
@@ -35,6 +55,15 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
 
     /** The brick's time at which a sleep or wait ends by itself, in milliseconds; 0 for never. */
     var wakeTime = 0L
+
+    /** The thread whose end it waits for. */
+    var awaitedThread: VmThread? = null
+
+    /** The exception that left its first method and that the class library is told of; 0 for none. */
+    var uncaught = 0
+
+    /** Where [uncaught] was thrown. */
+    var uncaughtAt: UncaughtPlace? = null
 
     /** The object whose monitor or notification it waits for. */
     var awaitedLock = 0

@@ -1,7 +1,7 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.ProgramFailure
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramFailure
 import robotran.tinyvm.config.TinyVmMode
 
 /**

@@ -1,10 +1,11 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.Brick
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
+import robotran.rcxrom.log.romCalls
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
@@ -14,16 +15,16 @@ import kotlin.test.assertIs
 /** A program that keeps bytes in the front of the memory for objects, run twice on the same brick. */
 class PersistentMemoryTest {
     /** The numbers that each of two runs shows. */
-    private fun shown(mode: TinyVmMode, between: Brick.() -> Unit): List<List<Int>> {
+    private fun shown(mode: TinyVmMode, between: RcxBrick.() -> Unit): List<List<Int>> {
         val linked = assertIs<TinyVmResult.Ready>(link("rcx/PersistentMemory.java", mode = mode))
-        val brick = Brick(listOf(linked.program))
+        val brick = RcxBrick(listOf(linked.program))
         return List(2) { run ->
             if (run == 1) brick.between()
             val before = brick.log.entries.size
             brick.press(BrickButton.RUN)
             brick.release(BrickButton.RUN)
             while (brick.state.run is RunState.Running) brick.tick()
-            brick.log.entries.drop(before).map { it.call }.filter {
+            brick.log.entries.drop(before).romCalls().map { it.call }.filter {
                 it.address == RomAddress.SET_LCD_NUMBER && it.arguments.first() == RomCode.LCD_UNSIGNED
             }.map { it.arguments[1] }
         }

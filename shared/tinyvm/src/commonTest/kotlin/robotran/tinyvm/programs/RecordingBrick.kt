@@ -1,23 +1,23 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.Brick
+import robotran.brick.controls.BrickButton
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.ProgramRun
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.display.LcdGlass
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import robotran.rcxrom.state.RunState
 
 /** The display [glass] after a refresh on [line]; [isNumber] is true if a number was set before it. */
 internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)
 
 /** A brick that runs [program] and records its output. */
 internal class RecordingBrick(program: RcxProgram, private val events: List<Event>) {
-    private val brick = Brick(listOf(Watched(program)))
+    private val brick = RcxBrick(listOf(Watched(program)))
     private var isNumber = false
 
     val shown = ArrayList<Shown>()

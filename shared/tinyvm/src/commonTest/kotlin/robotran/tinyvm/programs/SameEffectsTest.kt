@@ -1,7 +1,7 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.program.ProgramStatus
-import robotran.rcxrom.program.StatementWatch
+import robotran.brick.program.ProgramStatus
+import robotran.brick.program.StatementWatch
 import robotran.tinyvm.RecordingRom
 import robotran.tinyvm.TinyVmProgram
 import robotran.tinyvm.TinyVmResult

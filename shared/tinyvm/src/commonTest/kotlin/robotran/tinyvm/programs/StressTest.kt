@@ -1,8 +1,8 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -21,7 +21,7 @@ class StressTest {
                 val linked = assertIs<TinyVmResult.Ready>(
                     link("limits/$program.java", mode = mode, speed = speed),
                 ).program
-                val brick = Brick(listOf(linked))
+                val brick = RcxBrick(listOf(linked))
                 brick.press(BrickButton.RUN)
                 brick.release(BrickButton.RUN)
                 val took = measureTime { repeat(MILLISECONDS) { brick.tick() } } / MILLISECONDS

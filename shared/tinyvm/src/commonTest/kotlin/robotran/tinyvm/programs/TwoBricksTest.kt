@@ -1,10 +1,11 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.Brick
+import robotran.brick.controls.BrickButton
+import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.log.romCalls
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -18,7 +19,7 @@ class TwoBricksTest {
         val air = InfraredAir()
         val bricks = programs.map { path ->
             val linked = assertIs<TinyVmResult.Ready>(link(path, mode = mode, speed = TinyVmSpeed.BRICK), path)
-            Brick(listOf(linked.program), air)
+            RcxBrick(listOf(linked.program), air)
         }
         for (brick in bricks) {
             brick.press(BrickButton.RUN)
@@ -26,7 +27,7 @@ class TwoBricksTest {
         }
         repeat(LONGEST_MILLISECONDS) { for (brick in bricks) brick.tick() }
         return bricks.map { brick ->
-            val calls = brick.log.entries.filter { it.sourceLine > 0 }.map { it.call }
+            val calls = brick.log.entries.romCalls().filter { it.sourceLine > 0 }.map { it.call }
             val shown = calls.filter {
                 it.address == RomAddress.SET_LCD_NUMBER && it.arguments.first() == RomCode.LCD_UNSIGNED
             }

@@ -1,32 +1,28 @@
 package robotran.ui.brick
 
-import androidx.compose.foundation.Canvas
-import androidx.compose.foundation.layout.BoxWithConstraints
-import androidx.compose.foundation.layout.aspectRatio
-import androidx.compose.foundation.layout.offset
-import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.isTraversalGroup
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.BrickState
-import robotran.ui.resources.Res
-import robotran.ui.resources.brick
-import robotran.world.PortSensor
-import robotran.world.RobotPlacement
+import robotran.brick.controls.BrickButton
+import robotran.brick.kind.BrickKind
+import robotran.brick.state.BrickState
+import robotran.nxt.state.NxtState
+import robotran.rcxrom.state.RcxState
+import robotran.ui.brick.nxt.NxtFront
+import robotran.ui.brick.nxt.NxtStrip
+import robotran.ui.brick.rcx.BrickPlan
+import robotran.ui.brick.rcx.RcxFront
+import robotran.ui.brick.rcx.RcxStrip
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
+import robotran.world.pluggedSensors
 
 /**
- * The front of an RCX, with four buttons that support multi-touch.
+ * The front of a brick, with buttons that support multi-touch.
  *
  * @param down the buttons drawn pressed.
- * @param ports the sensors on the input ports.
- * @param onTouch called when the user presses or releases the touch sensor on an input port, 0..2.
+ * @param robot what is plugged in.
+ * @param onTouch called when the user presses or releases the touch sensor on an input port, from 0.
  */
 @Composable
 internal fun BrickFront(
@@ -35,44 +31,42 @@ internal fun BrickFront(
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
     modifier: Modifier = Modifier,
-    ports: List<List<PortSensor>> = RobotPlacement.PENBOT_PORTS,
+    robot: RobotDescription = ReadyRobots.defaultOf(state.kind),
     onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
-    val description = stringResource(Res.string.brick)
-    BoxWithConstraints(
-        modifier
-            .aspectRatio(BRICK_ASPECT)
-            .testTag("brick")
-            .semantics {
-                contentDescription = description
-                isTraversalGroup = true
-            },
-    ) {
-        val unit = maxWidth / BrickPlan.WIDTH
-        Canvas(Modifier.matchParentSize()) { drawBrickBody(state.infrared.sending) }
-        state.sensors.forEachIndexed { port, sensor ->
-            val plugged = PluggedSensor.of(ports.getOrElse(port) { emptyList() })
-            InputPort(sensor, plugged, state.poweredOn, unit, {
-                onTouch(port, it)
-            }, Modifier.at(BrickPlan.INPUTS[port], unit))
+    when (state.kind) {
+        BrickKind.RCX -> {
+            RcxFront(state as RcxState, down, onPress, onRelease, modifier, robot.pluggedSensors, onTouch)
         }
-        for ((button, place) in BrickPlan.BUTTONS) {
-            BrickButtonView(button, unit, button in down, {
-                onPress(button)
-            }, { onRelease(button) }, Modifier.at(place, unit))
-        }
-        LcdView(state.glass, Modifier.at(BrickPlan.DISPLAY, unit))
-        for (motor in state.motors) {
-            OutputPort(motor, unit, Modifier.at(BrickPlan.OUTPUTS.getValue(motor.port), unit))
+
+        BrickKind.NXT -> {
+            NxtFront(state as NxtState, down, onPress, onRelease, modifier, robot, onTouch)
         }
     }
 }
 
-/** The ratio of the brick's width to its height. */
-internal const val BRICK_ASPECT = BrickPlan.WIDTH / BrickPlan.HEIGHT
+/**
+ * A compact brick where room is scarce: what its display shows, and its start button.
+ *
+ * @param isLow whether it is as low as a finger allows.
+ */
+@Composable
+internal fun BrickStrip(
+    state: BrickState,
+    down: Set<BrickButton>,
+    onPress: (BrickButton) -> Unit,
+    onRelease: (BrickButton) -> Unit,
+    modifier: Modifier = Modifier,
+    isLow: Boolean = false,
+) {
+    when (state.kind) {
+        BrickKind.RCX -> RcxStrip(state as RcxState, down, onPress, onRelease, modifier, isLow)
+        BrickKind.NXT -> NxtStrip(state as NxtState, down, onPress, onRelease, modifier, isLow)
+    }
+}
+
+/** The ratio of a brick's width to its height, the same for all kinds. */
+internal const val BRICK_ASPECT = BrickPlan.ASPECT
 
 /** The min width at which every button is large enough for a finger. */
 internal val MIN_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.MIN_UNIT)
-
-private fun Modifier.at(place: Rect, unit: Dp): Modifier =
-    offset(unit * place.left, unit * place.top).size(unit * place.width, unit * place.height)

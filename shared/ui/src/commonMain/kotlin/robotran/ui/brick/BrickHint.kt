@@ -1,6 +1,8 @@
 package robotran.ui.brick
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -16,12 +18,17 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.state.BrickState
+import robotran.brick.kind.BrickKind
+import robotran.brick.state.BrickState
+import robotran.nxt.state.NxtState
+import robotran.ui.brick.nxt.ExceptionCalls
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick_off
 import robotran.ui.resources.notice_close
+import robotran.ui.resources.nxt_off
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -29,12 +36,15 @@ import robotran.ui.theme.TextSizes
 
 /** A message that the display cannot show, and the button that helps; null if there is none. */
 @Composable
-internal fun brickHintWords(state: BrickState): String? =
-    state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
+internal fun brickHintWords(state: BrickState): String? = state.explanation ?: when {
+    state.poweredOn -> null
+    state.kind == BrickKind.NXT -> stringResource(Res.string.nxt_off)
+    else -> stringResource(Res.string.brick_off)
+}
 
 /**
- * Shows [brickHintWords], with [action] and a close button if [onClose] is set; empty without a message. Long messages
- * scroll.
+ * Shows [brickHintWords] and the calls of an exception, with [action] and a close button if [onClose] is set; empty
+ * without a message. Long messages scroll.
  */
 @Composable
 internal fun BrickHint(
@@ -52,18 +62,23 @@ internal fun BrickHint(
         border = BorderStroke(1.dp, colours.line),
     ) {
         Row {
-            Text(
-                words,
+            val scroll = rememberScrollState()
+            Column(
                 Modifier
                     .weight(1f)
-                    .verticalScroll(rememberScrollState())
-                    .padding(12.dp)
-                    .testTag("brick-hint")
-                    .semantics { liveRegion = LiveRegionMode.Polite },
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.LABEL,
-            )
+                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .verticalScroll(scroll)
+                    .padding(12.dp),
+            ) {
+                Text(
+                    words,
+                    Modifier.testTag("brick-hint").semantics { liveRegion = LiveRegionMode.Polite },
+                    color = colours.onPane,
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.LABEL,
+                )
+                (state as? NxtState)?.exception?.let { ExceptionCalls(it, Modifier.padding(top = 8.dp)) }
+            }
             action()
             if (onClose != null) {
                 IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)

@@ -20,6 +20,7 @@ import robotran.ui.resources.documents_refused_help
 import robotran.ui.resources.documents_refused_kind
 import robotran.ui.resources.documents_refused_long
 import robotran.ui.resources.documents_refused_many
+import robotran.ui.resources.documents_refused_robots
 import robotran.ui.resources.documents_refused_text
 import robotran.ui.resources.documents_refused_title
 import robotran.ui.resources.documents_refused_worlds
@@ -101,6 +102,7 @@ internal fun wordsFor(error: OpenFilesError): String = when (error) {
     is OpenFilesError.InFile -> stringResource(Res.string.documents_refused_file, error.file, error.message)
     is OpenFilesError.InLink -> error.message
     is OpenFilesError.NotText -> stringResource(Res.string.documents_refused_text, error.file)
+    OpenFilesError.SeveralRobots -> stringResource(Res.string.documents_refused_robots)
     OpenFilesError.SeveralWorlds -> stringResource(Res.string.documents_refused_worlds)
     is OpenFilesError.TooLong -> stringResource(Res.string.documents_refused_long, error.file)
     is OpenFilesError.TooManyPrograms -> stringResource(Res.string.documents_refused_many, error.max)

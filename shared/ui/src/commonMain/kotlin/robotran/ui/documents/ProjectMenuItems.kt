@@ -9,10 +9,12 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
+import robotran.ui.resources.documents_new_nxt
 import robotran.ui.resources.documents_not_kept
 import robotran.ui.resources.documents_open
 import robotran.ui.resources.documents_open_link
@@ -49,6 +51,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
         HorizontalDivider(color = LocalRobotranColours.current.line)
     }
     ProjectMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewRequested) }
+    ProjectMenuItem(Res.string.documents_new_nxt, "new-nxt") { choose(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
     ProjectMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.ProjectListRequested) }
     ProjectMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenRequested) }
     ProjectMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
@@ -60,7 +63,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     ProjectMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
     ProjectMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    ProjectMenuItem(Res.string.send_robot, "send-robot") { choose(SendEvent.Requested) }
+    if (state.canSend) ProjectMenuItem(Res.string.send_robot, "send-robot") { choose(SendEvent.Requested) }
     ProjectMenuItem(Res.string.show_title, "show") { choose(ShowEvent.Requested) }
     ProjectMenuItem(Res.string.make_title, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
     ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }

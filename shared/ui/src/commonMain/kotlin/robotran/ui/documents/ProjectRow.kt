@@ -30,7 +30,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
@@ -131,6 +131,6 @@ private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
 }
 
 private val pictures = SheetPictures()
-private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+private val reader = ProgramCompiler(PENBOT_TARGET)
 private val PICTURE_WIDTH = 96.dp
 private val PICTURE_HEIGHT = 72.dp

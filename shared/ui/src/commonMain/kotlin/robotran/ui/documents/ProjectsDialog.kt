@@ -5,12 +5,14 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
+import robotran.ui.resources.documents_new_nxt
 import robotran.ui.resources.documents_untitled
 import robotran.ui.resources.documents_works_empty
 import robotran.ui.resources.documents_works_loading
@@ -28,6 +30,9 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
         close,
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
+            OtherButton(stringResource(Res.string.documents_new_nxt), "works-new-nxt") {
+                onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT))
+            }
             MainButton(stringResource(Res.string.documents_new), "works-new") { onEvent(DocumentEvent.NewRequested) }
         },
     ) {

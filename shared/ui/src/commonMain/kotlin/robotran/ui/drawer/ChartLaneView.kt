@@ -31,7 +31,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -45,20 +47,30 @@ import robotran.ui.theme.TextSizes
  * @param onTouch receives the touched time; null on release.
  */
 @Composable
-internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, now: Long, onTouch: (Long?) -> Unit) {
+internal fun Lane(
+    name: String,
+    line: ChartLine,
+    brick: BrickKind,
+    window: ChartWindow,
+    at: Long,
+    now: Long,
+    onTouch: (Long?) -> Unit,
+) {
     val colours = LocalRobotranColours.current
-    val value = valueText(line, at)
+    val value = valueText(line, brick, at)
+    val unit = line.unit.sign
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-            contentDescription = "$name: $value"
+            contentDescription = "$name: $value $unit".trimEnd()
         },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
         Column(Modifier.width(76.dp * LocalDensity.current.fontScale)) {
-            Text(name, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+            val title = if (unit.isEmpty()) name else "$name\n$unit"
+            Text(title, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
         }
         Canvas(
             Modifier
@@ -80,10 +92,10 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
                         touch(null)
                     }
                 },
-        ) { drawLane(line, window, at, now, colours) }
+        ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
             value,
-            Modifier.widthIn(min = 48.dp).testTag("value-${line.lane.name.lowercase()}"),
+            Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
@@ -94,31 +106,39 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
 }
 
 /** The value of [line] at [time]; a range if it changed too fast for the chart. */
-private fun valueText(line: ChartLine, time: Long): String {
+private fun valueText(line: ChartLine, brick: BrickKind, time: Long): String {
     if (line.size == 0) return ""
     val piece = line.pieceAt(time)
     val min = line.min(piece)
     val greatest = line.greatest(piece)
-    return if (min == greatest) signed(line, min) else "${signed(line, min)}–${signed(line, greatest)}"
+    val first = signed(line, brick, min)
+    return if (min == greatest) first else "$first–${signed(line, brick, greatest)}"
 }
 
 /**
- * For a motor, the power from 0 to 7 as programs, the ROM and the brick's ports count it, with the direction as sign; 0
- * without sign if it is not driven.
+ * For a motor, the power from 0 to 7 as programs, the ROM and the ports of an RCX count it, or in percent as those of an
+ * NXT do, with the direction as sign; 0 without sign if it is not driven.
  */
-private fun signed(line: ChartLine, value: Int) = when {
+private fun signed(line: ChartLine, brick: BrickKind, value: Int) = when {
     !line.lane.isMotor || value == 0 -> "$value"
+    brick == BrickKind.NXT -> if (value > 0) "+$value" else "$value"
     value > 0 -> "+${value - 1}"
     else -> "-${-value - 1}"
 }
 
-private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, now: Long, colours: RobotranColours) {
-    val range = rangeOf(line)
-
+private fun DrawScope.drawLane(
+    line: ChartLine,
+    range: IntRange,
+    window: ChartWindow,
+    at: Long,
+    now: Long,
+    colours: RobotranColours,
+) {
     fun y(value: Int) = size.height - PAD.toPx() -
-        (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+        (size.height - 2 * PAD.toPx()) * (value.coerceIn(range) - range.first) /
+        (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
-    drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
+    if (0 in range) drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)
     val x = window.shareOf(now) * size.width
     val dashes = PathEffect.dashPathEffect(floatArrayOf(6f, 4f))
@@ -158,6 +178,12 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
         piece += stride
     }
     drawPath(path, colour, style = Stroke(1.5.dp.toPx()))
+}
+
+/** Room for a value, so that the lanes end at the same place: "+7" of an RCX, "-100–+100" of an NXT. */
+private fun valueWidth(brick: BrickKind): Dp = when (brick) {
+    BrickKind.RCX -> 48.dp
+    BrickKind.NXT -> 76.dp
 }
 
 private val LANE_HEIGHT = 44.dp

@@ -20,12 +20,16 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
+import robotran.runcontrol.ChartUnit
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
+import robotran.ui.resources.run_chart_battery
 import robotran.ui.resources.run_chart_coarser
+import robotran.ui.resources.run_chart_degrees
 import robotran.ui.resources.run_chart_empty
 import robotran.ui.resources.run_chart_finer
 import robotran.ui.resources.run_chart_motor
@@ -87,7 +91,10 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         }
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
             for (line in shown) {
-                Lane(laneName(line.lane), line, window, touched ?: state.time, state.time) { touched = it }
+                Lane(laneName(line.lane), line, state.brick.kind, window, touched ?: state.time, state.time) {
+                    touched =
+                        it
+                }
             }
             Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
                 for (time in listOf(window.from, touched, window.until)) {
@@ -104,10 +111,11 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 }
 
 @Composable
-private fun laneName(lane: ChartLane): String = if (lane.isMotor) {
-    stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
-} else {
-    stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
+private fun laneName(lane: ChartLane): String = when {
+    lane.isMotor -> stringResource(Res.string.run_chart_motor, 'A' + lane.port)
+    lane.isDegrees -> stringResource(Res.string.run_chart_degrees, 'A' + lane.port)
+    lane == ChartLane.BATTERY -> stringResource(Res.string.run_chart_battery)
+    else -> stringResource(Res.string.run_chart_sensor, lane.port + 1)
 }
 
 /**
@@ -136,17 +144,32 @@ internal data class ChartWindow(val from: Long, val until: Long) {
     }
 }
 
-/** The min and max value of [line], always a range of some width. */
-internal fun rangeOf(line: ChartLine): IntRange {
-    if (line.lane.isMotor) return -MAX_POWER..MAX_POWER
-    var min = 0
-    var greatest = 1
+/**
+ * What the lane of [line] shows from bottom to top, always a range of some width: all values and, except for those of a
+ * battery, 0. Where a sonar hears nothing, its line is at the top: 255 would make all distances look small.
+ */
+internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
+    if (line.lane.isMotor) return if (brick == BrickKind.RCX) -MAX_POWER..MAX_POWER else -PERCENT..PERCENT
+    if (line.unit == ChartUnit.PERCENT) return 0..PERCENT
+    val isBattery = line.unit == ChartUnit.MILLIVOLTS
+    var min = if (isBattery) LOW_MILLIVOLTS else 0
+    var greatest = if (isBattery) FULL_MILLIVOLTS else 1
+    val nothing = if (line.unit == ChartUnit.CENTIMETRES) NOTHING_HEARD else Int.MAX_VALUE
     for (piece in 0..<line.size) {
         min = minOf(min, line.min(piece))
-        greatest = maxOf(greatest, line.greatest(piece))
+        val high = line.greatest(piece)
+        greatest = maxOf(greatest, if (high < nothing) high else line.min(piece).takeIf { it < nothing } ?: 0)
     }
     return min..greatest
 }
 
 private const val MAX_ZOOM = 8
 private const val MAX_POWER = 8
+private const val PERCENT = 100
+
+/** What a sonar says that hears nothing. */
+private const val NOTHING_HEARD = 255
+
+/** What the battery of a driving NXT seldom leaves: a full one has 8 V. */
+private const val LOW_MILLIVOLTS = 7_000
+private const val FULL_MILLIVOLTS = 8_200

@@ -34,16 +34,19 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.call.RomGroup
-import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.log.RomOutcome
+import robotran.brick.kind.BrickKind
+import robotran.brick.log.CallGroup
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.CallOutcome
+import robotran.brick.log.LoggedCall
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
 import robotran.ui.resources.run_log_empty
+import robotran.ui.resources.run_log_empty_calls
 import robotran.ui.resources.run_log_firmware
+import robotran.ui.resources.run_log_group_bluetooth
 import robotran.ui.resources.run_log_group_buttons
 import robotran.ui.resources.run_log_group_display
 import robotran.ui.resources.run_log_group_infrared
@@ -51,8 +54,10 @@ import robotran.ui.resources.run_log_group_motors
 import robotran.ui.resources.run_log_group_power
 import robotran.ui.resources.run_log_group_sensors
 import robotran.ui.resources.run_log_group_sound
+import robotran.ui.resources.run_log_group_system
 import robotran.ui.resources.run_log_group_timer
 import robotran.ui.resources.run_log_group_unknown
+import robotran.ui.resources.run_log_library
 import robotran.ui.resources.run_log_line
 import robotran.ui.resources.run_log_none
 import robotran.ui.resources.run_log_program
@@ -68,10 +73,13 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LogState
 
-/** All ROM calls so far, newest last, to search, filter, copy and save. */
+/** All calls of the brick so far, newest last, to search, filter, copy and save. */
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, EmptyPicture.LINES, modifier)
+    if (state.total == 0L) {
+        val words = if (state.kind == BrickKind.RCX) Res.string.run_log_empty else Res.string.run_log_empty_calls
+        return EmptyDrawer(words, EmptyPicture.LINES, modifier)
+    }
     Column(modifier.padding(horizontal = 12.dp)) {
         LogTools(state, onEvent)
         if (state.entries.isEmpty() && state.isComplete) {
@@ -125,8 +133,8 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in RomGroup.entries) {
-            val only = filter.groups.size < RomGroup.entries.size && group in filter.groups
+        for (group in CallGroup.of(state.kind)) {
+            val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
             }
@@ -135,8 +143,8 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
 }
 
 /** If all groups are selected, selects only [group]; otherwise toggles it. */
-private fun RomLogFilter.switched(group: RomGroup): RomLogFilter {
-    val all = RomGroup.entries.toSet()
+private fun CallLogFilter.switched(group: CallGroup): CallLogFilter {
+    val all = CallGroup.entries.toSet()
     val now = if (groups == all) emptySet() else groups
     val next = if (group in now) now - group else now + group
     return copy(groups = next.ifEmpty { all })
@@ -155,7 +163,7 @@ private fun ToolButton(name: StringResource, tag: String, onClick: () -> Unit) {
 }
 
 @Composable
-private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
+private fun LogEntries(entries: List<LoggedCall>, modifier: Modifier) {
     val list = rememberLazyListState()
     FollowEnd(list, entries.size)
     BoxWithConstraints(modifier) {
@@ -176,9 +184,9 @@ private fun FollowEnd(list: LazyListState, size: Int) {
 }
 
 @Composable
-private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
+private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
     val colours = LocalRobotranColours.current
-    val troubled = entry.outcome != RomOutcome.DONE
+    val troubled = entry.outcome != CallOutcome.DONE
     val scale = LocalDensity.current.fontScale
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {},
@@ -199,10 +207,10 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
             Text(callText(entry), Modifier.weight(1f), style = quiet, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
         Text(
-            if (entry.sourceLine == 0) {
-                stringResource(Res.string.run_log_firmware)
-            } else {
-                stringResource(Res.string.run_log_line, entry.sourceLine)
+            when {
+                entry.isByLibrary -> stringResource(Res.string.run_log_library)
+                entry.sourceLine == 0 -> stringResource(Res.string.run_log_firmware)
+                else -> stringResource(Res.string.run_log_line, entry.sourceLine)
             },
             Modifier.width(84.dp * scale),
             style = style.copy(color = colours.quiet),
@@ -212,17 +220,19 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
 }
 
 /** The address and the arguments, as in a saved log. */
-private fun callText(entry: RomLogEntry): String = entry.text.substringAfter(' ').substringBefore(" ; ")
+private fun callText(entry: LoggedCall): String = entry.callText
 
-private val RomGroup.word: StringResource
+private val CallGroup.word: StringResource
     get() = when (this) {
-        RomGroup.SENSORS -> Res.string.run_log_group_sensors
-        RomGroup.MOTORS -> Res.string.run_log_group_motors
-        RomGroup.BUTTONS -> Res.string.run_log_group_buttons
-        RomGroup.DISPLAY -> Res.string.run_log_group_display
-        RomGroup.SOUND -> Res.string.run_log_group_sound
-        RomGroup.POWER -> Res.string.run_log_group_power
-        RomGroup.INFRARED -> Res.string.run_log_group_infrared
-        RomGroup.TIMER -> Res.string.run_log_group_timer
-        RomGroup.UNKNOWN -> Res.string.run_log_group_unknown
+        CallGroup.SENSORS -> Res.string.run_log_group_sensors
+        CallGroup.MOTORS -> Res.string.run_log_group_motors
+        CallGroup.BUTTONS -> Res.string.run_log_group_buttons
+        CallGroup.DISPLAY -> Res.string.run_log_group_display
+        CallGroup.SOUND -> Res.string.run_log_group_sound
+        CallGroup.POWER -> Res.string.run_log_group_power
+        CallGroup.INFRARED -> Res.string.run_log_group_infrared
+        CallGroup.TIMER -> Res.string.run_log_group_timer
+        CallGroup.BLUETOOTH -> Res.string.run_log_group_bluetooth
+        CallGroup.SYSTEM -> Res.string.run_log_group_system
+        CallGroup.UNKNOWN -> Res.string.run_log_group_unknown
     }

@@ -28,9 +28,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.ThreadActivity
-import robotran.rcxrom.program.ThreadView
+import robotran.brick.program.CallFrame
+import robotran.brick.program.ThreadActivity
+import robotran.brick.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
 import robotran.ui.empty.EmptyPicture

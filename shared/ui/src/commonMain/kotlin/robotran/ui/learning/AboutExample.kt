@@ -8,17 +8,22 @@ import robotran.ui.resources.allStringResources
 
 /**
  * A one-sentence description of the example [name]. For `wall-bouncer.robo` and `WallBouncer.java` it is
- * `example_wall_bouncer`, unless the Java version has its own resource, whose name ends in `_java`.
+ * `example_wall_bouncer`, unless the Java version has its own resource, whose name ends in `_java`, or in `_nxj` for an
+ * NXT.
  */
 @OptIn(ExperimentalResourceApi::class)
-internal fun aboutExample(language: ProgramLanguage, name: String): StringResource {
-    val stem = name.removeSuffix(language.extension)
-    val words = when (language) {
+internal fun aboutExample(set: ExampleSet, name: String): StringResource {
+    val stem = name.removeSuffix(set.language.extension)
+    val words = when (set.language) {
         ProgramLanguage.ROBOLANG -> stem.replace('-', '_')
         ProgramLanguage.JAVA -> stem.replace(CAPITAL_INSIDE) { "_${it.value}" }
     }
     val key = "example_${words.lowercase()}"
-    val own = if (language == ProgramLanguage.JAVA) Res.allStringResources["${key}_java"] else null
+    val own = when (set) {
+        ExampleSet.ROBOLANG -> null
+        ExampleSet.LEJOS -> Res.allStringResources["${key}_java"]
+        ExampleSet.NXJ -> Res.allStringResources["${key}_nxj"]
+    }
     return own ?: Res.allStringResources.getValue(key)
 }
 

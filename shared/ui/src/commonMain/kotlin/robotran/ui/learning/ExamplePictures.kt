@@ -1,19 +1,20 @@
 package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
-import robotran.rcxrom.program.RcxProgram
+import robotran.projects.PENBOT_TARGET
+import robotran.projects.penbotTarget
 import robotran.simulation.RobotLoad
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
-import robotran.workshop.examples.examples
 import robotran.world.file.BuiltInWorlds
 
 /**
@@ -22,30 +23,34 @@ import robotran.world.file.BuiltInWorlds
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
-    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_TARGET)
 
     override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)
 
     /** The thumbnail of the example [subject]. If the compiler cannot be loaded, shows the sheet before the run. */
     override suspend fun of(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap {
-        val name = twinOf(subject) ?: subject
-        return pictures.of(name, BuiltInWorlds.plain, colours, room) {
-            listOfNotNull(programOf(name)).map { RobotLoad(listOf(it)) }
+        val id = twinOf(subject) ?: subject
+        val (set, name) = ExampleSet.find(id) ?: (ExampleSet.ROBOLANG to id)
+        val brick = set.brick ?: BrickKind.RCX
+        return pictures.of(id, BuiltInWorlds.plainFor(brick), colours, room) {
+            listOfNotNull(programOf(set, name, brick)).map { RobotLoad(listOf(it)) }
         }
     }
 
-    private suspend fun programOf(name: String): RcxProgram? {
-        val source = ProgramLanguage.ROBOLANG.examples[name]?.let { ProgramSource.Robolang(name, it) }
-            ?: ProgramLanguage.JAVA.examples[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
-            ?: return null
-        if (reader.prepareFor(source) is CompilerLoading.Failed) return null
-        return (reader.compileNow(source) as? ProgramResult.Ready)?.program
+    private suspend fun programOf(set: ExampleSet, name: String, brick: BrickKind): BrickProgram? {
+        val text = set.programs[name] ?: return null
+        val source = when (set.language) {
+            ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, text)
+            ProgramLanguage.JAVA -> ProgramSource.Java(name, listOf(SourceFile(name, text)))
+        }
+        val compiler = reader.forTarget(brick.penbotTarget)
+        if (compiler.prepareFor(source) is CompilerLoading.Failed) return null
+        return (compiler.compileNow(source) as? ProgramResult.Ready)?.program
     }
 
-    /** The Robolang version of the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
-    private fun twinOf(name: String): String? = ProgramLanguage.ROBOLANG.examples.keys.firstOrNull {
-        it == name ||
-            it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java")
+    /** The Robolang version of a Java example for an RCX: `wall-bouncer.robo` for `WallBouncer.java`. */
+    private fun twinOf(id: String): String? = ExampleSet.ROBOLANG.programs.keys.firstOrNull {
+        it == id || it.replace("-", "").removeSuffix(".robo") == id.lowercase().removeSuffix(".java")
     }
 }

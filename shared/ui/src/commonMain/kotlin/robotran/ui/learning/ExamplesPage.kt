@@ -19,25 +19,24 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_examples_added
-import robotran.ui.resources.program_examples_java
-import robotran.ui.resources.program_examples_robolang
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.examples.examples
 
-/** All example programs with their drawings; those in the language [current] come first. */
+/**
+ * All example programs with their drawings; those in the language [current], for the [brick] of the robot, come first.
+ */
 @Composable
-internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
+internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
     val cards = rememberLazyGridState()
     Page(stringResource(Res.string.learning_examples), "examples-page", {
@@ -60,44 +59,39 @@ internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> 
                     fontSize = TextSizes.BODY,
                 )
             }
-            for (language in ProgramLanguage.entries.sortedByDescending { it == current }) examples(language, onEvent)
+            val isFirst = { set: ExampleSet -> set.language == current && (set.brick == null || set.brick == brick) }
+            for (set in ExampleSet.entries.sortedByDescending(isFirst)) examples(set, onEvent)
         }
     }
 }
 
-private fun LazyGridScope.examples(language: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
-    item(span = { GridItemSpan(maxLineSpan) }, key = language.name) {
+private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> Unit) {
+    item(span = { GridItemSpan(maxLineSpan) }, key = set.name) {
         val colour = LocalRobotranColours.current.onPane
         val words = Modifier.padding(top = 8.dp).semantics { heading() }
         Text(
-            stringResource(language.title),
+            stringResource(set.title),
             words,
             color = colour,
             fontSize = TextSizes.LEAD,
             fontWeight = FontWeight.SemiBold,
         )
     }
-    items(language.examples.keys.toList(), key = { it }) { name ->
-        ExampleCard(name, stringResource(aboutExample(language, name))) {
-            onEvent(LearningEvent.ExampleChosen(language, name))
+    items(set.programs.keys.toList(), key = { set.idOf(it) }) { name ->
+        ExampleCard(name, set.idOf(name), stringResource(aboutExample(set, name))) {
+            onEvent(LearningEvent.ExampleChosen(set.language, name, set.brick ?: BrickKind.RCX))
         }
     }
 }
 
 @Composable
-private fun ExampleCard(name: String, about: String, onClick: () -> Unit) {
+private fun ExampleCard(name: String, id: String, about: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    PictureCard(name, ExamplePictures, "example-$name", PICTURE_ASPECT, padding = 12.dp, onClick) {
+    PictureCard(id, ExamplePictures, "example-$id", PICTURE_ASPECT, padding = 12.dp, onClick) {
         Text(name, color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.SemiBold)
         Text(about, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
     }
 }
-
-private val ProgramLanguage.title: StringResource
-    get() = when (this) {
-        ProgramLanguage.ROBOLANG -> Res.string.program_examples_robolang
-        ProgramLanguage.JAVA -> Res.string.program_examples_java
-    }
 
 private val CARD_WIDTH = 200.dp
 private const val MAX_SCALE = 1.4f

@@ -39,7 +39,7 @@ internal fun LearningPages(
 
         LearningPage.WORLDS -> WorldGalleryPage(state, saved, onEvent)
 
-        LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)
+        LearningPage.EXAMPLES -> ExamplesPage(state.help.code, state.help.brick, onEvent)
 
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(bottom = foot).padding(12.dp)) {
             // Covers only the program, so that Run stays visible: beside the paper, below it, or the whole of a phone.

@@ -23,9 +23,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.rcxrom.Brick
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.MotorMode
+import robotran.brick.state.RunState
+import robotran.rcxrom.RcxBrick
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
@@ -122,7 +122,7 @@ private fun stateOf(moment: WelcomeMoment, milliseconds: Long): SessionState {
     )
 }
 
-private val BRICK = Brick(emptyList()).state
+private val BRICK = RcxBrick(emptyList()).state
 private val STILL = WelcomeDrive.ALL[1]
 private val SHEET = World(
     "",

@@ -23,11 +23,13 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_java
+import robotran.ui.resources.learning_help_nxj
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -41,18 +43,18 @@ import robotran.workshop.state.LearningState
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.code
-    val words = remember(code, state.language) {
-        WordHelp.words(code).mapNotNull { WordHelp.of(state.language, code, it) }
+    val words = remember(code, state.language, state.help.brick) {
+        WordHelp.words(code, state.help.brick).mapNotNull { WordHelp.of(state.language, code, it, state.help.brick) }
     }
     LazyColumn(Modifier.testTag("help-words")) {
-        item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsRequested(it)) } }
+        item(key = "languages") { Languages(code, state.help.brick) { onEvent(LearningEvent.WordsRequested(it)) } }
         items(words, key = { it.word }) { help -> Word(help) { onEvent(LearningEvent.WordChosen(help.word)) } }
     }
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Unit) {
+private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (ProgramLanguage) -> Unit) {
     val colours = LocalRobotranColours.current
     FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
         for (language in ProgramLanguage.entries) {
@@ -68,7 +70,9 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
                 val name = if (language == ProgramLanguage.JAVA) {
-                    stringResource(Res.string.learning_help_java)
+                    stringResource(
+                        if (brick == BrickKind.NXT) Res.string.learning_help_nxj else Res.string.learning_help_java,
+                    )
                 } else {
                     ROBOLANG
                 }

@@ -28,7 +28,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 
 /**
- * A world of the gallery: its picture, title, difficulty and task, and its harder variations.
+ * A world of the gallery: its picture, title, difficulty, robot and task, and its harder variations.
  *
  * @param done the names of the worlds and variations whose goals were met.
  */
@@ -47,6 +47,7 @@ internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String
             )
             if (world.name in done) DoneMark()
         }
+        Text(robotOf(world.plainWorld), color = colours.quiet, fontSize = TextSizes.COMPACT)
         Text(shown.task, color = colours.onPane, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
         for (harder in world.harder) Harder(harder, language, harder.name in done) { onChoose(harder) }
     }

@@ -2,6 +2,8 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -16,8 +18,14 @@ import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.OutlinedTextFieldDefaults
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -27,6 +35,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.course.OwnCourses
+import robotran.brick.kind.BrickKind
 import robotran.learning.WorldGallery
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
@@ -36,10 +45,12 @@ import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_worlds
+import robotran.ui.resources.learning_worlds_all
 import robotran.ui.resources.learning_worlds_clear
 import robotran.ui.resources.learning_worlds_kept
 import robotran.ui.resources.learning_worlds_none
 import robotran.ui.resources.learning_worlds_search
+import robotran.ui.runbar.Chip
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -52,7 +63,12 @@ import robotran.workshop.state.SavedOwnCourse
 @Composable
 internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val found = remember(state.query, state.language) { WorldGallery.search(state.query, state.language) }
+    val robots = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
+    var brick by rememberSaveable { mutableStateOf<BrickKind?>(null) }
+    val found = remember(state.query, state.language, robots, brick) {
+        WorldGallery.search(state.query, state.language) { robots.getValue(it.name) }
+            .filter { brick == null || it.plainWorld.robots.first().description.brick == brick }
+    }
     val cards = rememberLazyGridState()
     Page(stringResource(Res.string.learning_worlds), "worlds-page", {
         onEvent(LearningEvent.PageClosed)
@@ -70,18 +86,37 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
                 Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = TextSizes.BODY)
             }
-            item(span = {
-                GridItemSpan(maxLineSpan)
-            }, key = "search") { Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
+            item(span = { GridItemSpan(maxLineSpan) }, key = "search") {
+                Column(verticalArrangement = Arrangement.spacedBy(8.dp)) {
+                    Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) }
+                    BrickFilter(brick) { brick = it }
+                }
+            }
             items(found, key = { it.name }) { world ->
                 WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
             }
-            item(span = { GridItemSpan(maxLineSpan) }, key = "save") {
-                Column {
-                    SaveOwnCourse(OwnCourses.WORLDS, stringResource(Res.string.learning_worlds), saved, onEvent)
+            if (found.isEmpty()) {
+                item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
+            } else {
+                item(span = { GridItemSpan(maxLineSpan) }, key = "save") {
+                    Column {
+                        SaveOwnCourse(OwnCourses.WORLDS, stringResource(Res.string.learning_worlds), saved, onEvent)
+                    }
                 }
             }
-            if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
+        }
+    }
+}
+
+/** Shows all worlds, or only those whose robot has the chosen brick. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
+    val all = stringResource(Res.string.learning_worlds_all)
+    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+        for (choice in listOf<BrickKind?>(null) + BrickKind.entries) {
+            val tag = "worlds-${choice?.name?.lowercase() ?: "all"}"
+            Chip(choice?.name ?: all, choice == brick, tag) { onChoose(choice) }
         }
     }
 }
@@ -89,10 +124,11 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
 @Composable
 private fun Search(query: String, onAsk: (String) -> Unit) {
     val colours = LocalRobotranColours.current
+    val field = remember { FocusRequester() }
     OutlinedTextField(
         value = query,
         onValueChange = onAsk,
-        modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).testTag("world-search"),
+        modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag("world-search"),
         textStyle = TextStyle(fontSize = TextSizes.BODY),
         label = { Text(stringResource(Res.string.learning_worlds_search)) },
         singleLine = true,
@@ -102,6 +138,8 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
             {
                 IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", {
                     onAsk("")
+                    // Whoever clears it wants to type something else.
+                    field.requestFocus()
                 })
             }
         },

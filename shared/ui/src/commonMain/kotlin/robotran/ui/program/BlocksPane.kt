@@ -116,8 +116,14 @@ internal fun BlocksPane(
     val allowed = LocalAllowedBlocks.current
     val introduced = remember(tutorialStep, allowed) { allowed ?: tutorialStep?.let { blocksIntroducedBy(it) } }
     val isFixed = allowed != null
-    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed) {
-        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, { help.value(it) }) { event.value(it) }
+    val sensors = remember(programs.robot.description.parts) {
+        programs.robot.description.parts.filter { it.port != null }.map { it.kind }.toSet()
+    }
+    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick, sensors) {
+        val onWord = { word: String -> help.value(word) }
+        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, programs.brick, sensors, onWord) {
+            event.value(it)
+        }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val hasFocus = remember { mutableStateOf(false) }

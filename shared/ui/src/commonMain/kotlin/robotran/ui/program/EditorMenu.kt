@@ -36,7 +36,6 @@ import robotran.ui.resources.editor_rename
 import robotran.ui.resources.editor_smaller
 import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_unindent
-import robotran.ui.resources.send_robot
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -46,6 +45,7 @@ import robotran.ui.theme.TextSizes
  *
  * @param hasText whether the program is shown as text, so that tools for the text at the caret make sense.
  * @param hasFind whether searching is in the menu.
+ * @param sendWords the name of what [onSend] does.
  * @param onSend sends the program to a robot; null if that is not in the menu.
  * @param onTranslation shows or hides the Java; null if that is not in the menu.
  */
@@ -53,6 +53,7 @@ import robotran.ui.theme.TextSizes
 internal fun EditorMenu(
     hasText: Boolean,
     hasFind: Boolean,
+    sendWords: StringResource,
     onSend: (() -> Unit)?,
     onTranslation: (() -> Unit)?,
     onCommand: (EditorCommand.Plain) -> Unit,
@@ -71,7 +72,7 @@ internal fun EditorMenu(
                 }
             }
             onSend?.let { send ->
-                WordsItem(Res.string.send_robot, "send-robot") {
+                WordsItem(sendWords, "send-robot") {
                     open = false
                     send()
                 }

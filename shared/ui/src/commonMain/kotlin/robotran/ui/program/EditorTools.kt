@@ -37,8 +37,9 @@ internal fun EditorTools(
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val isRobolang = state.program.language == ProgramLanguage.ROBOLANG
+    val send = sendWords(state.brick)
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val places = toolPlaces(maxWidth, isRobolang)
+        val places = toolPlaces(maxWidth, isRobolang, send)
         Row(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
@@ -65,10 +66,11 @@ internal fun EditorTools(
                 }
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
-            if (places.send != SendPlace.MENU) SendButton(places.send == SendPlace.WORDS, onSend)
+            if (places.send != SendPlace.MENU) SendButton(send, places.send == SendPlace.WORDS, onSend)
             EditorMenu(
                 hasText = state.view.hasText,
                 hasFind = !places.hasFind,
+                sendWords = send,
                 onSend = onSend.takeIf { places.send == SendPlace.MENU },
                 onTranslation = { onTranslation(!state.translationShown) }
                     .takeIf { isRobolang && !places.hasTranslation },

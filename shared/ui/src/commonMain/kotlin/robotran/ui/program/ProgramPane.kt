@@ -21,9 +21,11 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.ProgramFailure
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
-import robotran.rcxrom.program.ProgramFailure
+import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.helpKey
@@ -40,6 +42,7 @@ import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SendEvent
@@ -162,7 +165,8 @@ private fun ShownFile(
             event(ProgramEvent.DraftChanged(draft, kind))
         }
     }
-    control.help = rememberWordHelp(state.program.language)
+    control.help = rememberWordHelp(state.program.language, brickOfJava(state.draft.lines, state.brick))
+    control.brick = state.brick
     // The commands of the menu work on the text, also while it is shown in blocks only.
     control.follow(state.draft)
     control.clipboard = LocalClipboardManager.current
@@ -187,7 +191,7 @@ private fun ShownFile(
                 state,
                 { onEvent(ProgramEvent.TranslationShown(it)) },
                 { onEvent(BlockEvent.ViewChosen(it)) },
-                { onEvent(SendEvent.Requested) },
+                { onEvent(if (state.brick == BrickKind.RCX) SendEvent.Requested else DocumentEvent.KitRequested) },
             ) {
                 // Completions need the caret's focus, which the menu has taken.
                 if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
@@ -222,7 +226,8 @@ private fun ShownFile(
                     PaneHeight.LOW -> !state.isEditingBlocks && state.view != ProgramView.BOTH
                     PaneHeight.VERY_LOW -> !state.view.hasBlocks
                 }
-                TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, hasErrors, part) {
+                val usePenbot = { brick: BrickKind -> onEvent(WorldEditEvent.PenbotChosen(state.shownRobot, brick)) }
+                TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, hasErrors, usePenbot, part) {
                     val notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) }
                     BlocksAndText(
                         state.view,

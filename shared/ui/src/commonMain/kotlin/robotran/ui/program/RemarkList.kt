@@ -20,7 +20,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.program.RuntimeWarning
+import robotran.brick.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch

@@ -2,28 +2,41 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_kit
 import robotran.ui.resources.send_robot
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * Sends the shown program to a real robot.
+ * Sends the shown program to a real robot, or, for a brick to which Robotran cannot send, saves a kit for it.
  *
+ * @param words the name of the button.
  * @param hasRoom whether there is room for its words.
  */
 @Composable
-internal fun SendButton(hasRoom: Boolean, onClick: () -> Unit) {
-    val words = stringResource(Res.string.send_robot)
+internal fun SendButton(words: StringResource, hasRoom: Boolean, onClick: () -> Unit) =
+    SendButton(stringResource(words), hasRoom, onClick)
+
+@Composable
+private fun SendButton(words: String, hasRoom: Boolean, onClick: () -> Unit) {
     if (hasRoom) {
         val colour = LocalRobotranColours.current.onPane
         PaneChip(words, "send-robot", on = false, { SignPicture(StrokeIcons.SEND, colour, SIGN) }, onClick = onClick)
     } else {
         RoundButton(StrokeIcons.SEND, words, "send-robot", SIGN, onClick = onClick)
     }
+}
+
+/** What the button for a real robot with a [brick] is called. */
+internal fun sendWords(brick: BrickKind): StringResource = when (brick) {
+    BrickKind.RCX -> Res.string.send_robot
+    BrickKind.NXT -> Res.string.documents_kit
 }
 
 private val SIGN = 16.dp

@@ -6,6 +6,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import robotran.brick.kind.BrickKind
 import robotran.workshop.state.ProgramsState
 
 /**
@@ -13,6 +14,7 @@ import robotran.workshop.state.ProgramsState
  * else moves.
  *
  * @param hasErrors whether the errors are shown.
+ * @param onPenbot makes the shown robot the penbot with another brick.
  */
 @Composable
 internal fun TextAndDiagnostics(
@@ -21,6 +23,7 @@ internal fun TextAndDiagnostics(
     actions: PaneActions,
     overFoot: @Composable () -> Unit,
     hasErrors: Boolean,
+    onPenbot: (BrickKind) -> Unit,
     modifier: Modifier,
     text: @Composable () -> Unit,
 ) {
@@ -29,6 +32,7 @@ internal fun TextAndDiagnostics(
             text()
             Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
         }
+        state.otherBrick?.let { brick -> OtherBrickBar(brick, state.shownRobot) { onPenbot(brick) } }
         if (hasErrors && state.diagnostics.isNotEmpty()) {
             val pointedOut = state.errorPointedOut
             DiagnosticStrip(

@@ -10,7 +10,6 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_translation
-import robotran.ui.resources.send_robot
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.TextSizes
 
@@ -26,8 +25,8 @@ internal data class ToolPlaces(val send: SendPlace, val hasTranslation: Boolean,
 
 /** The tools for which a row of [width] has room. */
 @Composable
-internal fun toolPlaces(width: Dp, isRobolang: Boolean): ToolPlaces {
-    val send = chipWidth(Res.string.send_robot) + ToolSizes.SIGN
+internal fun toolPlaces(width: Dp, isRobolang: Boolean, sendWords: StringResource): ToolPlaces {
+    val send = chipWidth(sendWords) + ToolSizes.SIGN
     val translation = if (isRobolang) chipWidth(Res.string.editor_translation) + ToolSizes.GAP else 0.dp
     val view = if (isRobolang) VIEW_WORDS.maxOf { chipWidth(it) } + ToolSizes.SIGN + ToolSizes.GAP else 0.dp
     return CHOICES.firstOrNull { places ->

@@ -33,6 +33,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.robolang.translate.Translation
 import robotran.textediting.code.CodeTokens
+import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
@@ -135,8 +136,9 @@ private fun TranslatedText(
 ) {
     val label = stringResource(Res.string.editor_translation_label)
     val view = remember { EditorView() }
-    val layouts = rememberLineLayouts(ProgramLanguage.JAVA, codeSize)
     val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
+    val brick = remember(draft) { brickOfJava(draft.lines) }
+    val layouts = rememberLineLayouts(ProgramLanguage.JAVA, brick, codeSize)
     val pieces = remember(draft) { CodeTokens(draft.lines, ProgramLanguage.JAVA) }
     val paint = remember(draft, marks) { EditorPaint(draft, marks, hasFocus = false) }
     val line by rememberUpdatedState(onLine)

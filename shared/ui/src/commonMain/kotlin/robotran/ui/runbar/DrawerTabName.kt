@@ -1,7 +1,11 @@
 package robotran.ui.runbar
 
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.compositionLocalOf
 import org.jetbrains.compose.resources.StringResource
+import robotran.brick.kind.BrickKind
 import robotran.ui.resources.Res
+import robotran.ui.resources.run_tab_calls
 import robotran.ui.resources.run_tab_chart
 import robotran.ui.resources.run_tab_goals
 import robotran.ui.resources.run_tab_log
@@ -9,12 +13,25 @@ import robotran.ui.resources.run_tab_variables
 import robotran.ui.resources.run_tab_why
 import robotran.workshop.state.DrawerTab
 
+/** The kind of brick of the watched robot. */
+internal val LocalBrickKind = compositionLocalOf { BrickKind.RCX }
+
 /** The name of the tab. */
 internal val DrawerTab.word: StringResource
-    get() = when (this) {
+    @Composable get() = when (this) {
         DrawerTab.VARIABLES -> Res.string.run_tab_variables
-        DrawerTab.LOG -> Res.string.run_tab_log
+
+        DrawerTab.LOG -> if (LocalBrickKind.current ==
+            BrickKind.RCX
+        ) {
+            Res.string.run_tab_log
+        } else {
+            Res.string.run_tab_calls
+        }
+
         DrawerTab.CHART -> Res.string.run_tab_chart
+
         DrawerTab.GOALS -> Res.string.run_tab_goals
+
         DrawerTab.WHY -> Res.string.run_tab_why
     }

@@ -27,7 +27,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.ui.resources.Res

@@ -9,7 +9,7 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.workshop.event.RunEvent
 
 /**

@@ -18,7 +18,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res

@@ -1,10 +1,12 @@
 package robotran.ui.screen
 
+import robotran.ui.robot.escapedRobot
 import robotran.ui.worldedit.escaped
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -23,6 +25,10 @@ internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildLi
     if (state.making != null) add(AssignmentEvent.MakingClosed)
     if (state.course.page != null) add(CourseEvent.PageClosed)
     if (state.learning.page != null) add(LearningEvent.PageClosed)
+    state.robotEdit?.let { bench ->
+        escapedRobot(bench.editing)?.let { add(RobotEditEvent.Edited(it)) }
+        add(RobotEditEvent.BenchClosed)
+    }
     state.worldEdit?.let { edit ->
         escaped(edit.editing)?.let { add(WorldEditEvent.Edited(it)) }
         add(WorldEditEvent.EditorClosed)

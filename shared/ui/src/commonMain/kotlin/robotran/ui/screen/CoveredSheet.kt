@@ -18,7 +18,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.state.BrickState
+import robotran.brick.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
@@ -81,6 +81,7 @@ private fun BoxWithConstraintsScope.Messages(
     onWholeBrick: (() -> Unit)?,
 ) {
     val tall = maxHeight * TALL
+    val isSmall = this.isSmall
     val hasRoom = maxHeight >= LOW
     val max = if (hasRoom) maxHeight / 2 else tall
     val outcomeMax = if (isSmall) tall else max

@@ -36,6 +36,7 @@ import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_map
 import robotran.ui.resources.menu
+import robotran.ui.resources.robot_build_menu
 import robotran.ui.resources.settings_title
 import robotran.ui.resources.sound_switch_off
 import robotran.ui.resources.sound_switch_on
@@ -45,6 +46,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -108,6 +110,9 @@ private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (Wo
     }
     if (!isEditingWorld) {
         MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
+        MenuItem(stringResource(Res.string.robot_build_menu), "menu-build-robot") {
+            choose(RobotEditEvent.BenchOpened())
+        }
     }
     MenuItem(stringResource(Res.string.first_page), "menu-first-page") {
         choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))

@@ -119,9 +119,13 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
                 if (it is RunEvent.ShortfallShown) onEvent(RunEvent.DrawerChosen(null))
             })
 
-            else -> BrickAlone(state.run, onEvent)
+            // A notice would cover the ports.
+            else -> Column(Modifier.fillMaxSize()) {
+                Box(Modifier.weight(1f)) { BrickAlone(state.run, onEvent) }
+                state.notice?.let { NoticeBar(it, onEvent, Modifier.padding(8.dp)) }
+            }
         }
-        if (!isSheet) NoticeOver(state.notice, state.document, onEvent)
+        if (!isSheet) NoticeOver(state.notice.takeIf { state.pane != Pane.BRICK }, state.document, onEvent)
     }
 }
 

@@ -4,6 +4,8 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.worldName
+import robotran.ui.language.LocalLanguage
+import robotran.ui.learning.robotTitle
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_begun_again
@@ -40,10 +42,16 @@ import robotran.ui.resources.hand_in_notice
 import robotran.ui.resources.hand_in_notice_run
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
+import robotran.ui.resources.learning_world_no_room
 import robotran.ui.resources.notice_change_number
 import robotran.ui.resources.notice_try_change
+import robotran.ui.resources.nxt_escape_alone
 import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
+import robotran.ui.resources.robot_impossible
+import robotran.ui.resources.robot_kept_as_draft
+import robotran.ui.resources.robot_replaced
+import robotran.ui.resources.robot_to_bench
 import robotran.ui.resources.run_log_copied
 import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
@@ -52,6 +60,7 @@ import robotran.ui.resources.run_plugged_in_several
 import robotran.ui.resources.status_no_compiler
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
+import robotran.world.messages.sentence
 
 /** The localised text of [notice]. */
 @Composable
@@ -67,6 +76,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     )
 
     Notice.FixOutdated -> stringResource(Res.string.program_fix_gone)
+
+    Notice.NoSlotForTask -> stringResource(Res.string.learning_world_no_room)
 
     Notice.NoSlotForExample -> stringResource(Res.string.learning_help_no_room)
 
@@ -123,6 +134,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
         ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
 
+    is Notice.RobotReplaced -> stringResource(Res.string.robot_replaced, notice.robot, robotTitle(notice.description))
+
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
     is Notice.HandInOpened -> notice.run?.let { run ->
@@ -131,6 +144,20 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     } ?: stringResource(Res.string.hand_in_notice, notice.name)
 
     Notice.HandInOpen -> ""
+
+    is Notice.RobotImpossible -> stringResource(
+        Res.string.robot_impossible,
+        notice.robot,
+        notice.error.sentence(LocalLanguage.current),
+    )
+
+    is Notice.RobotKeptAsDraft -> stringResource(
+        Res.string.robot_kept_as_draft,
+        notice.robot,
+        notice.error.sentence(LocalLanguage.current),
+    )
+
+    Notice.EscapeAlone -> stringResource(Res.string.nxt_escape_alone)
 
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
@@ -144,6 +171,8 @@ internal fun noticeActionText(action: NoticeAction): StringResource = when (acti
     NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
     NoticeAction.BeginningUndone -> Res.string.documents_undo
     NoticeAction.UnplugSensors -> Res.string.documents_undo
+    NoticeAction.BringRobotBack -> Res.string.documents_undo
+    is NoticeAction.BuildOn -> Res.string.robot_to_bench
 }
 
 private fun notSaved(notice: Notice.FileNotSaved): StringResource =

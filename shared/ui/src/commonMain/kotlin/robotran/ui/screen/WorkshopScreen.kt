@@ -4,12 +4,15 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.layout.onSizeChanged
@@ -31,6 +34,8 @@ import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
+import robotran.ui.robot.RobotEditPane
+import robotran.ui.runbar.LocalBrickKind
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
@@ -44,6 +49,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
@@ -81,11 +87,34 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             WithAllowedBlocks(state, onEvent) {
                 val edit = state.worldEdit
-                when {
-                    edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
-                    layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
-                    layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
-                    else -> NarrowScreen(state, onEvent)
+                val bench = state.robotEdit
+                CompositionLocalProvider(LocalBrickKind provides state.run.brick.kind) {
+                    when {
+                        edit != null && bench != null -> RobotEditPane(
+                            bench,
+                            edit,
+                            state.session,
+                            state.document,
+                            onEvent,
+                        ) {
+                            val ofFile = state.notice?.takeIf { it is Notice.FileSaved || it is Notice.FileNotSaved }
+                            ofFile?.let { NoticeBar(it, onEvent) }
+                        }
+
+                        edit != null -> Box {
+                            WorldEditPane(edit, state.session, state.document, onEvent)
+                            state.notice?.takeIf { it is Notice.RobotKeptAsDraft }?.let {
+                                val place = Modifier.align(Alignment.TopCenter).widthIn(max = NOTICE_WIDTH)
+                                NoticeBar(it, onEvent, place.padding(top = BELOW_BAR).padding(8.dp))
+                            }
+                        }
+
+                        layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
+
+                        layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
+
+                        else -> NarrowScreen(state, onEvent)
+                    }
                 }
             }
         }
@@ -135,6 +164,12 @@ private fun WithAllowedBlocks(
 /** From this size on, at default font size, there is room for the whole brick beside a large sheet. */
 private val BROAD_WIDTH = 1600.dp
 private val BROAD_HEIGHT = 800.dp
+
+/** Leaves the bar of the world editor, with its Done, free. */
+private val BELOW_BAR = 64.dp
+
+/** Leaves the palette and the tabs of the world editor on a tablet free. */
+private val NOTICE_WIDTH = 560.dp
 
 /** Whether neither the world editor nor the page of an assignment covers the run bar. */
 private val WorkshopState.isDesk: Boolean get() = worldEdit == null && making == null

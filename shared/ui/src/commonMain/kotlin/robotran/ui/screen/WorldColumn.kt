@@ -20,6 +20,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
 import robotran.simulation.SessionInput
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
@@ -83,7 +84,9 @@ private fun SheetAndBrick(
                     Modifier.fillMaxHeight().padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),
                 ) {
                     Box(Modifier.weight(1f).width(plan.brickWidth)) {
-                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN))
+                        if (plan.hintBeside) {
+                            BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN, bottom = HINT_GAP))
+                        }
                     }
                     WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
                 }
@@ -117,7 +120,7 @@ internal fun WholeBrick(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, mod
         { onEvent(RunEvent.ButtonPressed(it)) },
         { onEvent(RunEvent.ButtonReleased(it)) },
         modifier,
-        run.world.robots[run.watched].ports,
+        run.world.robots[run.watched].description,
         { port, pressed ->
             onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(run.watched, port, pressed)))
         },
@@ -138,3 +141,6 @@ internal fun Strip(
     modifier,
     isLow,
 )
+
+/** Between the brick and its message. */
+private val HINT_GAP = 8.dp

@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.ui.brick.BrickColours
+import robotran.ui.brick.rcx.BrickColours
 import robotran.ui.theme.RobotranColours
 
 internal fun DrawScope.drawMistake(colours: RobotranColours) = drawSheet(Offset(88f, 10f), colours, mistake = 2)

@@ -13,13 +13,14 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * The eyes of a robot in centimetres, see [RobotPlan.EYES].
+ * The eyes of a robot in centimetres.
  *
+ * @param eyes their middles.
  * @param lids the colour of its brick.
  * @param edge the colour of its brick's edge.
  */
-internal fun DrawScope.drawEyes(face: PenbotFace, lids: Color, edge: Color) {
-    RobotPlan.EYES.forEach { middle -> drawEye(middle, face, lids, edge) }
+internal fun DrawScope.drawEyes(eyes: List<Offset>, face: PenbotFace, lids: Color, edge: Color) {
+    eyes.forEach { middle -> drawEye(middle, face, lids, edge) }
 }
 
 private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edge: Color) {

@@ -13,11 +13,11 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import robotran.simulation.state.SessionState
 import robotran.world.MarkFigure
-import robotran.world.Penbot
 import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.centre
+import robotran.world.robot.box
 import kotlin.math.max
 
 /** The name of each robot below it, preceded by the colour of its brick. */
@@ -32,7 +32,7 @@ internal fun DrawScope.drawRobotNames(
         val pose = now.robot.pose
         drawRobotName(
             robot,
-            transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES),
+            transform.toPixels(pose.x, pose.y - robot.description.box.top - NAME_CENTIMETRES),
             height,
             labels,
         )

@@ -31,7 +31,7 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         val things = if (!withShadows) {
             emptyList()
         } else {
-            state.robots.map { robotOutline(it.robot.pose) } +
+            robotOutlines(world, state) +
                 world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
         }
         return world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->

@@ -33,26 +33,15 @@ internal fun DrawScope.drawMovingShadows(drawing: SheetDrawing, state: SessionSt
     for ((block, moved) in drawing.blocks.zip(state.blocks)) {
         drawBlockShadow(block, moved, drawing.transform, ofBlock, colour)
     }
-    for (robot in state.robots) {
+    for ((plan, robot) in drawing.robots.zip(state.robots)) {
         val pose = robot.robot.pose
         val place = drawing.transform.toPixels(pose.x, pose.y) + LIGHT_WAY * (ROBOT_HEIGHT * scale)
         withTransform({
             translate(place.x, place.y)
             rotate(-pose.heading.toFloat(), Offset.Zero)
             scale(scale, scale, Offset.Zero)
-        }) { drawPath(ROBOT_OUTLINE, colour) }
+        }) { drawPath(plan.outline, colour) }
     }
-}
-
-/** Chassis, wheels and bumpers, in centimetres. */
-private val ROBOT_OUTLINE = Path().apply {
-    val round = CornerRadius(1f)
-    val wheel = RobotPlan.WHEEL_MIDDLE + RobotPlan.WHEEL_WIDTH / 2
-    addRoundRect(RoundRect(Rect(-RobotPlan.WHEEL_RADIUS, -wheel, RobotPlan.WHEEL_RADIUS, wheel), round))
-    addRoundRect(RoundRect(RobotPlan.CHASSIS, round))
-    addRoundRect(RoundRect(RobotPlan.LEFT_BUMPER, round))
-    addRoundRect(RoundRect(RobotPlan.RIGHT_BUMPER, round))
-    addRoundRect(RoundRect(RobotPlan.BRICK, round))
 }
 
 /** Away from the light, in centimetres for each centimetre of height. */

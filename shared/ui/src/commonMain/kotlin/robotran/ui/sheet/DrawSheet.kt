@@ -54,7 +54,8 @@ fun DrawScope.drawSheet(
         drawSolids(drawing.solids)
         for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
         drawing.world.robots.zip(state.robots).forEachIndexed { number, (place, robot) ->
-            drawRobot(robot.robot, place, drawing.transform, penbotFace(state, number, isStill))
+            val face = penbotFace(state, number, isStill, place.description.drive)
+            drawRobot(robot.robot, place, drawing.robots[number], drawing.transform, face)
         }
         drawLamps(drawing.world, state, drawing.transform)
     }

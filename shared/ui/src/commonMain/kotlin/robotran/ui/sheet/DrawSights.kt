@@ -7,91 +7,113 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
-import robotran.world.Light
-import robotran.world.LightFacing
-import robotran.world.Penbot
-import robotran.world.PortSensor
-import robotran.world.RobotPlacement
+import robotran.world.BumperPart
+import robotran.world.Paper
 import robotran.world.World
 import robotran.world.geometry.Point
+import robotran.world.robot.bumpers
+import kotlin.math.PI
+import kotlin.math.cos
 import kotlin.math.max
+import kotlin.math.sin
 
 /**
- * The fields of view of the robots' light sensors, a spot on the paper or a cone ahead up to their range, and the
- * contacts of bumpers.
+ * What the robots' sensors see: spots on the paper, cones ahead up to what is in the way, how far an ultrasonic sensor
+ * last heard something; and the contacts of bumpers.
  */
 internal fun DrawScope.drawSights(world: World, state: SessionState, transform: SheetTransform) {
     for (number in world.robots.indices) {
         val place = world.robots[number]
-        val robot = state.robots.getOrNull(number)?.robot ?: continue
-        if (place.has(PortSensor.LIGHT)) {
-            if (place.lightFacing == LightFacing.FORWARD) {
-                drawCone(number, world, state, transform)
-            } else {
-                drawSpot(robot, transform)
+        val snapshot = state.robots.getOrNull(number) ?: continue
+        for (sight in sightsOf(place, snapshot)) {
+            when (sight) {
+                is Sight.Spot -> drawSpot(sight, transform)
+                is Sight.Cone -> drawCone(sight, sightCorners(sight, number, world, state), transform)
             }
         }
-        if (robot.leftBumperPressed) drawContact(robot, BUMPER_MIDDLE, transform)
-        if (robot.rightBumperPressed) drawContact(robot, -BUMPER_MIDDLE, transform)
+        for (contact in contacts(snapshot.robot, place.description.bumpers)) {
+            val width = max(transform.toPixels(CONTACT_WIDTH), 1.5f)
+            val (from, to) = contact
+            drawLine(SheetColours.TOUCH, transform.toPixels(from), transform.toPixels(to), width, StrokeCap.Round)
+        }
     }
 }
 
-internal fun RobotPlacement.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
-
-private fun DrawScope.drawSpot(robot: RobotState, transform: SheetTransform) {
-    val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_POSITION, 0.0))
+private fun DrawScope.drawSpot(spot: Sight.Spot, transform: SheetTransform) {
+    val centre = transform.toPixels(spot.at)
     val radius = transform.toPixels(SPOT_CENTIMETRES)
     drawCircle(SheetColours.SIGHT.copy(alpha = 0.25f), radius, centre)
     drawCircle(SheetColours.SIGHT, radius, centre, style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
 }
 
-private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, transform: SheetTransform) {
-    val eye = state.robots[number].robot.ahead(Penbot.BUMPER_FRONT, 0.0)
-    val corners = sightCone(number, world, state)
+private fun DrawScope.drawCone(cone: Sight.Cone, corners: List<Point>, transform: SheetTransform) {
     val path = Path().apply { addLine(corners.map(transform::toPixels), closed = true) }
     val colour = SheetColours.SIGHT
+    val line = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f))
     val fading = Brush.radialGradient(
-        0f to colour.copy(alpha = 0.45f),
-        1f to colour.copy(alpha = 0.08f),
-        center = transform.toPixels(eye),
-        radius = max(transform.toPixels(Light.MAX_ECHO_DISTANCE), 1f),
+        0f to colour.copy(alpha = if (cone.isSound) 0.3f else 0.45f),
+        1f to colour.copy(alpha = if (cone.isSound) 0.04f else 0.08f),
+        center = transform.toPixels(cone.eye),
+        radius = max(transform.toPixels(cone.reach), 1f),
     )
     drawPath(path, fading)
-    drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
+    drawPath(path, colour.copy(alpha = if (cone.isSound) 0.35f else 0.6f), style = line)
+    val heard = cone.heard ?: return
+    val echo = Path().apply { addLine(cone.arc(heard).map(transform::toPixels), closed = false) }
+    val width = max(transform.toPixels(ECHO_CENTIMETRES), 2.5f)
+    drawPath(echo, SheetColours.ECHO, style = Stroke(width, cap = StrokeCap.Round))
 }
 
-/** The area ahead of a robot that its light sensor sees, up to what hides the rest. */
-internal fun sightCone(number: Int, world: World, state: SessionState): List<Point> {
-    val robot = state.robots[number].robot
-    val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
+/** The area that is seen, up to what hides the rest. Sound is drawn as far as the paper. */
+internal fun sightCorners(cone: Sight.Cone, number: Int, world: World, state: SessionState): List<Point> {
+    val others = robotOutlines(world, state).filterIndexed { other, _ -> other != number }
+    val edges = if (cone.isSound) listOf(cornersOf(world.paper)) else emptyList()
     val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
-        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
-    val eye = robot.ahead(Penbot.BUMPER_FRONT, 0.0)
-    return litArea(eye, robot.pose.heading, CONE_DEGREES, Light.MAX_ECHO_DISTANCE, inTheWay)
+        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others + edges
+    return litArea(cone.eye, cone.direction, cone.degrees, cone.reach, inTheWay)
 }
 
-/** Three short lines at a pressed bumper. */
-private fun DrawScope.drawContact(robot: RobotState, middle: Double, transform: SheetTransform) {
-    val width = max(transform.toPixels(CONTACT_WIDTH), 1.5f)
-    for (spread in listOf(-1.0, 0.0, 1.0)) {
-        val from = robot.ahead(Penbot.BUMPER_FRONT + 0.6, middle + spread * 1.6)
-        val to = robot.ahead(Penbot.BUMPER_FRONT + 2.4, middle + spread * 2.8)
-        drawLine(SheetColours.TOUCH, transform.toPixels(from), transform.toPixels(to), width, StrokeCap.Round)
+private fun cornersOf(paper: Paper): List<Point> =
+    listOf(0.0 to 0.0, paper.width to 0.0, paper.width to paper.height, 0.0 to paper.height)
+        .map { (x, y) -> Point(x, y) }
+
+/** Three short lines at each pressed one of the [bumpers]. */
+internal fun contacts(robot: RobotState, bumpers: List<BumperPart>): List<Pair<Point, Point>> =
+    bumpers.filterIndexed { index, bumper -> robot.isPressed(bumper, index) }.flatMap { bumper ->
+        listOf(-1.0, 0.0, 1.0).map { spread ->
+            robot.at(bumper, 0.6, spread * 1.6) to robot.at(bumper, 2.4, spread * 2.8)
+        }
     }
+
+/** The point at these distances in front of the middle of a bumper's outer edge, and to its left. */
+internal fun RobotState.at(bumper: BumperPart, outwards: Double, leftwards: Double): Point {
+    val angle = bumper.direction * RADIANS_PER_DEGREE
+    val cosine = cos(angle)
+    val sine = sin(angle)
+    return ahead(
+        bumper.at.x + outwards * cosine - leftwards * sine,
+        bumper.at.y + outwards * sine + leftwards * cosine,
+    )
 }
 
 /** The point at these distances ahead of the pen and to its left. */
 internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
     val heading = pose.heading * RADIANS_PER_DEGREE
-    val cosine = kotlin.math.cos(heading)
-    val sine = kotlin.math.sin(heading)
+    val cosine = cos(heading)
+    val sine = sin(heading)
     return Point(pose.x + forwards * cosine - leftwards * sine, pose.y + forwards * sine + leftwards * cosine)
 }
 
-internal const val BUMPER_MIDDLE = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
+/** Points on the arc at [distance] across the cone. */
+internal fun Sight.Cone.arc(distance: Double): List<Point> = List(ARC_STEPS + 1) {
+    val angle = direction + degrees * (it.toDouble() / ARC_STEPS - 0.5)
+    eye.towards(angle * PI / HALF_TURN, distance)
+}
 
 /** Roughly the area that the sensor averages when it looks at the paper. */
 internal const val SPOT_CENTIMETRES = 0.6
-private const val CONE_DEGREES = 60.0
 private const val LINE_CENTIMETRES = 0.1
+private const val ECHO_CENTIMETRES = 0.35
 private const val CONTACT_WIDTH = 0.35
+private const val ARC_STEPS = 16
+private const val HALF_TURN = 180.0

@@ -2,11 +2,13 @@ package robotran.ui.sheet
 
 import androidx.compose.runtime.Immutable
 import androidx.compose.ui.geometry.Offset
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorState
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorState
+import robotran.brick.state.RunState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
+import robotran.world.Drive
+import robotran.world.ReadyRobots
 
 /**
  * What a penbot's eyes show at one moment. Only drawn: the run knows nothing of it.
@@ -27,21 +29,28 @@ data class PenbotFace(val gaze: Offset = Offset.Zero, val lid: Float = 0f, val m
  * The face of the robot with the index [robot]; it follows from [state] alone.
  *
  * @param isStill whether its eyes never move, as for less motion.
+ * @param drive its motors.
  */
-fun penbotFace(state: SessionState, robot: Int, isStill: Boolean = false): PenbotFace {
+fun penbotFace(
+    state: SessionState,
+    robot: Int,
+    isStill: Boolean = false,
+    drive: Drive = ReadyRobots.RCX_PENBOT.drive,
+): PenbotFace {
     if (isStill) return PenbotFace.STILL
     val snapshot = state.robots[robot]
     return PenbotFace(
-        gaze = gazeOf(snapshot),
+        gaze = gazeOf(snapshot, drive),
         lid = lidOf(state.milliseconds, robot, snapshot),
         mood = penbotMood(state, robot),
     )
 }
 
 /** Where it drives to; while it stands, it looks up. */
-private fun gazeOf(snapshot: RobotSnapshot): Offset {
-    val left = driveOf(snapshot.brick.motors[LEFT_MOTOR])
-    val right = driveOf(snapshot.brick.motors[RIGHT_MOTOR])
+private fun gazeOf(snapshot: RobotSnapshot, drive: Drive): Offset {
+    val forwards = if (drive.reversed) -1f else 1f
+    val left = driveOf(snapshot.brick.motors[drive.left.ordinal]) * forwards
+    val right = driveOf(snapshot.brick.motors[drive.right.ordinal]) * forwards
     return Offset((left + right) / 2, (left - right) / 2)
 }
 
@@ -58,9 +67,6 @@ private fun lidOf(milliseconds: Long, robot: Int, snapshot: RobotSnapshot): Floa
     val begin = FIRST_BLINK + (slot * SCATTER + robot * ROBOT_SCATTER) % (BLINK_EVERY - FIRST_BLINK - BLINK)
     return if (milliseconds % BLINK_EVERY in begin..begin + BLINK) 1f else 0f
 }
-
-private const val LEFT_MOTOR = 0
-private const val RIGHT_MOTOR = 2
 
 /** Milliseconds of virtual time. */
 private const val BLINK_EVERY = 5_200L

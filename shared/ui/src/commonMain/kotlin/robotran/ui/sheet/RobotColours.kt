@@ -19,6 +19,11 @@ internal object RobotColours {
     val PEN_TIP_UP = Color(0xFFF4F4F2)
     val MOTOR = Color(0xFF6F7478)
 
+    /** The light parts of an NXT, its motors and sensors, and what is orange on them. */
+    val NXT_FACE = Color(0xFFEDEEEC)
+    val NXT_GREY = Color(0xFFC9CED2)
+    val ORANGE = Color(0xFFF07C1A)
+
     /** View, On-Off, Prgm, Run. */
     val BUTTONS = listOf(CHASSIS, RobotranColours.ON_OFF_RED, CLIP, RobotranColours.RUN_GREEN)
     val LIGHT_SENSOR = Color(0xFF1E4FB5)

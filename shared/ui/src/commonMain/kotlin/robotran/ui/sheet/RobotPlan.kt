@@ -1,74 +1,154 @@
 package robotran.ui.sheet
 
+import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
-import robotran.world.Penbot
+import androidx.compose.ui.geometry.RoundRect
+import androidx.compose.ui.graphics.Path
+import robotran.brick.kind.BrickKind
+import robotran.world.RobotDescription
+import robotran.world.geometry.Point
+import robotran.world.robot.brickSeat
+import robotran.world.robot.bumpers
+import kotlin.math.max
 
 /**
- * The parts of the robot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to
+ * The parts of a robot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to
  * its right.
  */
-internal object RobotPlan {
-    private val HALF_CHASSIS = (Penbot.CHASSIS_WIDTH / 2).toFloat()
-    val CHASSIS = Rect(Penbot.CHASSIS_BACK.toFloat(), -HALF_CHASSIS, Penbot.CHASSIS_FRONT.toFloat(), HALF_CHASSIS)
+internal class RobotPlan(val robot: RobotDescription) {
+    /** The corners of the chassis, and the box around it. */
+    val chassis: List<Offset> = robot.chassis.outline.map { it.toPlan() }
+    val chassisBox: Rect = boxAround(chassis)
 
-    /** An RCX is 6.4 by 11.2 cm and lies across the chassis; slightly reduced to keep the tyres visible. */
-    val BRICK = Rect(1.5f, -4.9f, 7.6f, 4.9f)
-    val DISPLAY = Rect(3.6f, -1.5f, 5.6f, 1.5f)
+    /** Whether the chassis is as its box. */
+    val isBox: Boolean = chassis.size == BOX_CORNERS && chassis.toSet() == cornersOf(chassisBox).toSet()
 
-    /**
-     * The display lies along the robot: the brick's left is the robot's rear. View and On-Off are behind it, Prgm and
-     * Run in front of it.
-     */
-    val BUTTONS: List<Offset> = listOf(Offset(2.5f, -1.1f), Offset(2.5f, 1.1f), Offset(6.5f, -1.1f), Offset(6.5f, 1.1f))
-    val INPUTS: List<Rect> = portsAt(-3.6f)
-    val OUTPUTS: List<Rect> = portsAt(3.6f)
+    val wheelMiddle = (robot.drive.track / 2).toFloat()
+    val wheelRadius = (robot.drive.wheelDiameter / 2).toFloat()
+    val wheelWidth = robot.drive.wheelWidth.toFloat()
 
-    /** The motors of the two wheels, behind the axle. */
-    val MOTORS: List<Rect> = listOf(Rect(-4.6f, -3.8f, -1.9f, -0.5f), Rect(-4.6f, 0.5f, -1.9f, 3.8f))
-    val AXLE = Rect(-0.35f, -HALF_CHASSIS - 1f, 0.35f, HALF_CHASSIS + 1f)
+    /** The y of the inner side of the right wheel. */
+    private val inner = wheelMiddle - wheelWidth / 2
+    val axle = Rect(-AXLE, -inner - AXLE_END, AXLE, inner + AXLE_END)
 
-    val WHEEL_MIDDLE = (Penbot.WHEEL_TRACK / 2).toFloat()
-    val WHEEL_RADIUS = (Penbot.WHEEL_DIAMETER / 2).toFloat()
-    val WHEEL_WIDTH = Penbot.WHEEL_WIDTH.toFloat()
+    val brick = BrickTop.of(robot)
 
-    /** The number of treads around a tyre. */
-    const val TREADS = 14
+    /** The motors of the wheels, and that of the pen of an NXT; behind the axle. */
+    val motors: List<MotorTop> = motorsOf(robot.brick)
 
-    private val BUMPER_BACK = Penbot.BUMPER_FRONT.toFloat() - 1f
-    private val BUMPER_INNER = (Penbot.BUMPER_GAP / 2).toFloat()
-    private val BUMPER_OUTER = BUMPER_INNER + Penbot.BUMPER_WIDTH.toFloat()
-    val LEFT_BUMPER = Rect(BUMPER_BACK, -BUMPER_OUTER, Penbot.BUMPER_FRONT.toFloat(), -BUMPER_INNER)
-    val RIGHT_BUMPER = Rect(BUMPER_BACK, BUMPER_INNER, Penbot.BUMPER_FRONT.toFloat(), BUMPER_OUTER)
+    val bumpers: List<BumperTop> = robot.bumpers.map(::BumperTop)
 
-    /** How far a bumper moves in on contact. */
-    const val BUMPER_TRAVEL = 0.6f
+    /** The visible sensors, the lower ones first. */
+    val sensors: List<SensorTop> = sensorTops(robot)
 
-    private val SENSOR = Penbot.LIGHT_SENSOR_POSITION.toFloat()
-    val LIGHT_SENSOR = Rect(SENSOR - 0.4f, -0.8f, SENSOR + 0.8f, 0.8f)
+    /** On a brick that lies along the robot, the eyes are farther ahead, to keep its display visible. */
+    private val eyesAhead: Float get() = brick.box.right + if (robot.brickSeat.isAlong) EYE_BEYOND else -EYE_BACK
 
-    /** Two round tiles on the front edge of the brick, left and right of the light sensor. */
-    val EYES: List<Offset> = listOf(Offset(7.3f, -2.25f), Offset(7.3f, 2.25f))
-    const val EYE_RADIUS = 1.3f
-    const val PUPIL_RADIUS = 0.66f
+    /** Two round tiles on the front edge of the brick, left and right of what is in the middle. */
+    val eyes: List<Offset> = eyeSides().let { y ->
+        val x = eyesAhead
+        listOf(Offset(x, brick.box.center.y - y), Offset(x, brick.box.center.y + y))
+    }
 
-    /** How far a pupil moves from the middle of its eye. */
-    const val GAZE = 0.5f
-
-    val PEN = Offset.Zero
-    const val PEN_RADIUS = 0.7f
-    const val CLIP_RADIUS = 1.2f
+    val hasPen: Boolean = robot.pen != null
 
     /** A lamp on top, above the display. */
-    val BEACON: Offset = DISPLAY.center
-    const val BEACON_RADIUS = 1.3f
+    val beacon: Offset = brick.display.center
 
-    private fun portsAt(y: Float): List<Rect> = listOf(2.7f, 4.6f, 6.5f).map {
-        Rect(
-            it - 0.7f,
-            y - 0.7f,
-            it + 0.7f,
-            y + 0.7f,
-        )
+    /** Chassis, wheels, bumpers and brick: what casts a shadow. */
+    val outline: Path = Path().apply {
+        val round = CornerRadius(1f)
+        val wheel = wheelMiddle + wheelWidth / 2
+        addRoundRect(RoundRect(Rect(-wheelRadius, -wheel, wheelRadius, wheel), round))
+        if (isBox) addRoundRect(RoundRect(chassisBox, round)) else addPath(pathOf(chassis))
+        for (bumper in bumpers) {
+            if (bumper.isAhead) addRoundRect(RoundRect(bumper.bar(0f), round)) else addPath(pathOf(bumper.corners))
+        }
+        addRoundRect(RoundRect(brick.box, round))
     }
+
+    private fun motorsOf(kind: BrickKind): List<MotorTop> = when (kind) {
+        BrickKind.RCX -> {
+            val back = max(RCX_MOTOR_BACK, chassisBox.left + EDGE)
+            listOf(Rect(back, -3.8f, back + 2.7f, -0.5f), Rect(back, 0.5f, back + 2.7f, 3.8f)).map { MotorTop(it) }
+        }
+
+        BrickKind.NXT -> {
+            val back = max(NXT_MOTOR_BACK, chassisBox.left + EDGE)
+            val outer = minOf(inner, chassisBox.bottom) - 0.1f
+            val wheels = listOf(-1, 1).map { side ->
+                val middle = side * (outer - NXT_MOTOR_WIDTH / 2)
+                val body = Rect(back, middle - NXT_MOTOR_WIDTH / 2, NXT_MOTOR_FRONT, middle + NXT_MOTOR_WIDTH / 2)
+                MotorTop(body, Offset(0f, body.center.y))
+            }
+            val pen = if (robot.pen == null) null else Rect(back, -1.2f, -1.5f, 1.2f)
+            wheels + listOfNotNull(pen?.let { MotorTop(it, Offset(it.right - 1f, 0f)) })
+        }
+    }
+
+    /** How far the eyes are from the middle: farther where a sensor is between them. */
+    private fun eyeSides(): Float {
+        val x = eyesAhead
+        return EYE_SIDES.firstOrNull { y ->
+            val eye = Rect(Offset(x, y), EYE_RADIUS)
+            sensors.none { it.box.overlaps(eye) }
+        } ?: EYE_SIDES.first()
+    }
+
+    companion object {
+        private const val BOX_CORNERS = 4
+
+        /** Half of the axle's thickness, and how far it reaches into the wheels. */
+        private const val AXLE = 0.35f
+        private const val AXLE_END = 0.87f
+
+        private const val RCX_MOTOR_BACK = -4.6f
+        private const val NXT_MOTOR_BACK = -7.4f
+        private const val NXT_MOTOR_FRONT = 1.4f
+        private const val NXT_MOTOR_WIDTH = 2.5f
+
+        /** What stays free at the edge of the chassis. */
+        private const val EDGE = 0.4f
+
+        /** The number of treads around a tyre. */
+        const val TREADS = 14
+
+        const val EYE_RADIUS = 1.3f
+        const val PUPIL_RADIUS = 0.66f
+        private const val EYE_BACK = 0.3f
+        private const val EYE_BEYOND = 0.5f
+        private val EYE_SIDES = listOf(2.25f, 3.7f)
+
+        /** How far a pupil moves from the middle of its eye. */
+        const val GAZE = 0.5f
+
+        val PEN = Offset.Zero
+        const val PEN_RADIUS = 0.7f
+        const val CLIP_RADIUS = 1.2f
+
+        const val BEACON_RADIUS = 1.3f
+    }
+}
+
+/**
+ * A motor from above.
+ *
+ * @property hub its orange disc; null if it has none.
+ */
+internal class MotorTop(val body: Rect, val hub: Offset? = null)
+
+/** The point on the plan: y is to the right there, and to the left on a robot. */
+internal fun Point.toPlan() = Offset(x.toFloat(), -y.toFloat())
+
+internal fun boxAround(corners: List<Offset>) =
+    Rect(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
+
+internal fun cornersOf(box: Rect) = listOf(box.topLeft, box.topRight, box.bottomRight, box.bottomLeft)
+
+internal fun pathOf(corners: List<Offset>) = Path().apply {
+    corners.forEachIndexed { number, corner ->
+        if (number == 0) moveTo(corner.x, corner.y) else lineTo(corner.x, corner.y)
+    }
+    close()
 }

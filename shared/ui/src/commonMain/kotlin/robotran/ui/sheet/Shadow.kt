@@ -1,8 +1,11 @@
 package robotran.ui.sheet
 
-import robotran.world.Penbot
+import robotran.simulation.state.SessionState
+import robotran.world.RobotDescription
+import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.robot.footprint
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos
@@ -36,26 +39,13 @@ internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<P
     )
 }
 
+/** The convex hull of each robot from above. */
+internal fun robotOutlines(world: World, state: SessionState): List<List<Point>> =
+    world.robots.zip(state.robots) { place, now -> robotOutline(now.robot.pose, place.description) }
+
 /** The convex hull of a robot from above. */
-internal fun robotOutline(pose: Pose): List<Point> {
+internal fun robotOutline(pose: Pose, robot: RobotDescription): List<Point> {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)
-    return ROBOT_CORNERS.map { Point(pose.x + it.x * cosine - it.y * sine, pose.y + it.x * sine + it.y * cosine) }
+    return robot.footprint.map { Point(pose.x + it.x * cosine - it.y * sine, pose.y + it.x * sine + it.y * cosine) }
 }
-
-private const val WHEEL_REACH = Penbot.WHEEL_DIAMETER / 2
-private const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
-private const val HALF_CHASSIS = Penbot.CHASSIS_WIDTH / 2
-private const val HALF_WIDTH = Penbot.OVERALL_WIDTH / 2
-
-/** Counter-clockwise, relative to the pen. */
-private val ROBOT_CORNERS = listOf(
-    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS),
-    Point(-WHEEL_REACH, -HALF_WIDTH),
-    Point(WHEEL_REACH, -HALF_WIDTH),
-    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH),
-    Point(Penbot.BUMPER_FRONT, BUMPER_REACH),
-    Point(WHEEL_REACH, HALF_WIDTH),
-    Point(-WHEEL_REACH, HALF_WIDTH),
-    Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
-)

@@ -42,6 +42,7 @@ data class SheetColours(
         val SHORTFALL = Color(0xFF6A1B7A)
         val GRID = Color(0xFF5B7286)
         val SIGHT = Color(0xFF1E88C7)
+        val ECHO = Color(0xFF0B5A8F)
         val TOUCH = Color(0xFFD33A2C)
         val FIBRE = Color(0xFF8A7650)
         val FIBRE_LIGHT = Color(0xFFFFFFFF)

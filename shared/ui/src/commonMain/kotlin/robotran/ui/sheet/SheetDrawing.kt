@@ -16,6 +16,7 @@ class SheetDrawing(internal val world: World, internal val transform: SheetTrans
     internal val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, transform) }
     internal val solids = SolidsDrawing(world, transform)
     internal val blocks: List<BlockDrawing> = world.blocks.map { BlockDrawing(it.shape, transform) }
+    internal val robots: List<RobotPlan> = world.robots.map { RobotPlan(it.description) }
     internal val glow = GlowDrawing(world, transform)
     internal val ground = GroundPicture(this)
     internal val ink = InkDrawing(transform)

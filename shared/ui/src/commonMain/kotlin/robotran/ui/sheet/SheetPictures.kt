@@ -6,7 +6,7 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine

@@ -5,12 +5,13 @@ import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Penbot
+import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.geometry.centre
+import robotran.world.robot.box
 import kotlin.math.cos
 import kotlin.math.hypot
 import kotlin.math.sin
@@ -71,7 +72,9 @@ private fun distances(kind: SheetElementKind, world: World, state: SessionState,
             block.shape.distanceTo(movedBack(point, block.shape, moved))
         }
 
-        SheetElementKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
+        SheetElementKind.ROBOT -> world.robots.zip(state.robots) { place, now ->
+            distanceToRobot(now.robot.pose, place.description, point)
+        }
 
         SheetElementKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
     }
@@ -114,18 +117,15 @@ private fun movedBack(point: Point, shape: Shape, moved: Pose): Point {
 }
 
 /** The robot as its bounding rectangle. */
-private fun distanceToRobot(pose: Pose, point: Point): Double {
+private fun distanceToRobot(pose: Pose, robot: RobotDescription, point: Point): Double {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)
     val x = point.x - pose.x
     val y = point.y - pose.y
     val seen = Point(x * cosine + y * sine, y * cosine - x * sine)
-    return ROBOT_BOX.distanceTo(seen)
+    val box = robot.box
+    val middle = Point((box.right + box.left) / 2, (box.top + box.bottom) / 2)
+    return Shape.Rectangle(middle, box.right - box.left, box.top - box.bottom).distanceTo(seen)
 }
 
-private val ROBOT_BOX = Shape.Rectangle(
-    Point((Penbot.BUMPER_FRONT + Penbot.CHASSIS_BACK) / 2, 0.0),
-    Penbot.BUMPER_FRONT - Penbot.CHASSIS_BACK,
-    Penbot.OVERALL_WIDTH,
-)
 private const val LAMP_RADIUS = 1.5

@@ -12,7 +12,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.GLOW_STOPS
 import robotran.ui.sheet.movedCorners
 import robotran.ui.sheet.reachOf
-import robotran.ui.sheet.robotOutline
+import robotran.ui.sheet.robotOutlines
 import robotran.ui.sheet.shadowOf
 import robotran.ui.sheet.towards
 import robotran.world.Lamp
@@ -24,7 +24,7 @@ import kotlin.math.PI
 
 /** The shadows of robots and blocks in the light of the lamps, and the light of the lamps on robots. */
 internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projection: Projection) {
-    val things = state.robots.map { robotOutline(it.robot.pose) } +
+    val things = robotOutlines(world, state) +
         world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
         if (!now.on || lamp.brightness <= 0) continue

@@ -50,7 +50,9 @@ internal class SpaceDrawing(internal val world: World, internal val colours: Spa
         } else {
             emptyList()
         }
-        val faces = state.robots.indices.map { spaceFace(penbotFace(state, it, isStill)) }
+        val faces = state.robots.indices.map {
+            spaceFace(penbotFace(state, it, isStill, world.robots[it].description.drive))
+        }
         return builder.scene(state, flags, across(projection), eyeOf, faces)
     }
 

@@ -19,19 +19,19 @@ import androidx.compose.ui.unit.dp
 
 /** A ring around the focused element, blue on white for contrast with paper, desk and brick. */
 @Composable
-fun Modifier.focusRing(cornerRadius: Dp = 12.dp): Modifier {
+fun Modifier.focusRing(cornerRadius: Dp = 12.dp, isInside: Boolean = false): Modifier {
     var focused by remember { mutableStateOf(false) }
     val colour = LocalRobotranColours.current.focus
     return onFocusChanged { focused = it.hasFocus }
         .drawWithContent {
             drawContent()
-            if (focused) drawRing(colour, cornerRadius)
+            if (focused) drawRing(colour, cornerRadius, if (isInside) INSIDE else 0.dp)
         }
 }
 
-private fun DrawScope.drawRing(colour: Color, cornerRadius: Dp) {
-    ring(Color.White, 1.dp, 2.dp, cornerRadius)
-    ring(colour, 3.dp, 3.dp, cornerRadius)
+private fun DrawScope.drawRing(colour: Color, cornerRadius: Dp, inset: Dp) {
+    ring(Color.White, 1.dp - inset, 2.dp, cornerRadius)
+    ring(colour, 3.dp - inset, 3.dp, cornerRadius)
 }
 
 private fun DrawScope.ring(colour: Color, outset: Dp, width: Dp, cornerRadius: Dp) {
@@ -44,3 +44,6 @@ private fun DrawScope.ring(colour: Color, outset: Dp, width: Dp, cornerRadius: D
         style = Stroke(width.toPx()),
     )
 }
+
+/** Moves the ring within the bounds. */
+private val INSIDE = 5.dp

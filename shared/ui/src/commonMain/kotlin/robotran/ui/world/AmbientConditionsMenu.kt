@@ -20,6 +20,7 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.sensors.SensorKind
 import robotran.simulation.SessionInput
 import robotran.simulation.state.AmbientConditions
 import robotran.ui.parts.AppMenu
@@ -36,7 +37,6 @@ import robotran.ui.sheet.has
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.world.PortSensor
 import robotran.world.World
 import robotran.world.WorldLimits
 import kotlin.math.max
@@ -45,9 +45,9 @@ import kotlin.math.roundToInt
 /** Whether any element of [world] reacts to light or temperature. */
 internal fun noticesSurroundings(world: World): Boolean = noticesLight(world) || noticesWarmth(world)
 
-private fun noticesLight(world: World) = world.lamps.isNotEmpty() || world.robots.any { it.has(PortSensor.LIGHT) }
+private fun noticesLight(world: World) = world.lamps.isNotEmpty() || world.robots.any { it.has(SensorKind.LIGHT) }
 
-private fun noticesWarmth(world: World) = world.robots.any { it.has(PortSensor.TEMPERATURE) }
+private fun noticesWarmth(world: World) = world.robots.any { it.has(SensorKind.TEMPERATURE) }
 
 /** A button that opens sliders for ambient light and temperature, if any element of the world reacts to them. */
 @Composable

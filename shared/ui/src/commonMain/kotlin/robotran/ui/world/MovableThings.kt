@@ -6,11 +6,11 @@ import robotran.ui.sheet.distance
 import robotran.ui.sheet.towards
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
-import robotran.world.Penbot
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.centre
+import robotran.world.robot.box
 import kotlin.math.PI
 
 /** The elements that can be moved while the world runs. */
@@ -38,7 +38,7 @@ internal fun poseOf(thing: SheetElement, world: World, session: SessionState): P
 /** The radius of a movable element around that point. */
 internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.kind) {
     SheetElementKind.ROBOT -> {
-        Penbot.BUMPER_FRONT + 1
+        (world.robots.getOrNull(thing.number) ?: world.robots.first()).description.box.right + 1
     }
 
     SheetElementKind.BLOCK -> {

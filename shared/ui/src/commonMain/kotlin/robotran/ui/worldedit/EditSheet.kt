@@ -29,9 +29,11 @@ import robotran.ui.resources.worldedit_sheet
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
+import robotran.ui.sheet.drawSights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetLayer
+import robotran.worldediting.ElementKind
 
 /** The sheet of the world editor, with touch and keyboard input. Screen readers announce the selection. */
 @Composable
@@ -52,6 +54,7 @@ internal fun EditSheet(
     val name = stringResource(Res.string.worldedit_sheet)
     val chosen = selectionText(making.editing)
     val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
+    val isRobotChosen = making.editing.selection.any { it.kind == ElementKind.ROBOT }
     Canvas(
         modifier
             .fillMaxSize()
@@ -80,6 +83,8 @@ internal fun EditSheet(
             shown,
             transform,
         )
+        // Whoever puts a robot somewhere wants to know what it sees there.
+        if (isRobotChosen) drawSights(world, resting, transform)
         drawEditing(making.editing, transform, view, colours)
     }
     LaunchedEffect(focus) { focus.requestFocus() }

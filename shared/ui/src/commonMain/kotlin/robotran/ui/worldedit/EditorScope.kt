@@ -1,6 +1,7 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Immutable
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.worldediting.Edit
@@ -29,4 +30,7 @@ internal class EditorScope(val editing: WorldEditing, private val onEvent: (Work
     fun settle() = make(Edit.FinishChange)
 
     fun perform(event: WorldEditEvent) = onEvent(event)
+
+    /** Opens the workbench with the robot of this index. */
+    fun build(robot: Int) = onEvent(RobotEditEvent.BenchOpened(robot))
 }

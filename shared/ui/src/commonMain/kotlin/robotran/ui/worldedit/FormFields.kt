@@ -53,10 +53,10 @@ internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) 
 
         is Form.Start -> {
             PlaceFields(making, Point(form.pose.x, form.pose.y)) {
-                change(Form.Start(Pose(it.x, it.y, form.pose.heading)))
+                change(form.copy(pose = Pose(it.x, it.y, form.pose.heading)))
             }
             AngleField(making, stringResource(Res.string.worldedit_heading), form.pose.heading) {
-                change(Form.Start(form.pose.copy(heading = it)))
+                change(form.copy(pose = form.pose.copy(heading = it)))
             }
         }
 

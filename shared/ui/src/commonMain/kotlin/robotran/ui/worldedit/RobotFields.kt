@@ -1,9 +1,20 @@
 package robotran.ui.worldedit
 
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
+import robotran.ui.brick.nxt.words
+import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.readyRobotName
 import robotran.ui.resources.Res
+import robotran.ui.resources.robot_build
+import robotran.ui.resources.robot_impossible
+import robotran.ui.resources.sensor
 import robotran.ui.resources.worldedit_beacon
 import robotran.ui.resources.worldedit_colour
 import robotran.ui.resources.worldedit_facing
@@ -17,6 +28,7 @@ import robotran.ui.resources.worldedit_port
 import robotran.ui.resources.worldedit_port_second
 import robotran.ui.resources.worldedit_ports
 import robotran.ui.resources.worldedit_program
+import robotran.ui.resources.worldedit_robot_kind
 import robotran.ui.resources.worldedit_sensor_left_bumper
 import robotran.ui.resources.worldedit_sensor_left_rotation
 import robotran.ui.resources.worldedit_sensor_light
@@ -28,9 +40,13 @@ import robotran.ui.settings.SwitchRow
 import robotran.ui.sheet.RobotColours
 import robotran.world.LightFacing
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
+import robotran.world.messages.sentence
+import robotran.world.robot.robotErrors
 import robotran.worldediting.EditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
@@ -41,21 +57,32 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     val robot = piece.robot
     val atOnce = { changed: RobotPlacement -> making.changeAtOnce(thing, Element.OfRobot(changed)) }
     if (thing.number == 0) Remark(stringResource(Res.string.worldedit_own_robot))
+    WordButton(
+        stringResource(Res.string.robot_build),
+        "build-robot",
+        { making.build(thing.number) },
+        Modifier.fillMaxWidth().padding(top = 8.dp),
+    )
     NameField(making, thing, piece)
     val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), stringResource(colourWord(it))) }
     Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") {
         atOnce(robot.copy(colour = it))
     }
     FormFields(making, thing, piece)
-    val facings = listOf(
-        null to stringResource(Res.string.worldedit_facing_free),
-        LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
-        LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
-    )
-    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
-        atOnce(robot.copy(lightFacing = it))
+    val kinds = ReadyRobots.all.map { (name, ready) -> ready to readyRobotName(name) }
+    ChipRow(stringResource(Res.string.worldedit_robot_kind), kinds, readyOf(robot.description), "robot-kind") { ready ->
+        // Its ports are kept if the pupil touches what it already is.
+        if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready, draft = null))
     }
-    PortFields(robot) { atOnce(robot.copy(ports = it)) }
+    robot.draft?.let { draft ->
+        for (error in robotErrors(draft).take(1)) {
+            Wrong(stringResource(Res.string.robot_impossible, draft.title, error.sentence(LocalLanguage.current)))
+        }
+    }
+    when (robot.description.brick) {
+        BrickKind.RCX -> RcxFields(robot, atOnce)
+        BrickKind.NXT -> NxtParts(robot.description)
+    }
     NumberRow(
         stringResource(Res.string.worldedit_beacon),
         robot.beacon,
@@ -68,6 +95,33 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     )
     ProgramFields(making, thing, robot)
 }
+
+/** The direction of light sensors, and what is on the ports. */
+@Composable
+private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
+    val facings = listOf(
+        null to stringResource(Res.string.worldedit_facing_free),
+        LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
+        LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
+    )
+    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
+        atOnce(robot.copy(lightFacing = it))
+    }
+    PortFields(robot) { atOnce(robot.withPorts(it)) }
+}
+
+/** What is on the ports, which a program has to name. */
+@Composable
+private fun NxtParts(description: RobotDescription) {
+    RowHeading(stringResource(Res.string.worldedit_ports))
+    for (port in 1..description.brick.inputPorts) {
+        val word = description.parts.firstOrNull { it.port == port }?.kind?.words ?: Res.string.worldedit_nothing
+        Remark(stringResource(Res.string.sensor, port, stringResource(word)))
+    }
+}
+
+/** The ready robot that [description] was made from; null for one of its own. */
+private fun readyOf(description: RobotDescription): RobotDescription? = ReadyRobots.all[description.base]
 
 /** Two sensors can share a port. */
 @Composable

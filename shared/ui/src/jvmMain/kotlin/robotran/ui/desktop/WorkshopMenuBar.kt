@@ -9,7 +9,9 @@ import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.program.StepKind
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.StepKind
+import robotran.robotediting.RobotEdit
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
@@ -26,6 +28,7 @@ import robotran.ui.resources.documents_menu_run
 import robotran.ui.resources.documents_menu_view
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
+import robotran.ui.resources.documents_new_nxt
 import robotran.ui.resources.documents_new_window
 import robotran.ui.resources.documents_open
 import robotran.ui.resources.documents_open_link
@@ -54,6 +57,7 @@ import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_map
 import robotran.ui.resources.make_title
+import robotran.ui.resources.robot_build_menu
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_step_into
@@ -69,12 +73,14 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
@@ -98,9 +104,11 @@ fun FrameWindowScope.WorkshopMenuBar(
         }
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) {
-                FileItems(state.document.hasGoals, onEvent, openAnother, close)
+                FileItems(state.document, onEvent, openAnother, close)
             }
-            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_edit)) {
+                EditItems(undoTarget(state), window, onEvent)
+            }
             Menu(stringResource(Res.string.documents_menu_run)) {
                 RunItems(
                     state.run,
@@ -142,12 +150,13 @@ fun windowTitle(workshop: Workshop?): String {
 
 @Composable
 private fun MenuScope.FileItems(
-    hasGoals: Boolean,
+    document: DocumentState,
     onEvent: (WorkshopEvent) -> Unit,
     openAnother: () -> Unit,
     close: () -> Unit,
 ) {
     Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
+    Choice(Res.string.documents_new_nxt) { onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
@@ -159,36 +168,48 @@ private fun MenuScope.FileItems(
     Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
     Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
+    Choice(Res.string.robot_build_menu) { onEvent(RobotEditEvent.BenchOpened()) }
     Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
     Choice(Res.string.make_title) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
-    Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
+    Choice(Res.string.send_robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
     Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
-    Choice(Res.string.hand_ins_menu, enabled = hasGoals) { onEvent(HandInsEvent.Requested) }
+    Choice(Res.string.hand_ins_menu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }
 
-/** Edits the program, or the world while its editor is open. */
+/** Undo and Redo of the program, or of the world or the robot while it is edited. */
+private fun undoTarget(state: WorkshopState): Pair<WorkshopEvent, WorkshopEvent> = when {
+    state.robotEdit != null -> RobotEditEvent.Edited(RobotEdit.Undo) to RobotEditEvent.Edited(RobotEdit.Redo)
+    state.worldEdit != null -> WorldEditEvent.Edited(Edit.Undo) to WorldEditEvent.Edited(Edit.Redo)
+    else -> ProgramEvent.Undone to ProgramEvent.Redone
+}
+
+/** @param undo what Undo and Redo do. */
 @Composable
-private fun MenuScope.EditItems(isProgram: Boolean, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
-    Choice(Res.string.documents_undo, control(Key.Z)) {
-        onEvent(if (isProgram) ProgramEvent.Undone else WorldEditEvent.Edited(Edit.Undo))
-    }
-    Choice(Res.string.documents_redo, control(Key.Z, shift = true)) {
-        onEvent(if (isProgram) ProgramEvent.Redone else WorldEditEvent.Edited(Edit.Redo))
-    }
+private fun MenuScope.EditItems(
+    undo: Pair<WorkshopEvent, WorkshopEvent>,
+    window: JFrame,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
+    Choice(Res.string.documents_undo, control(Key.Z)) { onEvent(undo.first) }
+    Choice(Res.string.documents_redo, control(Key.Z, shift = true)) { onEvent(undo.second) }
     Separator()
     Choice(Res.string.editor_cut, control(Key.X)) { pressShortcut(window, KeyEvent.VK_X) }
     Choice(Res.string.editor_copy, control(Key.C)) { pressShortcut(window, KeyEvent.VK_C) }
     Choice(Res.string.editor_paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
     Choice(Res.string.documents_select_all, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
     Separator()
-    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.SearchRequested) }
-    Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }
+    Choice(Res.string.editor_find, control(Key.F), undo.first == ProgramEvent.Undone) {
+        onEvent(ProgramEvent.SearchRequested)
+    }
+    Choice(Res.string.editor_format, control(Key.F, shift = true), undo.first == ProgramEvent.Undone) {
+        onEvent(ProgramEvent.Formatted)
+    }
 }
 
 /** The same keys as `runShortcut`, and F5. */

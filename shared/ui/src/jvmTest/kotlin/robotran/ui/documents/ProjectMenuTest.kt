@@ -19,6 +19,7 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.runDesktopComposeUiTest
+import robotran.brick.kind.BrickKind
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
@@ -93,6 +94,17 @@ class ProjectMenuTest {
         onNodeWithTag("work-$work").performClick()
         assertEquals("forward 7", workshop.state.programText)
         assertNull(workshop.state.document.dialog)
+    }
+
+    @Test
+    fun `my work offers a new one with either brick, in the words of the menu`() = shown { workshop ->
+        choose("my-work")
+        onNodeWithTag("works-new-nxt").assertTextEquals("New with an NXT").performClick()
+        assertNull(workshop.state.document.dialog)
+        assertEquals(BrickKind.NXT, workshop.state.programs.brick)
+        choose("my-work")
+        onNodeWithTag("works-new").assertTextEquals("New").performClick()
+        assertEquals(BrickKind.RCX, workshop.state.programs.brick)
     }
 
     @Test

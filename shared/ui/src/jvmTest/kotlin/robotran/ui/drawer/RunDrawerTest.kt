@@ -1,6 +1,7 @@
 package robotran.ui.drawer
 
 import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertContentDescriptionContains
 import androidx.compose.ui.test.assertContentDescriptionEquals
@@ -9,12 +10,14 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onParent
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
+import robotran.brick.kind.BrickKind
+import robotran.brick.log.CallGroup
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.call.RomGroup
 import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
@@ -28,6 +31,7 @@ import robotran.workshop.state.PupilProgram
 import robotran.world.Goal
 import robotran.world.GoalCondition.InkLength
 import robotran.world.PortSensor
+import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -35,8 +39,8 @@ import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class RunDrawerTest {
-    private fun Workshop.with(source: String, goals: List<Goal> = emptyList()) {
-        val world = BuiltInWorlds.plain.copy(goals = goals)
+    private fun Workshop.with(source: String, goals: List<Goal> = emptyList(), on: World = BuiltInWorlds.plain) {
+        val world = on.copy(goals = goals)
         openProject(
             Project(
                 world,
@@ -122,7 +126,7 @@ class RunDrawerTest {
         assertTrue(found.isNotEmpty() && found.size < all)
         onNodeWithTag("log-count").assertTextContains("${found.size} of", substring = true)
         workshop.handle(
-            RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))),
+            RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(CallGroup.INFRARED))),
         )
         pass(300)
         onNodeWithTag("drawer-empty").assertIsDisplayed()
@@ -147,6 +151,26 @@ class RunDrawerTest {
         onNodeWithTag("chart-finer").performClick()
         pass(200)
         onNodeWithTag("chart-motor_a", useUnmergedTree = true).assertIsDisplayed()
+    }
+
+    @Test
+    fun `the chart of an NXT has units, the counters of its motors and its battery`() = onTablet { workshop ->
+        workshop.with("forward 10\nshow distance", on = BuiltInWorlds.plainFor(BrickKind.NXT))
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
+        workshop.handle(RunEvent.RunPressed)
+        pass(3_000)
+        // What is not shown leaves room for the last lanes.
+        for (lane in ChartLane.entries.filter { it.isMotor || (it.isSensor && it.port < 3) }) {
+            workshop.handle(RunEvent.LaneSwitched(lane))
+        }
+        pass(300)
+        for ((lane, value) in listOf("sensor_4" to "Sensor 4: \\d+ cm", "degrees_a" to "Turned A: \\d+ °")) {
+            val said = onNodeWithTag("value-$lane", useUnmergedTree = true).onParent().fetchSemanticsNode().config
+            val words = said[SemanticsProperties.ContentDescription].single()
+            assertTrue(Regex(value).matches(words), words)
+        }
+        val battery = onNodeWithTag("value-battery", useUnmergedTree = true).onParent().fetchSemanticsNode().config
+        assertEquals("Battery: 8004 mV", battery[SemanticsProperties.ContentDescription].single())
     }
 
     @Test
@@ -191,15 +215,15 @@ class RunDrawerTest {
     @Test
     fun `a touch sensor that only a finger presses is pressed on the brick`() = onTablet { workshop ->
         val world = BuiltInWorlds.plain.let {
-            it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH)))))
+            it.copy(robots = listOf(it.robots.first().withPorts(listOf(listOf(PortSensor.TOUCH)))))
         }
         workshop.openProject(Project(world))
         showWholeBrick()
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
-        assertTrue(workshop.state.session.brick.sensors[0].boolean)
+        assertTrue(workshop.state.session.brick.inputs[0].isPressed)
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
-        assertTrue(!workshop.state.session.brick.sensors[0].boolean)
+        assertTrue(!workshop.state.session.brick.inputs[0].isPressed)
     }
 }

@@ -70,14 +70,17 @@ class StringsTest {
     private fun argumentsIn(text: String) = ARGUMENT.findAll(text).map { it.value }.toSet()
 
     private fun stringsOf(language: Language): Map<String, String> {
-        val file = stringsFile(language)
-        val nodes = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file).getElementsByTagName("string")
-        val strings = (0..<nodes.length).map { nodes.item(it) as Element }
+        val files = checkNotNull(stringsFile(language).parentFile.listFiles()).sorted()
+        val strings = files.flatMap { file ->
+            val document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file)
+            val nodes = document.getElementsByTagName("string")
+            (0..<nodes.length).map { nodes.item(it) as Element }
+        }
         val names = strings.map { it.getAttribute("name") }
         assertEquals(
             names.toSet().size,
             names.size,
-            "A key is twice in ${file.path}: ${names.groupBy {
+            "A key is twice in $language: ${names.groupBy {
                 it
             }.filterValues { it.size > 1 }.keys}",
         )
@@ -104,6 +107,8 @@ class StringsTest {
             "View",
             "Prgm",
             "Run",
+            "Enter",
+            "Escape",
             "s",
             "cm",
             "C",
@@ -119,6 +124,7 @@ class StringsTest {
             "Threads",
             "Variables",
             "firmware",
+            "Bluetooth",
             "orange",
             "Radius",
             "Text",
@@ -128,7 +134,10 @@ class StringsTest {
     }
 }
 
-/** The screen's words in [language], from the folder of this module, in which Gradle runs its tests. */
+/**
+ * Most of the screen's words in [language], from the folder of this module, in which Gradle runs its tests; other
+ * files beside it have the rest.
+ */
 internal fun stringsFile(language: Language): File {
     val folder = if (language == Language.ENGLISH) "values" else "values-${language.tag}"
     return File("src/commonMain/composeResources/$folder/strings.xml")

@@ -8,6 +8,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.ui.language.stringsFile
@@ -17,9 +18,11 @@ import robotran.ui.screen.pass
 import robotran.ui.screen.photograph
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
+import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.LearningPage
@@ -55,6 +58,20 @@ class ExamplesPageTest {
         onNodeWithTag("example-Countdown.java").assertIsDisplayed().performClick()
         pass(300)
         assertEquals("Countdown.java", workshop.state.programName)
+    }
+
+    @Test
+    fun `a robot with an NXT has its examples in Java first, and they run there`() = onTablet { workshop ->
+        workshop.handle(DocumentEvent.NewWithBrick(BrickKind.NXT))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+        pass(300)
+        onNodeWithTag("example-nxj/Hello.java").assertIsDisplayed().performClick()
+        pass(300)
+        assertEquals("Hello.java", workshop.state.programName)
+        runBlocking { workshop.compilePrograms() }
+        assertEquals(emptyList(), workshop.state.programs.diagnostics)
+        assertNull(workshop.state.programs.otherBrick)
     }
 
     @Test
@@ -94,15 +111,16 @@ class ExamplesPageTest {
     @Test
     fun `every example says what it does in every language, in English as its note does`() {
         val tables = Language.entries.map { language ->
-            val text = stringsFile(language).readText()
+            val file = stringsFile(language)
+            val text = file.readText() + file.resolveSibling("nxt.xml").readText()
             Regex("<string name=\"(example_.*?)\">(.*?)</string>").findAll(text).associate {
                 it.groupValues[1] to
                     it.groupValues[2]
             }
         }
-        val used = ProgramLanguage.entries.flatMap { language ->
-            language.examples.map { (name, text) ->
-                val key = aboutExample(language, name).key
+        val used = ExampleSet.entries.flatMap { set ->
+            set.programs.map { (name, text) ->
+                val key = aboutExample(set, name).key
                 val note = text.lineSequence().takeWhile {
                     it.startsWith("//")
                 }.joinToString(" ") { it.removePrefix("//").trim() }
@@ -139,13 +157,16 @@ class ExamplesPageTest {
             photograph(workshop, width, height).keepAs("examples-$name")
             workshop.close()
         }
-        val workshop = runBlocking { openWorkshop(listOf(newJava())) }
-        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
-        runBlocking {
-            for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM)
+        for (set in listOf(ExampleSet.LEJOS, ExampleSet.NXJ)) {
+            val workshop = runBlocking { openWorkshop(listOf(newJava())) }
+            set.brick?.let { workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, it)) }
+            workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+            runBlocking {
+                for (name in set.programs.keys) ExamplePictures.of(set.idOf(name), SheetColours.LIGHT, ROOM)
+            }
+            photograph(workshop, 1280, 1600).keepAs("examples-java" + if (set == ExampleSet.NXJ) "-nxt" else "")
+            workshop.close()
         }
-        photograph(workshop, 1280, 1600).keepAs("examples-java")
-        workshop.close()
     }
 
     private fun newJava() = PupilProgram("Square.java", ProgramLanguage.JAVA.examples.getValue("Square.java"))

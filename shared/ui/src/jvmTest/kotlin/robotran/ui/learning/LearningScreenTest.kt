@@ -8,6 +8,7 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsNodeInteraction
 import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
@@ -17,8 +18,10 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.learning.WorldGallery
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -198,6 +201,24 @@ class LearningScreenTest {
     }
 
     @Test
+    fun `worlds are shown by the brick of their robot, and found by its name`() = onEither { workshop ->
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
+        pass(200)
+        onNodeWithTag("worlds-nxt").assertLargeEnough().performClick()
+        pass(100)
+        onNodeWithTag("world-plain").assertDoesNotExist()
+        val nxt = WorldGallery.worlds.first { it.plainWorld.robots.first().description.brick == BrickKind.NXT }
+        onNodeWithTag("world-${nxt.name}").assertExists()
+        onNodeWithTag("world-search").performTextInput("rcx")
+        pass(100)
+        onNodeWithTag("worlds-none").assertIsDisplayed()
+        onNodeWithTag("worlds-all").performClick()
+        pass(100)
+        onNodeWithTag("worlds-none").assertDoesNotExist()
+        onNodeWithTag("world-${nxt.name}").assertDoesNotExist()
+    }
+
+    @Test
     fun `where no world is found it is said what to do, and a touch clears the search`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         workshop.handle(LearningEvent.WorldSearchChanged("submarine"))
@@ -205,6 +226,7 @@ class LearningScreenTest {
         onNodeWithTag("worlds-none").assertIsDisplayed()
         onNodeWithTag("world-search-clear").assertLargeEnough().performClick()
         pass(100)
+        onNodeWithTag("world-search").assertIsFocused()
         onNodeWithTag("world-plain").assertIsDisplayed()
     }
 

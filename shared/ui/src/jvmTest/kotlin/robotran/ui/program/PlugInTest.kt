@@ -40,7 +40,7 @@ class PlugInTest {
 
     private fun ComposeUiTest.runWith(workshop: Workshop, ports: List<List<PortSensor>>) {
         val plain = BuiltInWorlds.plain
-        val robots = plain.robots.map { it.copy(ports = ports) }
+        val robots = plain.robots.map { it.withPorts(ports) }
         val program = PupilProgram("feel.robo", "if left bumper and not right bumper\n  beep\nend\nwait 5 seconds\n")
         workshop.openProject(
             Project(

@@ -17,7 +17,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.LearningPage

@@ -2,9 +2,9 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
+import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.rcxrom.controls.BrickButton
 import robotran.ui.pictures.sheetPng
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
@@ -120,7 +120,7 @@ class ScreenPictures {
                 val name = "${screen.name.lowercase()}-${language.tag}-missing"
                 val workshop = newWorkshop()
                 workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = language)))
-                val bare = workshop.project.world.robots.map { it.copy(ports = it.ports.map { emptyList() }) }
+                val bare = workshop.project.world.robots.map { it.withPorts(it.ports.map { emptyList() }) }
                 workshop.changeWorld(workshop.project.world.copy(robots = bare))
                 workshop.handle(ProgramEvent.ProgramEdited(BOTH_BUMPERS))
                 workshop.handle(RunEvent.RunPressed)

@@ -1,10 +1,8 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.controls.MotorPort
-import robotran.rcxrom.controls.MotorState
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.MotorMode
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
@@ -52,7 +50,7 @@ class PenbotFaceTest {
 
     @Test
     fun `it blinks seldom and shortly, and not at the same time as others`() {
-        val running = resting.with { copy(brick = brick.copy(run = RunState.Running(1))) }
+        val running = resting.with { copy(brick = brick.withRun(brick.motors.map { it.mode }, RunState.Running(1))) }
         val blinks = List(2) { robot ->
             (0L until A_MINUTE).filter { penbotFace(running.copy(milliseconds = it), robot).lid > 0 }
         }
@@ -76,10 +74,8 @@ class PenbotFaceTest {
     }
 
     private fun gaze(left: MotorMode, right: MotorMode): Offset {
-        val motors = listOf(left, MotorMode.FLOAT, right).zip(MotorPort.entries) { mode, port ->
-            MotorState(port, mode, 3)
-        }
-        return penbotFace(resting.with { copy(brick = brick.copy(motors = motors)) }, 0).gaze
+        val modes = listOf(left, MotorMode.FLOAT, right)
+        return penbotFace(resting.with { copy(brick = brick.withRun(modes, brick.run)) }, 0).gaze
     }
 
     /** With a change of the first robot, and the second one as it is but for its brick. */

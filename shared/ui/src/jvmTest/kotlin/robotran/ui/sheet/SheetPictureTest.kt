@@ -4,13 +4,14 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
 import robotran.ui.pictures.sheetPng
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
@@ -25,6 +26,7 @@ import kotlin.test.assertTrue
 
 class SheetPictureTest {
     private val world = BuiltInWorlds.plain
+    private val plan = RobotPlan(ReadyRobots.RCX_PENBOT)
 
     @Test
     fun `ink is where the pen went, as wide as the pen`() {
@@ -57,7 +59,7 @@ class SheetPictureTest {
 
     @Test
     fun `the robot looks where it is headed`() {
-        val brick = RobotPlan.BRICK.left + 0.4
+        val brick = plan.brick.box.left + 0.4
         assertEquals(RobotColours.brick(RobotColour.YELLOW), picture(heading = 0.0).at(40.0 + brick, 30.0))
         assertEquals(RobotColours.brick(RobotColour.YELLOW), picture(heading = 90.0).at(40.0, 30.0 + brick))
         assertEquals(RobotColours.brick(RobotColour.YELLOW), picture(heading = 180.0).at(40.0 - brick, 30.0))
@@ -65,7 +67,7 @@ class SheetPictureTest {
 
     @Test
     fun `a bumper that is hit moves in`() {
-        val front = RobotPlan.LEFT_BUMPER.right - 0.25
+        val front = plan.bumpers.first().bar(0f).right - 0.25
         // Where it was, the paper is bare but for the robot's shadow.
         assertEquals(RobotColours.BUMPER, picture(leftBumper = false).at(40.0 + front, 33.0))
         assertTrue(picture(leftBumper = true).at(40.0 + front, 33.0).red > RobotColours.BUMPER.red)
@@ -105,7 +107,7 @@ class SheetPictureTest {
         milliseconds = 0,
         robots = listOf(
             RobotSnapshot(
-                brick = Brick(emptyList()).state,
+                brick = RcxBrick(emptyList()).state,
                 robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
                 bumps = 0,
                 remarks = emptyList(),

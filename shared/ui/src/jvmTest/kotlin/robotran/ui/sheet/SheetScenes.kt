@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxBrick
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.Ink
@@ -130,7 +130,7 @@ internal object SheetScenes {
     ) = SessionState(
         milliseconds = 0,
         robots = poses.map {
-            RobotSnapshot(Brick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
+            RobotSnapshot(RcxBrick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
         },
         blocks = blocks,
         lamps = lamps,

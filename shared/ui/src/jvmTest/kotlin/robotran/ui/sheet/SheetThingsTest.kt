@@ -21,6 +21,7 @@ import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.Shade
@@ -225,7 +226,8 @@ class SheetThingsTest {
         for (colour in RobotColour.entries) {
             val picture =
                 closeUp(with { copy(robots = listOf(RobotPlacement(Pose(40.0, 20.0, 0.0), colour = colour))) })
-            assertEquals(RobotColours.brick(colour), picture.at(40.0 + RobotPlan.BRICK.left + 0.4, 20.0), colour.name)
+            val brick = RobotPlan(ReadyRobots.RCX_PENBOT).brick.box.left + 0.4
+            assertEquals(RobotColours.brick(colour), picture.at(40.0 + brick, 20.0), colour.name)
         }
         assertEquals(RobotColour.entries.size, RobotColour.entries.map(RobotColours::brick).toSet().size)
     }

@@ -22,6 +22,7 @@ import robotran.world.GoalCondition.Reach
 import robotran.world.Lamp
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -36,9 +37,9 @@ internal val handyWorld = World(
     robots = listOf(
         RobotPlacement(
             Pose(30.0, 40.0, 0.0),
-            ports = listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map {
-                listOf(it)
-            },
+            description = ReadyRobots.penbotWith(
+                listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map { listOf(it) },
+            ),
         ),
         RobotPlacement(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
     ),

@@ -15,10 +15,9 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.TryResult
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
-import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.startInputs
 import robotran.simulation.state.GoalStatus
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.Preferences
@@ -50,9 +49,7 @@ internal class AssignmentRuns(
             is RunResult.Finished -> ended
         }
         val goals = result.grade.goals
-        val inputs = plain.world.robots.indices.flatMap { robot ->
-            listOf(SessionInput.Press(BrickButton.RUN, robot), SessionInput.Release(BrickButton.RUN, robot))
-        }.map { RecordedInput(0, it) }
+        val inputs = plain.world.startInputs().map { RecordedInput(0, it) }
         return RunOfWork.Ended(
             HandedInWork(
                 programs,

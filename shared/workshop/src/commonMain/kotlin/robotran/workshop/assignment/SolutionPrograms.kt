@@ -97,7 +97,9 @@ private val lessons by lazy {
     (WorldGallery.worlds + WorldGallery.worlds.flatMap { it.harder }).mapNotNull { it.lesson }
 }
 
-private val shownSolutions by lazy { lessons.mapTo(mutableSetOf()) { listOf(it.solution.text.trim()) } }
+private val shownSolutions by lazy {
+    lessons.flatMap { it.solutions }.mapTo(mutableSetOf()) { listOf(it.text.trim()) }
+}
 
 private val firstOfApp by lazy { textsOf(firstProgram().asProject()) }
 

@@ -4,6 +4,7 @@ import robotran.assignments.doing.forbiddenWords
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment
@@ -12,7 +13,7 @@ import robotran.projects.ProjectProgram
 /** The ids of the palette's blocks that [assignment] allows; null for all. */
 fun allowedBlocks(assignment: Assignment): Set<String>? {
     if (assignment.words.isEmpty()) return null
-    return Palette.blocks.filter {
+    return BrickKind.entries.flatMap(Palette::blocksFor).filter {
         forbiddenWords(assignment, listOf(programOf(it))).isEmpty()
     }.mapTo(mutableSetOf()) { it.id }
 }

@@ -199,7 +199,7 @@ internal class CourseAuthor(
             is OpenFilesResult.Opened -> {
                 val other =
                     opening.projects.firstOrNull { it.project.assignment == null || it.project.handIn != null }?.name
-                        ?: opening.world?.title ?: opening.programs.firstOrNull()?.name
+                        ?: opening.world?.title ?: opening.programs.firstOrNull()?.name ?: opening.robot?.title
                 val found = opening.projects.map { it.project } + opening.courses.flatMap { it.assignments }
                 add(found.filter { it.assignment != null && it.handIn == null }, other)
             }

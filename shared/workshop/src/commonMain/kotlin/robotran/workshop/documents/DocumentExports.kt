@@ -10,11 +10,14 @@ import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
+import robotran.programs.brickOf
 import robotran.projects.LinkCreation
-import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.linkOf
+import robotran.projects.penbotTarget
+import robotran.projects.target
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -99,7 +102,7 @@ internal class DocumentExports(
         val program = current.shownProgram
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
-        when (val result = compileRobolang(program.name, text, PENBOT_CALIBRATION)) {
+        when (val result = compileRobolang(program.name, text, targetOf(program))) {
             is RobolangResult.HasErrors -> {
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
@@ -110,9 +113,17 @@ internal class DocumentExports(
         }
     }
 
+    /** The shown robot, or the penbot with the brick that [program] names. */
+    private fun targetOf(program: PupilProgram): RobotTarget {
+        val robot = current.shownRobot.description
+        val brick = brickOf(program.source()) ?: robot.brick
+        return if (brick == robot.brick) robot.target else brick.penbotTarget
+    }
+
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
-        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
+        val target = targetOf(program)
+        val reader = ProgramCompiler(target, language = preferences.language)
         if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
         when (val result = withContext(platform.background) { reader.compileNow(source) }) {
             is ProgramResult.HasErrors -> {
@@ -127,6 +138,7 @@ internal class DocumentExports(
                         program.files.map {
                             KitFile(it.name, it.text)
                         },
+                        target.kind,
                     ),
                 )
             }

@@ -5,6 +5,7 @@ import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
+import robotran.brick.kind.BrickKind
 import robotran.documents.AutosaveThrottle
 import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
@@ -28,12 +29,14 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkToAdd
+import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
 /**
  * Holds the name and file of the project and makes sure that nothing is lost.
  *
+ * @param putRobot puts an opened robot into the world.
  * @param takesElsewhere offers what arrives to a page that is open. Returns whether the page has taken it.
  */
 class DocumentStateHolder(
@@ -46,6 +49,7 @@ class DocumentStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
     openCourses: suspend (List<Course>) -> Unit,
+    putRobot: (RobotDescription) -> Unit = {},
     private val takesElsewhere: (OpenRequest) -> Boolean = { false },
 ) : ProjectSwitcher,
     StoredAssignments {
@@ -66,6 +70,7 @@ class DocumentStateHolder(
             view,
             replacement,
             openCourses,
+            putRobot,
         )
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
     private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
@@ -77,7 +82,8 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewRequested -> launch { replacement.replace { begin() } }
+            DocumentEvent.NewRequested -> launch { replacement.replace { begin(BrickKind.RCX) } }
+            is DocumentEvent.NewWithBrick -> launch { replacement.replace { begin(event.brick) } }
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
@@ -237,12 +243,12 @@ class DocumentStateHolder(
         return result
     }
 
-    override suspend fun resumeProject(id: String?): SwitchResult {
+    override suspend fun resumeProject(id: String?, brick: BrickKind): SwitchResult {
         val taken = id?.let { projects.claim(it) }
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
             if (taken == null) {
-                begin()
+                begin(brick)
             } else {
                 editor.openProject(taken.first.project)
                 autosaver.resume(taken.first, taken.second)
@@ -286,9 +292,9 @@ class DocumentStateHolder(
     private suspend fun savedProject(id: String): Project? =
         (autosaver.repository.read(id) as? SavedProjectResult.Found)?.work?.project
 
-    private suspend fun begin() {
+    private suspend fun begin(brick: BrickKind) {
         val name = autosaver.uniqueName()
-        editor.openProject(Project(BuiltInWorlds.plain))
+        editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
         autosaver.startNew(name)
         // This project is for free experiments.
         navigator.hideTask()

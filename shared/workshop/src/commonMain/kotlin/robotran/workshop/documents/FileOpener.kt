@@ -2,6 +2,7 @@ package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
 import robotran.assignments.course.unpackedCourses
+import robotran.brick.program.BrickProgram
 import robotran.documents.FileReference
 import robotran.documents.IncomingFile
 import robotran.documents.OpenFilesError
@@ -15,7 +16,6 @@ import robotran.documents.openLinkText
 import robotran.documents.validProjectName
 import robotran.projects.Course
 import robotran.projects.Project
-import robotran.rcxrom.Brick
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Platform
@@ -30,8 +30,13 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
+import robotran.world.RobotDescription
 
-/** Opens files and links. */
+/**
+ * Opens files and links.
+ *
+ * @param putRobot puts a robot into the world that is open.
+ */
 internal class FileOpener(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -44,6 +49,7 @@ internal class FileOpener(
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
     private val openCourses: suspend (List<Course>) -> Unit,
+    private val putRobot: (RobotDescription) -> Unit,
 ) {
     suspend fun choose() {
         val files = platform.files.open(KINDS)
@@ -150,9 +156,10 @@ internal class FileOpener(
         val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
         if (missing.isNotEmpty()) {
-            notices.show(Notice.NoSlotForProgram(missing.first().name, Brick.MAX_PROGRAMS))
+            notices.show(Notice.NoSlotForProgram(missing.first().name, BrickProgram.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
+        opened.robot?.let(putRobot)
     }
 
     /** Stores all projects but the first without opening them. Returns whether there are any. */
@@ -176,6 +183,14 @@ internal class FileOpener(
 
     private companion object {
         val KINDS =
-            listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE, FileKind.ROBOLANG, FileKind.JAVA, FileKind.ZIP)
+            listOf(
+                FileKind.PROJECT,
+                FileKind.WORLD,
+                FileKind.ROBOT,
+                FileKind.COURSE,
+                FileKind.ROBOLANG,
+                FileKind.JAVA,
+                FileKind.ZIP,
+            )
     }
 }

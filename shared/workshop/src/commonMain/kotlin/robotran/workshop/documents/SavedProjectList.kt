@@ -195,7 +195,7 @@ internal class SavedProjectList(
                 }
 
                 SavedProjectResult.Missing -> {
-                    Unit
+                    // Another window has removed it.
                 }
             }
         } finally {

@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.brick.kind.BrickKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
 
@@ -10,6 +11,9 @@ sealed interface DocumentEvent : WorkshopEvent {
 
     /** Creates an empty project; the open one stays in the list. */
     data object NewRequested : DocumentEvent
+
+    /** Opens a new project whose robot is the penbot with a [brick]. */
+    data class NewWithBrick(val brick: BrickKind) : DocumentEvent
 
     /** Lets the user choose and open files. */
     data object OpenRequested : DocumentEvent

@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.workshop.state.LearningPage
 
@@ -57,7 +58,8 @@ sealed interface LearningEvent : WorkshopEvent {
     data class WorldSolutionRequested(val shown: Boolean) : LearningEvent
 
     /** Adds the example [name] in [language] as a tab. */
-    data class ExampleChosen(val language: ProgramLanguage, val name: String) : LearningEvent
+    data class ExampleChosen(val language: ProgramLanguage, val name: String, val brick: BrickKind = BrickKind.RCX) :
+        LearningEvent
 
     /** Shows help on the word at [offset] of [text]. */
     data class HelpRequested(val text: String, val offset: Int) : LearningEvent

@@ -1,9 +1,9 @@
 package robotran.workshop.event
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.log.CallLogFilter
+import robotran.brick.program.StepKind
 import robotran.projects.ProjectSettings
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
@@ -67,7 +67,7 @@ sealed interface RunEvent : WorkshopEvent {
     data class FrameChosen(val thread: Int, val frame: Int) : RunEvent
 
     /** Shows only the ROM calls that match [filter]. */
-    data class LogFiltered(val filter: RomLogFilter) : RunEvent
+    data class LogFiltered(val filter: CallLogFilter) : RunEvent
 
     /** Copies the visible ROM calls. */
     data object LogCopied : RunEvent

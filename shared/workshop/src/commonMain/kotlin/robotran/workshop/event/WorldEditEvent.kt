@@ -1,6 +1,8 @@
 package robotran.workshop.event
 
+import robotran.brick.kind.BrickKind
 import robotran.simulation.state.MissingSensors
+import robotran.world.RobotDescription
 import robotran.worldediting.Edit
 
 /** A user action in the world editor. */
@@ -27,6 +29,17 @@ sealed interface WorldEditEvent : WorkshopEvent {
      * @property missing the sensors that the run of the robot's program has missed.
      */
     data class SensorsPluggedIn(val robot: String, val missing: MissingSensors) : WorldEditEvent
+
+    /**
+     * Makes the robot [robot] the penbot with a [brick], as one change, and starts a new run unless the editor is open.
+     */
+    data class PenbotChosen(val robot: String, val brick: BrickKind) : WorldEditEvent
+
+    /** Builds the robot [robot] as [description] says, as one change, like [PenbotChosen]. */
+    data class RobotReplaced(val robot: String, val description: RobotDescription) : WorldEditEvent
+
+    /** Brings back the robot before the last [PenbotChosen] or [RobotReplaced] and keeps all other changes. */
+    data object RobotBroughtBack : WorldEditEvent
 
     /** Takes the sensors of the last [SensorsPluggedIn] out again and keeps all later changes. */
     data object PlugUndone : WorldEditEvent

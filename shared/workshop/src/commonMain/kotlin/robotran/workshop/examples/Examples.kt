@@ -1,10 +1,40 @@
 package robotran.workshop.examples
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 
-/** The built-in example programs in this language, text by name. */
-val ProgramLanguage.examples: Map<String, String>
-    get() = when (this) {
-        ProgramLanguage.ROBOLANG -> exampleTexts
-        ProgramLanguage.JAVA -> lejosExampleTexts
+/** The built-in example programs in this language for an RCX, text by name. */
+val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.RCX)
+
+/**
+ * The built-in example programs in this language for a [brick], text by name. Those in Robolang are for every one; what
+ * an NXT cannot do in one of them is a mistake there, which names the RCX.
+ */
+fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (this) {
+    ProgramLanguage.ROBOLANG -> when (brick) {
+        BrickKind.RCX -> exampleTexts
+        BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
     }
+
+    ProgramLanguage.JAVA -> when (brick) {
+        BrickKind.RCX -> lejosExampleTexts
+        BrickKind.NXT -> nxjExampleTexts
+    }
+}
+
+/**
+ * A program in Robolang with the ports and buttons of the NXT penbot. Its light sensor cannot be turned ahead, so what
+ * needs that is for an RCX.
+ */
+private fun forNxtPenbot(text: String): String {
+    if ("facing forward" in text) return text.replaceFirst("\nrobot\n", "\nrobot\n  brick rcx\n")
+    return NXT_WORDS.fold(text) { changed, (rcx, nxt) -> changed.replace(rcx, nxt) }
+}
+
+private val NXT_WORDS = listOf(
+    "light sensor on 2" to "light sensor on 3",
+    "button view" to "button right",
+    "button prgm" to "button left",
+    "View" to "RIGHT",
+    "Prgm" to "LEFT",
+)

@@ -1,11 +1,13 @@
 package robotran.workshop.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
+import robotran.learning.brickOfImports
 import robotran.learning.helpOn
 import robotran.learning.wordAt
 import robotran.learning.wrapJavaExample
-import robotran.workshop.examples.examples
+import robotran.workshop.examples.examplesFor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.HelpState
@@ -20,15 +22,19 @@ internal class HelpFinder(
     /** The language of the current program. */
     val shownCode: ProgramLanguage get() = current.shownProgram.language
 
+    /** The brick of the shown robot. */
+    val shownBrick: BrickKind get() = current.shownRobot.description.brick
+
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
         val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
-        return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset))
+        val brick = brickOfImports(text) ?: shownBrick
+        return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset, brick), brick)
     }
 
     /** The help on [word]; the list of all words for null. */
-    fun on(code: ProgramLanguage, word: String?): HelpState =
-        HelpState(code, word, word?.let { WordHelp.of(preferences.language, code, it) })
+    fun on(code: ProgramLanguage, word: String?, brick: BrickKind = shownBrick): HelpState =
+        HelpState(code, word, word?.let { WordHelp.of(preferences.language, code, it, brick) }, brick)
 
     /**
      * Adds the example of [help] as a tab without running it. Returns false if there is no example. If there is no
@@ -38,14 +44,18 @@ internal class HelpFinder(
         val example = help.found?.example ?: return false
         val program = when (help.code) {
             ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
-            ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example))
+            ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example, help.brick))
         }
         return newTabs.add(program, replacing = true)
     }
 
-    /** Adds the example [name] as a tab without running it. If there is no room, shows a message and returns false. */
-    fun addExample(language: ProgramLanguage, name: String): Boolean {
-        val program = PupilProgram(name, language.examples[name] ?: return false)
+    /**
+     * Adds the example [name] as a tab without running it; in Java it is one for [brick]. If there is no room, shows a
+     * message and returns false.
+     */
+    fun addExample(language: ProgramLanguage, name: String, brick: BrickKind): Boolean {
+        val itsBrick = if (language == ProgramLanguage.ROBOLANG) shownBrick else brick
+        val program = PupilProgram(name, language.examplesFor(itsBrick)[name] ?: return false)
         // The unchanged example may already be open.
         return newTabs.choose { it == program } || newTabs.add(program)
     }

@@ -13,7 +13,7 @@ import robotran.workshop.platform.KeyValueStore
  * @property welcomed whether the first page was seen.
  * @property tutorialShown whether the tutorial is shown next to the program.
  * @property step the name of the last step shown.
- * @property programs the pupil's versions of the steps' programs, by step name.
+ * @property programs the pupil's versions of the steps' programs, by step name; after `nxt/`, those for an NXT.
  * @property records the pupil's own best results, by the names of steps and, after `world/`, of worlds.
  * @property previousProject the ID of the stored project that was open before the tutorial; null if it was unchanged.
  * @property tutorialProject the ID of the stored project of the tutorial.

@@ -5,11 +5,11 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import robotran.brick.state.RunState
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
-import robotran.rcxrom.state.RunState
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -99,13 +99,13 @@ class LearningStateHolder(
             LearningEvent.TutorialClosed -> leaveTutorial()
             is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
-            LearningEvent.WorldProgramRequested -> state.worldTask?.let(worldTask::putProgram)
+            LearningEvent.WorldProgramRequested -> putWorldProgram()
             is LearningEvent.WorldHintRequested -> changeWorldTask { worldTask.nextHint(it, event.shown) }
             is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
-            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
+            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name, event.brick)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
-            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
-            is LearningEvent.WordsRequested -> showHelp(HelpState(event.language))
+            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word, state.help.brick))
+            is LearningEvent.WordsRequested -> showHelp(help.on(event.language, null))
             LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
         }
         refresh()
@@ -138,7 +138,7 @@ class LearningStateHolder(
         val record = TaskRecord(milliseconds, linesOf(program))
         val before = progress.records[name]
         if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
-        val index = step?.let { Lessons.all.indexOf(it) }
+        val index = step?.let(Lessons::indexOf)
         return SolvedTask(
             learned = step?.text(preferences.language)?.title,
             milliseconds = milliseconds,
@@ -215,7 +215,10 @@ class LearningStateHolder(
             changeHelp { _, help -> hints.none(help) }
             changeWorldTask(worldTask::withoutHints)
         }
-        val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
+        val brick = tutorial.brick
+        val shown = state.tutorial?.copy(brick = brick)?.let {
+            it.copy(isLoaded = tutorial.loadedStep() === it.current)
+        }
         val now = state.copy(
             language = preferences.language,
             tutorial = shown,
@@ -231,7 +234,7 @@ class LearningStateHolder(
             showTutorial()
         } else {
             if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) {
-                state = state.copy(help = HelpState(help.shownCode))
+                state = state.copy(help = help.on(help.shownCode, null))
             }
             state = state.copy(page = page, query = "")
         }
@@ -279,6 +282,12 @@ class LearningStateHolder(
     private fun showSolution(shown: Boolean) {
         changeTutorial { tutorial.showSolution(it, shown) }
         if (shown && tutorial.loadedStep() != null) runControls.run()
+    }
+
+    /** The hint of a try with another program does not fit the one to begin with. */
+    private fun putWorldProgram() {
+        state.worldTask?.let(worldTask::putProgram)
+        changeWorldTask(worldTask::withoutHints)
     }
 
     private fun showWorldSolution(shown: Boolean) {

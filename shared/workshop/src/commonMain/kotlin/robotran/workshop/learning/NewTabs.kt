@@ -1,6 +1,6 @@
 package robotran.workshop.learning
 
-import robotran.rcxrom.Brick
+import robotran.brick.program.BrickProgram
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
@@ -32,11 +32,32 @@ internal class NewTabs(
      */
     fun add(program: PupilProgram, replacing: Boolean = false): Boolean {
         val programs = current.project.pupilPrograms
-        if (programs.size >= Brick.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
+        if (programs.size >= BrickProgram.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
             notices.show(Notice.NoSlotForExample)
             return false
         }
         tabs.addProgram(program, replacing)
+        navigator.show(Pane.PROGRAM)
+        return true
+    }
+
+    /**
+     * Adds [program], which comes with a world, and shows it. An unchanged program that a world brought makes room for
+     * it, also one of the same name. If there is still no room, shows a message and returns false.
+     */
+    fun addGiven(program: PupilProgram): Boolean {
+        val programs = current.project.pupilPrograms
+        val isFull = programs.size >= BrickProgram.MAX_PROGRAMS
+        val given = programs.filter { it.isGiven }
+        val replaced = given.firstOrNull { it.name == program.name }
+            ?: if (isFull) given.firstOrNull { it != current.shownProgram } ?: given.firstOrNull() else null
+        if (isFull && replaced == null) {
+            notices.show(Notice.NoSlotForTask)
+            return false
+        }
+        // The only program cannot go before another has come.
+        if (replaced != null && programs.size > 1) tabs.removePrograms { it == replaced }
+        tabs.addProgram(program)
         navigator.show(Pane.PROGRAM)
         return true
     }

@@ -2,6 +2,7 @@ package robotran.workshop.learning
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import robotran.brick.kind.BrickKind
 import robotran.documents.tutorialProjectName
 import robotran.learning.Lesson
 import robotran.learning.Lessons
@@ -36,9 +37,12 @@ internal class TutorialController(
     private val progress: LearningProgress get() = store.progress
 
     /** The initial state of the tutorial, at the last step shown. */
-    fun first() = TutorialState(Lessons.all.indexOfFirst { it.name == progress.step }.coerceAtLeast(0))
+    fun first() = TutorialState(Lessons.all.indexOfFirst { it.name == progress.step }.coerceAtLeast(0), brick = brick)
 
-    /** The step whose world is loaded; null for any other world. */
+    /** The brick that the pupil works with: that of the loaded step, otherwise that of the open project. */
+    val brick: BrickKind get() = loadedStep()?.brick ?: current.shownRobot.description.brick
+
+    /** The step whose world is loaded, for the brick of its robot; null for any other world. */
     fun loadedStep(): Lesson? = Lessons.lessonIn(current.project.world)
 
     /** The tutorial at [step], which is loaded. */
@@ -46,13 +50,17 @@ internal class TutorialController(
         store.update { it.copy(step = step.name, tutorialShown = true) }
         val text = loadedProgram(step)
         isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
-        return TutorialState(Lessons.all.indexOf(step), help = TaskHelp(solutionShown = isSolutionLoaded))
+        return TutorialState(
+            Lessons.indexOf(step),
+            help = TaskHelp(solutionShown = isSolutionLoaded),
+            brick = step.brick,
+        )
     }
 
     /** Shows the step with the index [index]. If a step is loaded, also loads the new step's program and world. */
     fun choose(tutorial: TutorialState, index: Int): TutorialState {
         if (index !in Lessons.all.indices) return tutorial
-        val chosen = TutorialState(index, isFolded = tutorial.isFolded)
+        val chosen = TutorialState(index, isFolded = tutorial.isFolded, brick = brick)
         if (loadedStep() != null) {
             saveProgram()
             open(chosen.current, pupilProgram(chosen.current))
@@ -63,31 +71,34 @@ internal class TutorialController(
 
     /** Loads the pupil's version of the current step's program, and its world. */
     fun loadStep(tutorial: TutorialState): TutorialState {
-        switchTo(tutorial.current, pupilProgram(tutorial.current))
+        val now = tutorial.copy(brick = brick)
+        switchTo(now.current, pupilProgram(now.current))
         navigator.show(Pane.PROGRAM)
-        return tutorial.withSolution(false)
+        return now.withSolution(false)
     }
 
     /** Loads the original program of the current step. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
-        switchTo(tutorial.current, tutorial.current.program)
-        store.update { it.copy(programs = it.programs - tutorial.current.name) }
-        return tutorial.withSolution(false)
+        val now = tutorial.copy(brick = brick)
+        switchTo(now.current, now.current.program)
+        store.update { it.copy(programs = it.programs - now.current.savedName) }
+        return now.withSolution(false)
     }
 
     /** Loads the current step's solution, or the pupil's program again. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
         if (shown == tutorial.help.solutionShown) return tutorial
         if (shown) saveProgram()
-        switchTo(tutorial.current, if (shown) tutorial.current.solution else pupilProgram(tutorial.current))
-        return tutorial.withSolution(shown)
+        val now = tutorial.copy(brick = brick)
+        switchTo(now.current, if (shown) now.current.solution else pupilProgram(now.current))
+        return now.withSolution(shown)
     }
 
     /** Restores the project from before the tutorial if a step is loaded. */
     suspend fun leaveProject() {
         if (loadedStep() == null) return
         saveProgram()
-        switcher.resumeProject(progress.previousProject)
+        switcher.resumeProject(progress.previousProject, brick)
     }
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
@@ -118,8 +129,8 @@ internal class TutorialController(
         if (step == null || isSolutionLoaded) return
         val text = loadedProgram(step) ?: return
         store.update {
-            val others = it.programs - step.name
-            it.copy(programs = if (text == step.program.text) others else others + (step.name to text))
+            val others = it.programs - step.savedName
+            it.copy(programs = if (text == step.program.text) others else others + (step.savedName to text))
         }
     }
 
@@ -134,7 +145,10 @@ internal class TutorialController(
         current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
     private fun pupilProgram(step: Lesson) =
-        progress.programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
+        progress.programs[step.savedName]?.let { SourceFile(step.program.name, it) } ?: step.program
+
+    /** The name under which the pupil's version of the program is saved: ports differ between bricks. */
+    private val Lesson.savedName: String get() = if (brick == BrickKind.NXT) "nxt/$name" else name
 }
 
 /** The same with the solution in the editor if [shown]. */

@@ -49,7 +49,7 @@ internal class WorldTaskController(
         return WorldTaskState(
             world,
             task,
-            help.copy(solutionShown = current.shownProgram == solutionOf(task)),
+            help.copy(solutionShown = current.shownProgram in solutionsOf(task)),
             current.project.pupilPrograms.none { it.name == task.program.name },
         )
     }
@@ -57,7 +57,7 @@ internal class WorldTaskController(
     /** Shows the pupil's version of the program to begin with, or adds the original. */
     fun putProgram(state: WorldTaskState) {
         val program = state.task.program
-        newTabs.choose { it.name == program.name } || newTabs.add(PupilProgram(program.name, program.text))
+        newTabs.choose { it.name == program.name } || newTabs.addGiven(PupilProgram(program.name, program.text))
     }
 
     /** The [state] with one more hint if [shown], otherwise with none. */
@@ -76,22 +76,22 @@ internal class WorldTaskController(
     /** The [state] without hints. */
     fun withoutHints(state: WorldTaskState): WorldTaskState = state.copy(help = hints.none(state.help))
 
-    /** Adds the solution and runs it, or removes it. */
+    /** Adds the solution, in the language of the shown program if there is one, and runs it; or removes it. */
     fun showSolution(state: WorldTaskState, shown: Boolean) {
-        val solution = solutionOf(state.task)
+        val solutions = solutionsOf(state.task)
         if (shown) {
+            val solution = solutions.firstOrNull { it.language == current.shownProgram.language } ?: solutions.first()
             if (!state.help.solutionShown) nameBefore = current.shownProgram.name
-            if (newTabs.choose { it == solution } || newTabs.add(solution)) runControls.run()
+            if (newTabs.choose { it == solution } || newTabs.addGiven(solution)) runControls.run()
         } else {
-            newTabs.remove { it == solution }
+            newTabs.remove { it in solutions }
             newTabs.choose { it.name == nameBefore }
         }
     }
 
-    private fun solutionOf(task: Lesson) = PupilProgram(
-        if (task.program.name.endsWith(JAVA)) "Solution$JAVA" else "solution.robo",
-        task.solution.text,
-    )
+    private fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
+        PupilProgram(if (it.name.endsWith(JAVA)) "Solution$JAVA" else "solution.robo", it.text)
+    }
 
     private companion object {
         const val JAVA = ".java"

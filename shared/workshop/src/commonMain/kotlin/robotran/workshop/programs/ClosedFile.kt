@@ -13,5 +13,7 @@ internal sealed interface ClosedFile {
     /** A class of the Java program in [slot] that was its file at the index [index]. */
     class OfProgram(val slot: Int, val index: Int, val file: ProgramFile, val memory: ProgramFileMemory) : ClosedFile {
         override val name: String get() = file.name
+
+        fun inSlot(slot: Int) = OfProgram(slot, index, file, memory)
     }
 }

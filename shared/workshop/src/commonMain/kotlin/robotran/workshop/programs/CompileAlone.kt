@@ -3,16 +3,16 @@ package robotran.workshop.programs
 import robotran.blockediting.BlockEditError
 import robotran.blockediting.TrialResult
 import robotran.blockediting.trialOf
+import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlocksState
 
 /** The result of [compileAlone]. */
 internal sealed interface ImmediateResult {
-    class Ready(val program: RcxProgram) : ImmediateResult
+    class Ready(val program: BrickProgram) : ImmediateResult
 
     class Refused(val reason: BlockEditError) : ImmediateResult
 }

@@ -1,28 +1,29 @@
 package robotran.workshop.programs
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.programs.brickOf
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 
-/** A new program in [language] whose name differs from all [others]. */
-internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): PupilProgram {
+/** A new program in [language] for a [brick] whose name differs from all [others]. */
+internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>, brick: BrickKind): PupilProgram {
     val taken = others.flatMap { it.files }.map { it.name }
     return when (language) {
         ProgramLanguage.ROBOLANG -> PupilProgram(uniqueName("program", language, taken), "")
 
         ProgramLanguage.JAVA -> uniqueName("Program", language, taken).let {
-            PupilProgram(it, firstJava(it.removeSuffix(language.extension)))
+            PupilProgram(it, firstJava(it.removeSuffix(language.extension), brick))
         }
     }
 }
 
-/** A file with another class for the Java program [program]. */
-internal fun newClass(program: PupilProgram): ProgramFile {
+/** A file with another class for the Java program [program] of a robot with a [brick]. */
+internal fun newClass(program: PupilProgram, brick: BrickKind): ProgramFile {
     val name = uniqueName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
-    return ProgramFile(
-        name,
-        "import josx.platform.rcx.*;\n\nclass ${name.removeSuffix(ProgramLanguage.JAVA.extension)} {\n\n}\n",
-    )
+    val library = packageOf(brickOf(program.source()) ?: brick)
+    val className = name.removeSuffix(ProgramLanguage.JAVA.extension)
+    return ProgramFile(name, "import $library.*;\n\nclass $className {\n\n}\n")
 }
 
 /** The file name [name], with a number if it is one of [taken]. */
@@ -35,7 +36,32 @@ internal fun uniqueName(name: String, language: ProgramLanguage, taken: List<Str
         }
     }.first { it !in taken }
 
-private fun firstJava(className: String) = """
+private fun packageOf(brick: BrickKind) = when (brick) {
+    BrickKind.RCX -> "josx.platform.rcx"
+    BrickKind.NXT -> "lejos.nxt"
+}
+
+private fun firstJava(className: String, brick: BrickKind) = when (brick) {
+    BrickKind.RCX -> firstLejos(className)
+    BrickKind.NXT -> firstNxj(className)
+}
+
+private fun firstNxj(className: String) = """
+    import lejos.nxt.*;
+    import lejos.util.Delay;
+
+    public class $className {
+        public static void main(String[] args) {
+            Motor.A.forward();
+            Motor.C.forward();
+            Delay.msDelay(2000);
+            Motor.A.stop(true);
+            Motor.C.stop();
+        }
+    }
+    """.trimIndent()
+
+private fun firstLejos(className: String) = """
     import josx.platform.rcx.*;
 
     public class $className {

@@ -1,9 +1,9 @@
 package robotran.workshop.programs
 
+import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
-import robotran.rcxrom.Brick
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.textediting.EditKind
@@ -39,24 +39,46 @@ internal class ProgramEditing(
     fun handle(event: ProgramEvent, robot: RobotPrograms) {
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
+
             is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
+
             ProgramEvent.Undone -> robot.memory.undone()?.let { rememberUndo(robot, it, isRedo = false) }
+
             ProgramEvent.Redone -> robot.memory.redone()?.let { rememberUndo(robot, it, isRedo = true) }
+
             ProgramEvent.Formatted -> format(robot)
+
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+
             is BlockEvent -> editBlocks(robot, event)
+
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
+
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
+
             is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
+
             is ProgramEvent.ProgramAdded -> add(robot, opened(event.program.withPlainLineEnds()))
-            is ProgramEvent.NewProgramRequested -> add(robot, opened(newProgram(event.language, robot.list.programs)))
+
+            is ProgramEvent.NewProgramRequested -> add(
+                robot,
+                opened(newProgram(event.language, robot.list.programs, robot.brick)),
+            )
+
             ProgramEvent.ClassAdded -> addClass(robot)
+
             is ProgramEvent.FileRenamed -> rename(robot, event)
+
             is ProgramEvent.FileClosed -> closeFile(robot, event.index)
+
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
+
             ProgramEvent.ProgramReopened -> reopen(robot)
+
             ProgramEvent.ClosedMessageDismissed -> robot.closedMessageShown = false
+
             ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
+
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> resetEditState()
         }
     }
@@ -146,7 +168,7 @@ internal class ProgramEditing(
     private fun opened(program: PupilProgram) = ProgramBuffer(program, preferences.settings.programView)
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
-        if (robot.list.entries.size >= Brick.MAX_PROGRAMS) return
+        if (robot.list.entries.size >= BrickProgram.MAX_PROGRAMS) return
         robot.list.insert(robot.list.entries.size, entry)
         choose(robot, robot.list.entries.lastIndex)
         navigator.show(Pane.PROGRAM)
@@ -168,7 +190,7 @@ internal class ProgramEditing(
     private fun addClass(robot: RobotPrograms) {
         val entry = robot.entry
         if (entry.program.language != ProgramLanguage.JAVA) return
-        val file = newClass(entry.program)
+        val file = newClass(entry.program, robot.brick)
         val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex

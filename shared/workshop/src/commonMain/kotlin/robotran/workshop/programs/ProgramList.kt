@@ -2,14 +2,13 @@ package robotran.workshop.programs
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.projects.ProgramView
-import robotran.rcxrom.Brick
-import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.state.PupilProgram
 
 /**
@@ -24,7 +23,12 @@ internal class ProgramList(
     view: (slot: Int) -> ProgramView,
 ) {
     var entries: List<ProgramBuffer> =
-        programs.take(Brick.MAX_PROGRAMS).mapIndexed { slot, it -> compileIfShort(ProgramBuffer(it, view(slot))) }
+        programs.take(BrickProgram.MAX_PROGRAMS).mapIndexed {
+            slot,
+            it,
+            ->
+            compileIfShort(ProgramBuffer(it, view(slot)))
+        }
         private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }
@@ -36,7 +40,7 @@ internal class ProgramList(
     val pendingCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
 
     /** The programs for the brick's slots; null for a program that cannot run. */
-    val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
+    val slots: List<BrickProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 
     /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
     fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics

@@ -3,17 +3,19 @@ package robotran.workshop.programs
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
+import robotran.projects.target
 import robotran.robolang.diagnostic.SourceRange
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
@@ -32,6 +34,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.immediate
 import robotran.world.RobotPlacement
 import robotran.world.World
 
@@ -46,7 +49,7 @@ class ProgramsStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) {
-    private var compiler = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
+    private var compiler = ProgramCompiler(PENBOT_TARGET, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().placement.name
     private var translationShown = false
@@ -54,6 +57,7 @@ class ProgramsStateHolder(
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
     private val editing = ProgramEditing(preferences, navigator, notices)
+    private val otherBrick = OtherBrickFinder()
     private var compileStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -139,9 +143,10 @@ class ProgramsStateHolder(
     internal fun immediateProgram(load: BlockLoad): ImmediateProgram? {
         val robot = shown
         val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
-        return when (val result = compiler.compileAlone(load, blocks, robot.entry.program.name)) {
+        val itsCompiler = compiler.forTarget(robot.placement.description.target)
+        return when (val result = itsCompiler.compileAlone(load, blocks, robot.entry.program.name)) {
             is ImmediateResult.Ready -> {
-                ImmediateProgram(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
+                immediate(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
             }
 
             is ImmediateResult.Refused -> {
@@ -204,6 +209,22 @@ class ProgramsStateHolder(
     }
 
     /**
+     * Removes the first robot's programs that [isMeant]. If no other would be left, it gets those of a robot to which
+     * nobody has given any.
+     */
+    internal fun removePrograms(isMeant: (PupilProgram) -> Boolean) {
+        val first = robots.first()
+        if (first.list.programs.none(isMeant)) return
+        if (!first.removeAll(isMeant)) {
+            val placement = first.placement
+            val programs = if (placement.program == null) listOf(firstProgram()) else emptyList()
+            robots = listOf(robotOf(placement, ProjectRobot(placement.name), programs)) + robots.drop(1)
+        }
+        requestCompile()
+        refresh()
+    }
+
+    /**
      * Updates the robots to those of [world]. Robots keep their programs by name; the first robot gets those of the
      * first.
      */
@@ -215,6 +236,8 @@ class ProgramsStateHolder(
             known?.movedTo(placement) ?: robotOf(placement, ProjectRobot(placement.name), emptyList())
         }
         if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
+        // A robot with other wheels drives for other times.
+        requestCompile()
         refresh()
     }
 
@@ -245,6 +268,14 @@ class ProgramsStateHolder(
         if (result == CompileStatus.DONE) requestCompile()
         refresh()
         return result
+    }
+
+    /** Loads what completion and help say about Java for an NXT, if a robot needs that. Without it they offer less. */
+    internal suspend fun loadHelp() {
+        val needsIt = robots.any { robot ->
+            robot.brick == BrickKind.NXT && robot.list.programs.any { it.language == ProgramLanguage.JAVA }
+        }
+        if (needsIt) nxjSources()
     }
 
     private suspend fun compileChanged(): CompilerLoading {
@@ -288,6 +319,10 @@ class ProgramsStateHolder(
         navigator.show(Pane.PROGRAM)
     }
 
+    /** The brick that the shown program of [robot] is for, if its compiler has refused it for that. */
+    private fun otherBrickOf(robot: RobotPrograms): BrickKind? =
+        if (robot.entry.diagnostics.isEmpty()) null else otherBrick.find(robot.entry.program, robot.brick)
+
     private fun refresh() {
         shown.readBlocks(preferences.language)
         state = stateNow()
@@ -320,6 +355,7 @@ class ProgramsStateHolder(
             translation = if (translationShown) entry.translation else null,
             isTranslated = entry.isTranslated,
             searchRequested = searchRequested,
+            otherBrick = otherBrickOf(robot),
         )
     }
 }

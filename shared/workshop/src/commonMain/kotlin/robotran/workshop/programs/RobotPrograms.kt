@@ -1,5 +1,7 @@
 package robotran.workshop.programs
 
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -7,7 +9,7 @@ import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
-import robotran.rcxrom.Brick
+import robotran.projects.target
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.state.PupilProgram
@@ -24,10 +26,11 @@ import robotran.world.RobotPlacement
 internal class RobotPrograms(
     val placement: RobotPlacement,
     private val saved: ProjectRobot,
-    private val compiler: ProgramCompiler,
+    anyCompiler: ProgramCompiler,
     first: List<PupilProgram>,
     private val view: ProgramView,
 ) {
+    private val compiler = anyCompiler.forTarget(placement.description.target)
     private val given: PupilProgram = worldProgramOf(placement)
 
     val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler) { slot ->
@@ -44,6 +47,8 @@ internal class RobotPrograms(
     /** Whether the message about the last removed file is shown. */
     var closedMessageShown = false
 
+    val brick: BrickKind get() = placement.description.brick
+
     val entry: ProgramBuffer get() = list.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
 
@@ -51,7 +56,7 @@ internal class RobotPrograms(
     val canReopen: Boolean
         get() = when (val closed = closed) {
             null -> false
-            is ClosedFile.Program -> list.entries.size < Brick.MAX_PROGRAMS
+            is ClosedFile.Program -> list.entries.size < BrickProgram.MAX_PROGRAMS
             is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 
@@ -108,6 +113,21 @@ internal class RobotPrograms(
         }
     }
 
+    /** Removes the programs that [isMeant], unless no other would be left. Returns whether it did. */
+    fun removeAll(isMeant: (PupilProgram) -> Boolean): Boolean {
+        val slots = list.entries.indices.filterNot { isMeant(list.entries[it].program) }
+        if (slots.isEmpty()) return false
+        if (shownProgram !in slots) shownFile = 0
+        shownProgram = maxOf(0, slots.indexOfLast { it <= shownProgram })
+        (closed as? ClosedFile.OfProgram)?.let { file ->
+            val isMessageShown = closedMessageShown
+            closed = slots.indexOf(file.slot).takeIf { it >= 0 }?.let(file::inSlot)
+            closedMessageShown = isMessageShown && closed != null
+        }
+        list.replace(slots.map { list.entries[it] })
+        return true
+    }
+
     /** The same programs and editor states for [placement]. */
     fun movedTo(placement: RobotPlacement): RobotPrograms {
         val isOwn = isUntouched && worldProgramOf(placement) != given
@@ -119,7 +139,7 @@ internal class RobotPrograms(
                 if (isOwn) emptyList() else list.programs,
                 entry.view,
             )
-        if (!isOwn) moved.remember(this) { it }
+        if (!isOwn) moved.remember(this) { if (moved.compiler === compiler) it else it.unread() }
         moved.closed = closed
         moved.closedMessageShown = closedMessageShown
         return moved

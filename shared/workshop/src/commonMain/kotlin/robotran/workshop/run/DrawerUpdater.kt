@@ -1,6 +1,6 @@
 package robotran.workshop.run
 
-import robotran.rcxrom.log.RomLogFilter
+import robotran.brick.log.CallLogFilter
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
 import robotran.runcontrol.PlaybackState
@@ -15,7 +15,7 @@ import robotran.workshop.state.WhyState
 /** Updates the open tabs of the drawer from a run. */
 internal class DrawerUpdater {
     val variables = VariableWatch()
-    private var calls = FilteredRomCalls(RomLogFilter())
+    private var calls = FilteredRomCalls(CallLogFilter())
 
     /** The selected thread and frame in its call stack, by index; null for the current position. */
     private var chosen: Pair<Int, Int>? = null
@@ -23,7 +23,7 @@ internal class DrawerUpdater {
     /** Whether there is more to read while time is paused. */
     val isBusy: Boolean get() = !calls.isComplete
 
-    fun filter(filter: RomLogFilter) {
+    fun filter(filter: CallLogFilter) {
         calls = FilteredRomCalls(filter)
     }
 
@@ -48,21 +48,32 @@ internal class DrawerUpdater {
 
     private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
         // While seeking, the intermediate positions are not shown.
-        DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) {
-            drawer
-        } else {
-            drawer.copy(variables = updateVariables(player))
+        DrawerTab.VARIABLES -> {
+            if (player.playback is PlaybackState.Seeking) {
+                drawer
+            } else {
+                drawer.copy(variables = updateVariables(player))
+            }
         }
 
-        DrawerTab.LOG -> drawer.copy(log = updateLog(player))
+        DrawerTab.LOG -> {
+            drawer.copy(log = updateLog(player))
+        }
 
-        DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
+        DrawerTab.CHART -> {
+            val lanes = ChartLane.of(player.state.robots[player.watched].brick.kind)
+            drawer.copy(chart = drawer.chart.copy(lines = lanes.map(player::chart)))
+        }
 
-        DrawerTab.WHY -> drawer.copy(
-            why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
-        )
+        DrawerTab.WHY -> {
+            drawer.copy(
+                why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
+            )
+        }
 
-        DrawerTab.GOALS -> drawer
+        DrawerTab.GOALS -> {
+            drawer
+        }
     }
 
     private fun updateVariables(player: RunPlayer): VariablesState {
@@ -75,6 +86,7 @@ internal class DrawerUpdater {
 
     private fun updateLog(player: RunPlayer): LogState {
         val now = player.romCalls
-        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete)
+        val kind = player.state.robots[player.watched].brick.kind
+        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete, kind)
     }
 }

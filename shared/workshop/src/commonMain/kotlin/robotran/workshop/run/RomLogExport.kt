@@ -2,7 +2,7 @@ package robotran.workshop.run
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
-import robotran.rcxrom.log.toLogText
+import robotran.brick.log.toLogText
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving

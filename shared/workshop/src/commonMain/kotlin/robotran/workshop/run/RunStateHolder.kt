@@ -4,10 +4,11 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.startButton
+import robotran.brick.program.StepKind
+import robotran.brick.state.RunState
 import robotran.language.Language
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.StepKind
-import robotran.rcxrom.state.RunState
 import robotran.runcontrol.IdleDetector
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RecordedRun
@@ -19,6 +20,7 @@ import robotran.simulation.RunReport
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
+import robotran.simulation.startInputs
 import robotran.simulation.state.GoalShortfall
 import robotran.workshop.event.RunEvent
 import robotran.workshop.platform.Platform
@@ -31,9 +33,11 @@ import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.ImmediateProgram
+import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
 import robotran.world.World
+import robotran.world.robot.robotErrors
 
 /**
  * Holds the current run. Not thread-safe.
@@ -54,7 +58,7 @@ class RunStateHolder(
     platform: Platform,
     scope: CoroutineScope,
     preferences: Preferences,
-    notices: Notices,
+    private val notices: Notices,
     private var recording: List<RecordedInput> = emptyList(),
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
@@ -65,6 +69,7 @@ class RunStateHolder(
     private var pendingStart: PendingStart? = null
 
     private val tries = TryRecorder(run)
+    private val escape = LoneEscape()
 
     private val player: RunPlayer get() = run.player
 
@@ -118,7 +123,7 @@ class RunStateHolder(
      */
     internal fun runNow(program: ImmediateProgram) {
         val robot = run.world.robots.indexOfFirst { it.name == program.robot }
-        if (robot < 0) return
+        if (robot < 0 || isRefused()) return
         pendingStart = null
         state = state.copy(untouched = false)
         tries.leave()
@@ -206,15 +211,13 @@ class RunStateHolder(
      * compiled.
      */
     private fun start(slot: Int, what: StartAction) {
+        if (isRefused()) return
         pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
         startNewRun(slot)
         tries.begin()
         state = state.copy(untouched = false)
-        for (robot in run.world.robots.indices) {
-            player.apply(SessionInput.Press(BrickButton.RUN, robot))
-            player.apply(SessionInput.Release(BrickButton.RUN, robot))
-        }
+        run.world.startInputs().forEach(player::apply)
         when (what) {
             StartAction.Play, StartAction.PlayFromBrick -> player.play()
             StartAction.StopBeforeFirstStatement -> stopBeforeFirstStatement()
@@ -288,8 +291,18 @@ class RunStateHolder(
         state = state.copy(watched = robot)
     }
 
+    /** Tells why, if a robot is impossible. */
+    private fun isRefused(): Boolean {
+        val number = run.world.robots.indexOfFirst { it.draft != null }
+        val robot = run.world.robots.getOrNull(number)?.draft ?: return false
+        val error = robotErrors(robot).firstOrNull() ?: return false
+        pendingStart = null
+        notices.show(Notice.RobotImpossible(robot.title, error, number))
+        return true
+    }
+
     private fun playRecording() {
-        if (recording.isEmpty()) return
+        if (recording.isEmpty() || isRefused()) return
         val robots = current.project.robots.associateBy { it.name }
         startNewRun(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
         state = state.copy(untouched = false)
@@ -297,14 +310,17 @@ class RunStateHolder(
     }
 
     private fun press(button: BrickButton) {
+        escape.pressed(button, isRunning = state.brick.run is RunState.Running)
         state = state.copy(down = state.down + button)
-        if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
+        val isStart = button == state.brick.kind.startButton
+        if (isStart && state.brick.run !is RunState.Running && isRefused()) return
+        if (isStart && state.brick.run !is RunState.Running && state.changed) {
             val slot = run.slotOnBrick
             pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
             if (!programs.canStart(slot)) return
             startNewRun(slot)
         }
-        if (button == BrickButton.RUN) {
+        if (isStart) {
             state = state.copy(untouched = false)
             tries.goOn()
         }
@@ -314,6 +330,13 @@ class RunStateHolder(
     private fun release(button: BrickButton) {
         state = state.copy(down = state.down - button)
         touch(SessionInput.Release(button, state.watched))
+        val isRunning = state.brick.run is RunState.Running
+        if (escape.released(button, isRunning) && !readsButtons()) notices.show(Notice.EscapeAlone)
+    }
+
+    /** Whether the shown program may wait for ESCAPE itself; told by its text. */
+    private fun readsButtons(): Boolean = programs.state.program.files.any { file ->
+        BUTTON_WORDS.any { file.text.contains(it, ignoreCase = true) }
     }
 
     private fun touch(input: SessionInput) {
@@ -342,6 +365,7 @@ class RunStateHolder(
         inputs: List<RecordedInput> = emptyList(),
     ) {
         run.startNewRun(firstSlots, world, inputs)
+        escape.forget()
         tries.leave()
         idleDetector.disturb()
         state = state.copy(watched = player.watched)

@@ -1,6 +1,6 @@
 package robotran.workshop.run
 
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.workshop.programs.ProgramsStateHolder

@@ -1,9 +1,9 @@
 package robotran.workshop.run
 
 import robotran.assignments.doing.percentOf
+import robotran.brick.state.RunState
 import robotran.projects.TryResult
 import robotran.projects.repeatable
-import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalStatus
 
 /** Tells the runs that Run has started from replays and from programs that were sent to run at once. */

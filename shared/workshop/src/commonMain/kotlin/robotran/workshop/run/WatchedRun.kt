@@ -54,8 +54,11 @@ internal class WatchedRun(
     private var futures = 0
 
     init {
-        sound.listenTo(player.sounds)
+        listen()
     }
+
+    /** Follows the sounds of the watched robot's brick. */
+    private fun listen() = sound.listenTo(player.sounds, player.state.robots[player.watched].brick.kind)
 
     /** Whether the programs differ from those on the bricks. */
     val isChanged: Boolean get() = programs.written != loaded
@@ -98,7 +101,7 @@ internal class WatchedRun(
     /** Watches another [robot] of the world and plays the sound of its brick. */
     fun watch(robot: Int) {
         player.watched = robot
-        sound.listenTo(player.sounds)
+        listen()
         sound.skip()
     }
 
@@ -110,7 +113,7 @@ internal class WatchedRun(
         if (player.session !== lastSession) {
             val isAfresh = player.session.milliseconds == 0L && player.time == 0L
             lastSession = player.session
-            sound.listenTo(player.sounds)
+            listen()
             if (!isAfresh) sound.skip()
         }
         if (player.branchCount != futures) notices.show(Notice.NewBranch)

@@ -5,7 +5,7 @@ import robotran.programs.CompilerLoading
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.tinyvm.config.BrickRoom
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
@@ -20,7 +20,7 @@ internal class ProgramImageBuilder(
     private val current: CurrentProject,
 ) : ImageBuilder {
     override suspend fun build(program: PupilProgram): ProgramImageResult {
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION, current.project.settings.java, preferences.language)
+        val compiler = ProgramCompiler(PENBOT_TARGET, current.project.settings.java, preferences.language)
         // Robolang becomes Java first, so both languages need its compiler.
         val loading = compiler.prepareFor(ProgramSource.Java(program.name, emptyList()))
         if (loading is CompilerLoading.Failed) return ProgramImageResult.NoCompiler

@@ -3,6 +3,7 @@ package robotran.workshop.service
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
 import robotran.workshop.state.PupilProgram
+import robotran.world.RobotPlacement
 
 /** Read access to the open project. */
 interface CurrentProject {
@@ -13,6 +14,9 @@ interface CurrentProject {
     val replay: Project
 
     val shownProgram: PupilProgram
+
+    /** The robot whose programs are shown. */
+    val shownRobot: RobotPlacement get() = project.world.robots.first()
 
     val session: SessionState
 }

@@ -20,6 +20,9 @@ interface ProgramTabs {
     /** Removes the program at [index] without a message. */
     fun removeProgram(index: Int)
 
+    /** Removes the first robot's programs that [isMeant] without a message; it always keeps some program. */
+    fun removePrograms(isMeant: (PupilProgram) -> Boolean)
+
     /** Moves the caret of the shown program to [diagnostic]. */
     fun showMistake(diagnostic: ProgramDiagnostic)
 }

@@ -1,5 +1,6 @@
 package robotran.workshop.service
 
+import robotran.brick.kind.BrickKind
 import robotran.projects.Project
 import robotran.world.World
 
@@ -15,8 +16,8 @@ interface ProjectSwitcher {
      */
     suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult
 
-    /** Opens the saved project [id], or a new empty one if it is missing or null. */
-    suspend fun resumeProject(id: String?): SwitchResult
+    /** Opens the saved project [id], or a new empty one for a [brick] if it is missing or null. */
+    suspend fun resumeProject(id: String?, brick: BrickKind): SwitchResult
 
     /**
      * Opens [project] as a new project [name] to look at. It is not kept if it is left unchanged.

@@ -27,8 +27,16 @@ interface LoudSpeaker {
  * @property start the start in milliseconds; a past one means now.
  * @property hertz 31 to 20,000.
  * @property duration in milliseconds.
+ * @property volume 0 to 1.
+ * @property isSoft whether it is a sine, as of a loudspeaker that plays samples, instead of the square wave of an RCX.
  */
-data class PlannedTone(val start: Double, val hertz: Double, val duration: Double) {
+data class PlannedTone(
+    val start: Double,
+    val hertz: Double,
+    val duration: Double,
+    val volume: Double = 1.0,
+    val isSoft: Boolean = false,
+) {
     /** The end in milliseconds. */
     val end: Double get() = start + duration
 }

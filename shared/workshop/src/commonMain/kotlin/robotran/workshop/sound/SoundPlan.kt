@@ -1,6 +1,6 @@
 package robotran.workshop.sound
 
-import robotran.rcxrom.sound.SoundEvent
+import robotran.brick.sound.SoundEvent
 
 /**
  * Schedules a brick's tones, in virtual time, on the real-time clock of a [LoudSpeaker].
@@ -8,8 +8,10 @@ import robotran.rcxrom.sound.SoundEvent
  * In real time every tone plays with the brick's rhythm, [LEAD] later, regardless of when its event arrives. In slow
  * motion a tone starts when its event arrives, with its normal pitch and length. In fast motion tones also keep pitch
  * and length; a tone that would have to wait for others is dropped, so tones do not queue up.
+ *
+ * @param isSoft see [PlannedTone.isSoft].
  */
-class SoundPlan(private val speaker: LoudSpeaker) {
+class SoundPlan(private val speaker: LoudSpeaker, private val isSoft: Boolean = false) {
     /** The speaker's time at the brick's time 0; null before the first tone. */
     private var offset: Double? = null
     private var latest: Playing? = null
@@ -29,7 +31,8 @@ class SoundPlan(private val speaker: LoudSpeaker) {
             latest = null
             return
         }
-        val planned = PlannedTone(start, tone.hertz, tone.durationMilliseconds.toDouble())
+        val volume = tone.volume / FULL_VOLUME
+        val planned = PlannedTone(start, tone.hertz, tone.durationMilliseconds.toDouble(), volume, isSoft)
         speaker.play(planned)
         busyUntil = planned.end
         latest = Playing(tone.milliseconds, planned)
@@ -71,5 +74,7 @@ class SoundPlan(private val speaker: LoudSpeaker) {
          * stands still because the sound card is opening, which takes about 200 ms the first time.
          */
         const val MAX_AHEAD = 400.0
+
+        private const val FULL_VOLUME = 100.0
     }
 }

@@ -1,6 +1,7 @@
 package robotran.workshop.sound
 
-import robotran.rcxrom.sound.SoundTrack
+import robotran.brick.kind.BrickKind
+import robotran.brick.sound.SoundTrack
 
 /** Plays the sounds of a session's brick on [speaker] unless [muted]. */
 internal class SoundPlayer(private val speaker: LoudSpeaker) {
@@ -15,11 +16,11 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
             if (value) speaker.silence()
         }
 
-    /** Stops the sound and follows another brick from its start. */
-    fun listenTo(track: SoundTrack) {
+    /** Stops the sound and follows another [brick] from its start. */
+    fun listenTo(track: SoundTrack, brick: BrickKind) {
         if (this.track != null) speaker.silence()
         this.track = track
-        plan = SoundPlan(speaker)
+        plan = SoundPlan(speaker, isSoft = brick == BrickKind.NXT)
         heard = 0L
     }
 

@@ -6,7 +6,7 @@ import kotlin.math.sin
 
 /**
  * Renders tones as 16-bit mono samples at [SAMPLE_RATE] per second. They are square waves, like those of the RCX
- * loudspeaker. The wave has no jumps: it keeps its phase when the tone changes, and fades in and out within
+ * loudspeaker, or sines. The wave has no jumps: it keeps its phase when the tone changes, and fades in and out within
  * [RAMP_MILLISECONDS]. Not thread-safe.
  */
 class ToneWave {
@@ -15,6 +15,8 @@ class ToneWave {
     private var phase = 0.0
     private var step = 0.0
     private var loudness = 0.0
+    private var volume = 0.0
+    private var isSoft = false
 
     /** The length of all samples so far. */
     val milliseconds: Double get() = samples * MILLISECONDS_PER_SECOND / SAMPLE_RATE
@@ -46,7 +48,11 @@ class ToneWave {
             while (planned.isNotEmpty() && planned.first().end <= now) planned.removeFirst()
             val next = planned.firstOrNull()
             val sounds = next != null && next.start <= now
-            if (next != null && sounds) step = next.hertz / SAMPLE_RATE
+            if (next != null && sounds) {
+                step = next.hertz / SAMPLE_RATE
+                isSoft = next.isSoft
+            }
+            volume = if (next != null && sounds) next.volume else 0.0
             val change = if (next == null) {
                 Double.POSITIVE_INFINITY
             } else if (sounds) {
@@ -62,7 +68,7 @@ class ToneWave {
                     place + samplesUntil(change),
                 ).toInt()
             }
-            write(buffer, place, end, sounds)
+            write(buffer, place, end)
             place = end
         }
     }
@@ -71,10 +77,15 @@ class ToneWave {
     private fun samplesUntil(moment: Double): Long =
         (ceil(moment * SAMPLE_RATE / MILLISECONDS_PER_SECOND - ROUNDING).toLong() - samples).coerceAtLeast(1)
 
-    private fun write(buffer: ShortArray, from: Int, until: Int, sounds: Boolean) {
+    private fun write(buffer: ShortArray, from: Int, until: Int) {
         for (place in from..<until) {
-            loudness = if (sounds) minOf(1.0, loudness + RAMP_STEP) else maxOf(0.0, loudness - RAMP_STEP)
-            buffer[place] = if (loudness == 0.0) 0 else (wave(phase, step) * loudness * AMPLITUDE).toInt().toShort()
+            loudness = if (loudness < volume) {
+                minOf(volume, loudness + RAMP_STEP)
+            } else {
+                maxOf(volume, loudness - RAMP_STEP)
+            }
+            buffer[place] =
+                if (loudness == 0.0) 0 else (wave(phase, step, isSoft) * loudness * AMPLITUDE).toInt().toShort()
             phase += step
             if (phase >= 1.0) phase -= 1.0
         }
@@ -103,8 +114,13 @@ class ToneWave {
         private const val HIGHEST_SQUARE_STEP = 1.0 / 6
         private const val FUNDAMENTAL_OF_SQUARE = 4 / PI
 
-        private fun wave(phase: Double, step: Double): Double =
-            if (step >= HIGHEST_SQUARE_STEP) FUNDAMENTAL_OF_SQUARE * sin(2 * PI * phase) else square(phase, step)
+        private fun wave(phase: Double, step: Double, isSoft: Boolean): Double = if (isSoft ||
+            step >= HIGHEST_SQUARE_STEP
+        ) {
+            FUNDAMENTAL_OF_SQUARE * sin(2 * PI * phase)
+        } else {
+            square(phase, step)
+        }
 
         /** High for half a period and low for the other. The edges are rounded (polyBLEP) to prevent aliasing. */
         private fun square(phase: Double, step: Double): Double =

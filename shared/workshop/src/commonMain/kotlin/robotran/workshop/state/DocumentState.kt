@@ -17,6 +17,7 @@ import robotran.world.World
  * @property dialog the open dialog; null if there is none.
  * @property hasShareSheet whether links can be shared with other apps.
  * @property hasGoals whether its world has goals, so that hand-ins for it can be graded.
+ * @property canSend whether the shown robot has a brick to which programs can be sent; others have a kit.
  */
 @Immutable
 data class DocumentState(
@@ -28,6 +29,7 @@ data class DocumentState(
     val dialog: DocumentDialog? = null,
     val hasShareSheet: Boolean = false,
     val hasGoals: Boolean = false,
+    val canSend: Boolean = true,
 )
 
 /** Why autosave fails. */

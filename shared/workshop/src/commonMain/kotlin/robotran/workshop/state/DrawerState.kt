@@ -1,10 +1,11 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
-import robotran.rcxrom.log.RomLogEntry
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.program.ThreadView
+import robotran.brick.kind.BrickKind
+import robotran.brick.log.CallLogFilter
+import robotran.brick.log.LoggedCall
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.program.ThreadView
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
@@ -63,18 +64,20 @@ data class VariablesState(
 )
 
 /**
- * The ROM calls so far.
+ * The calls of a brick so far.
  *
  * @property entries those that match [filter], oldest first.
  * @property total the number of all calls.
  * @property isComplete whether all of them were filtered.
+ * @property kind the brick whose calls these are.
  */
 @Immutable
 data class LogState(
-    val entries: List<RomLogEntry> = emptyList(),
-    val filter: RomLogFilter = RomLogFilter(),
+    val entries: List<LoggedCall> = emptyList(),
+    val filter: CallLogFilter = CallLogFilter(),
     val total: Long = 0,
     val isComplete: Boolean = true,
+    val kind: BrickKind = BrickKind.RCX,
 )
 
 /**

@@ -1,8 +1,8 @@
 package robotran.workshop.state
 
+import robotran.brick.program.ProgramFailure
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
-import robotran.rcxrom.program.ProgramFailure
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.textediting.TextEdit

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.Hint
@@ -61,6 +62,7 @@ data class LearningState(
  * @property isFolded whether only its title is visible.
  * @property isLoaded whether the program and the world of that step are loaded.
  * @property help the help with the step's task.
+ * @property brick the brick that the pupil works with.
  */
 @Immutable
 data class TutorialState(
@@ -68,8 +70,9 @@ data class TutorialState(
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
     val help: TaskHelp = TaskHelp(),
+    val brick: BrickKind = BrickKind.RCX,
 ) {
-    val current: Lesson get() = Lessons.all[step]
+    val current: Lesson get() = Lessons.all[step].on(brick)
 
     /** The strand of the current step. */
     val strand: Strand get() = Lessons.strandOf(current)
@@ -90,10 +93,12 @@ data class TutorialState(
  * @property code the programming language of the words.
  * @property word the requested word; null for the list of all words.
  * @property found the help on it; null if there is none.
+ * @property brick the brick that the words are for.
  */
 @Immutable
 data class HelpState(
     val code: ProgramLanguage = ProgramLanguage.ROBOLANG,
     val word: String? = null,
     val found: WordHelp? = null,
+    val brick: BrickKind = BrickKind.RCX,
 )

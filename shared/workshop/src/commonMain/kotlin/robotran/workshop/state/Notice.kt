@@ -1,6 +1,8 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.world.RobotDescription
+import robotran.world.robot.RobotError
 
 /** A message at the bottom of the screen that stays until it is dismissed or replaced. */
 @Immutable
@@ -29,6 +31,9 @@ sealed interface Notice {
 
     /** The brick has no slot left for an example. */
     data object NoSlotForExample : Notice
+
+    /** All slots have programs of the pupil's, so that there is none for what comes with a task. */
+    data object NoSlotForTask : Notice
 
     /** [program] is the first opened program that did not fit into the [maxPrograms] slots. */
     data class NoSlotForProgram(val program: String, val maxPrograms: Int) :
@@ -125,6 +130,11 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.UnplugSensors
     }
 
+    /** The robot [robot] is built as [description] says now. */
+    data class RobotReplaced(val robot: String, val description: RobotDescription) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BringRobotBack
+    }
+
     /** The first program runs; its numbers are there to be changed. */
     data object FirstProgramRuns : Notice {
         override val action: NoticeAction get() = NoticeAction.ChangeNumber
@@ -139,6 +149,31 @@ sealed interface Notice {
     data object HandInOpen : Notice {
         override val action: NoticeAction get() = NoticeAction.BackToHandIns
     }
+
+    /**
+     * No program runs, because a robot of the world cannot be built like this.
+     *
+     * @property robot its title.
+     * @property number its index in the world.
+     */
+    data class RobotImpossible(val robot: String, val error: RobotError, val number: Int) :
+        Notice,
+        Error {
+        override val action: NoticeAction get() = NoticeAction.BuildOn(number)
+    }
+
+    /**
+     * A robot that cannot be built like this is kept as a draft; another one drives until it is mended.
+     *
+     * @property robot its title.
+     * @property number its index in the world.
+     */
+    data class RobotKeptAsDraft(val robot: String, val error: RobotError, val number: Int) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BuildOn(number)
+    }
+
+    /** ESCAPE alone does not end the program of an NXT. */
+    data object EscapeAlone : Notice
 
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
@@ -171,4 +206,10 @@ sealed interface NoticeAction {
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction
+
+    /** Opens the workbench with the robot that has the index [robot] in the world. */
+    data class BuildOn(val robot: Int) : NoticeAction
+
+    /** Brings back the robot that was replaced last. */
+    data object BringRobotBack : NoticeAction
 }

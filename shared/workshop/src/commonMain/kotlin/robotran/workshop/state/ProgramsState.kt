@@ -1,9 +1,10 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.kind.BrickKind
+import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProgramView
-import robotran.rcxrom.Brick
 import robotran.robolang.translate.Translation
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
@@ -32,6 +33,8 @@ import robotran.world.RobotPlacement
  * @property translationShown whether the translation of a Robolang program is shown.
  * @property translation the program as Java; null if there is none or it is hidden.
  * @property searchRequested whether the search in the file should open.
+ * @property otherBrick the brick that the current program is for, if the robot has another one and the program was
+ *   compiled; null otherwise.
  * @property isTranslated whether [translation] belongs to the current program and not to an earlier one without errors.
  */
 @Immutable
@@ -59,12 +62,19 @@ data class ProgramsState(
     val translation: Translation?,
     val isTranslated: Boolean,
     val searchRequested: Boolean,
+    val otherBrick: BrickKind? = null,
 ) {
     val program: PupilProgram get() = programs[shownProgram]
     val file: ProgramFile get() = program.files[shownFile]
 
+    /** The robot whose programs are shown. */
+    val robot: RobotPlacement get() = robots.firstOrNull { it.name == shownRobot } ?: robots.first()
+
+    /** The brick of that robot. */
+    val brick: BrickKind get() = robot.description.brick
+
     /** Whether the brick has a free slot. */
-    val hasRoom: Boolean get() = programs.size < Brick.MAX_PROGRAMS
+    val hasRoom: Boolean get() = programs.size < BrickProgram.MAX_PROGRAMS
 }
 
 /** The compile progress. [isOver] is whether nothing is compiled until the next change. */

@@ -1,10 +1,10 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.BrickState
+import robotran.brick.state.RunState
 import robotran.projects.ProjectSettings
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.BrickState
-import robotran.rcxrom.state.RunState
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RomCallLine
 import robotran.runcontrol.RunOutcome

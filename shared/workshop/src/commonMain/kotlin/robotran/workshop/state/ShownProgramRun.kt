@@ -1,10 +1,10 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.RuntimeWarning
-import robotran.rcxrom.state.BrickState
-import robotran.rcxrom.state.RunState
+import robotran.brick.program.ProgramFailure
+import robotran.brick.program.RuntimeWarning
+import robotran.brick.state.BrickState
+import robotran.brick.state.RunState
 import robotran.simulation.state.MissingSensors
 
 /**

@@ -1,10 +1,10 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.BrickState
+import robotran.brick.state.RunState
 import robotran.programs.ProgramDiagnostic
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.BrickState
-import robotran.rcxrom.state.RunState
 import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
 import robotran.workshop.blocks.SheetPreview
@@ -15,6 +15,7 @@ import robotran.world.World
  * The complete UI state, one part per pane.
  *
  * @property worldEdit null while the world is not being edited.
+ * @property robotEdit the robot in the workbench, which covers the world editor; null while it is closed.
  * @property pane the pane shown on screens with room for only one.
  * @property fullPane the pane that has the room of all others, on screens with room for several; null for none.
  * @property taskShown whether the world's task is shown above the sheet.
@@ -53,6 +54,7 @@ data class WorkshopState(
     val course: CourseState = CourseState(),
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
+    val robotEdit: RobotEditState? = null,
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file

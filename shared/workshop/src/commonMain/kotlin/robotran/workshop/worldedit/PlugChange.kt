@@ -1,9 +1,13 @@
 package robotran.workshop.worldedit
 
 import robotran.simulation.state.MissingSensor
-import robotran.world.PortSensor
+import robotran.world.RobotDescription
+import robotran.world.RobotPart
 import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.pluggedSensors
+import robotran.world.robot.withSensor
+import robotran.world.withPlugged
 import robotran.worldediting.Edit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
@@ -14,26 +18,42 @@ import robotran.worldediting.ElementRef
  *
  * @param robot the robot before the change.
  */
-internal class PlugChange(private val robot: RobotPlacement, missing: List<MissingSensor>) {
-    private val plugs: Map<Int, List<PortSensor>> = missing.associate { it.port - 1 to it.plug }
-    private val unplugged: Map<Int, List<PortSensor>> = plugs.mapValues { (port, _) -> robot.ports[port] }
+internal class PlugChange(private val robot: RobotPlacement, private val missing: List<MissingSensor>) {
+    private val ports = missing.map { it.port }.toSet()
 
     /** Plugs the sensors in; null if [world] does not have the robot. */
-    fun editOf(world: World): Edit? = edit(world, plugs)
+    fun editOf(world: World): Edit? = edit(world) { it.plugged() }
 
     /**
      * Restores the ports and nothing else, whatever has changed besides them; null if [world] does not have the robot
      * or the plugged sensors any more.
      */
     fun undoOf(world: World): Edit? {
-        val ports = robotIn(world)?.value?.ports ?: return null
-        return if (plugs.all { (port, sensors) -> ports[port] == sensors }) edit(world, unplugged) else null
+        val now = robotIn(world)?.value?.description ?: return null
+        if (now.plugs() != robot.description.plugged().plugs()) return null
+        return edit(world) { it.unplugged() }
     }
 
-    private fun edit(world: World, sensors: Map<Int, List<PortSensor>>): Edit? {
+    /** With what was on the ports before. */
+    private fun RobotDescription.unplugged(): RobotDescription {
+        val before = robot.description
+        if (parts == before.plugged().parts) return copy(parts = before.parts)
+        val sensors = pluggedSensors.mapIndexed { port, now ->
+            if (port + 1 in ports) before.pluggedSensors[port] else now
+        }
+        return withPlugged(sensors)
+    }
+
+    private fun RobotDescription.plugged(): RobotDescription =
+        missing.fold(this) { description, sensor -> description.withSensor(sensor.kind, sensor.port) }
+
+    /** What is on the ports of the missing sensors. */
+    private fun RobotDescription.plugs(): List<RobotPart> = parts.filter { it.port in ports }
+
+    private fun edit(world: World, change: (RobotDescription) -> RobotDescription): Edit? {
         val (index, place) = robotIn(world) ?: return null
-        val ports = place.ports.mapIndexed { port, plugged -> sensors[port] ?: plugged }
-        return Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(place.copy(ports = ports)))
+        val changed = place.copy(description = change(place.description))
+        return Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(changed))
     }
 
     private fun robotIn(world: World): IndexedValue<RobotPlacement>? =

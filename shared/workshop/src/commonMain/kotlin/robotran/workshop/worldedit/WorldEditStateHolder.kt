@@ -12,6 +12,8 @@ import robotran.workshop.service.RunControls
 import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.worldediting.Edit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
@@ -31,11 +33,17 @@ class WorldEditStateHolder(
     /** The sensors that were plugged in last; null if none were or if they are out again. */
     private var plugged: PlugChange? = null
 
+    /** The robot that was replaced last; null if none was or if it is back. */
+    private var replaced: RobotChange? = null
+
     var state: WorldEditState? by mutableStateOf(null)
         private set
 
     /** Whether [WorldEditEvent.PlugUndone] has something to take out. */
     val canUndoPlug: Boolean get() = plugged?.undoOf(now.world) != null
+
+    /** Whether [WorldEditEvent.RobotBroughtBack] has something to bring back. */
+    val canBringBack: Boolean get() = replaced?.undoOf(now.world) != null
 
     private val now: WorldEditing get() = state?.editing ?: lastEditing()
 
@@ -47,7 +55,10 @@ class WorldEditStateHolder(
             WorldEditEvent.TriedOut -> if (close()) runControls.run()
             WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
             is WorldEditEvent.SensorsPluggedIn -> plugIn(event.robot, event.missing)
+            is WorldEditEvent.PenbotChosen -> replace(event.robot, ReadyRobots.defaultOf(event.brick))
+            is WorldEditEvent.RobotReplaced -> replace(event.robot, event.description)
             WorldEditEvent.PlugUndone -> undoPlug()
+            WorldEditEvent.RobotBroughtBack -> bringBack()
             WorldEditEvent.EditsDiscarded -> discard()
         }
     }
@@ -62,6 +73,23 @@ class WorldEditStateHolder(
     private fun lastEditing(): WorldEditing {
         val world = current.project.world
         return latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
+    }
+
+    private fun replace(robot: String, description: RobotDescription) {
+        val place = now.world.robots.find { it.name == robot } ?: return
+        val change = RobotChange(place, description)
+        val edit = change.editOf(now.world) ?: return
+        if (!changeAtOnce(edit)) return
+        replaced = change
+        notices.show(Notice.RobotReplaced(robot, description))
+    }
+
+    /** A step back in the history if that brings back the robot and nothing else; otherwise a new step. */
+    private fun bringBack() {
+        val edit = replaced?.undoOf(now.world) ?: return
+        replaced = null
+        val isLastStep = now.after(Edit.Undo).world == now.after(edit).world
+        changeAtOnce(if (isLastStep) Edit.Undo else edit)
     }
 
     private fun plugIn(robot: String, missing: MissingSensors) {
@@ -82,8 +110,8 @@ class WorldEditStateHolder(
     }
 
     /**
-     * Changes the world by a step of its own. While the editor is closed, this starts a new run. Returns whether the
-     * world has changed.
+     * Changes the world by a step of its own. While the editor is closed, this starts a new run, or opens the editor if
+     * the world is invalid now, such as with a robot that has no room. Returns whether the world has changed.
      */
     private fun changeAtOnce(edit: Edit): Boolean {
         val before = now
@@ -93,10 +121,21 @@ class WorldEditStateHolder(
             return now.world != before.world
         }
         val editing = steps.fold(before, WorldEditing::after)
-        latest = editing
         val isChanged = editing.world != before.world
+        if (isChanged && editing.errors.isNotEmpty()) {
+            state = WorldEditState(editing, before.world, origin()).pointingOut(editing)
+            return true
+        }
+        latest = editing
         if (isChanged) editor.changeWorld(editing.world)
         return isChanged
+    }
+
+    /** The same with the first error of [editing] in sight. */
+    private fun WorldEditState.pointingOut(editing: WorldEditing): WorldEditState {
+        val thing = editing.errors.firstOrNull()?.thing
+        val shown = thing?.let { editing.after(Edit.Select(it)) } ?: editing
+        return copy(editing = shown, hasFailedToClose = true, hintsShown = true)
     }
 
     private fun edit(edit: Edit) {
@@ -116,10 +155,8 @@ class WorldEditStateHolder(
     private fun close(): Boolean {
         val now = state ?: return false
         val editing = now.editing.after(Edit.Drop)
-        val error = editing.errors.firstOrNull()
-        if (error != null) {
-            val shown = error.thing?.let { editing.after(Edit.Select(it)) } ?: editing
-            state = now.copy(editing = shown, hasFailedToClose = true, hintsShown = true)
+        if (editing.errors.isNotEmpty()) {
+            state = now.pointingOut(editing)
             return false
         }
         latest = editing
@@ -132,6 +169,7 @@ class WorldEditStateHolder(
     fun leave() {
         latest = null
         plugged = null
+        replaced = null
         state = null
     }
 

@@ -2,7 +2,7 @@ package robotran.workshop.blocks
 
 import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockRun
-import robotran.rcxrom.state.RunState
+import robotran.brick.state.RunState
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent

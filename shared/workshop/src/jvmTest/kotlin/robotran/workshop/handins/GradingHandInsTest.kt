@@ -9,7 +9,7 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
 import robotran.language.Language
 import robotran.programs.ProgramCompiler
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
@@ -189,7 +189,7 @@ internal class GradingHandInsTest : HandInsTesting() {
     private suspend fun gradeAlone(row: HandInRow, world: World): String {
         val robot = world.robots.first().name
         val loads =
-            readRobotLoads(world, ProgramCompiler(PENBOT_CALIBRATION), mapOf(robot to row.programs.map { it.source }))
+            readRobotLoads(world, ProgramCompiler(PENBOT_TARGET), mapOf(robot to row.programs.map { it.source }))
         val session = Session(world, assertIs<RobotLoads.Ready>(loads).loads, loadPhysicsEngine())
         return session.runForGoals().report.toJson().also { session.close() }
     }

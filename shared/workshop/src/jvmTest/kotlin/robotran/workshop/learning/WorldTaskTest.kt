@@ -9,6 +9,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorldTaskState
 import kotlin.test.AfterTest
@@ -79,6 +80,15 @@ class WorldTaskTest {
     }
 
     @Test
+    fun `the program to begin with has no hint of a try with another`() {
+        choose("square")
+        tries(task.solution.text.replace("left", "right"))
+        assertEquals(1, shown.help.hints.size)
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        assertTrue(shown.help.hints.isEmpty())
+    }
+
+    @Test
     fun `a try in another language gets the nudge`() {
         choose("square")
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
@@ -122,5 +132,58 @@ class WorldTaskTest {
         tries(assertNotNull(harder.lesson).solution.text)
         assertEquals(setOf("square", harder.name), workshop.state.learning.worldsDone)
         assertEquals(square.harder.drop(1), workshop.state.learning.solved?.harder)
+    }
+
+    @Test
+    fun `what a world brought and the pupil left unchanged leaves with it`() {
+        workshop.handle(ProgramEvent.ProgramEdited("forward 7\n"))
+        for (name in listOf("square", "maze", "nxt-map", "nxt-lines", "sumo", "nxt-wall")) {
+            choose(name)
+            workshop.handle(LearningEvent.WorldProgramRequested)
+            workshop.handle(LearningEvent.WorldSolutionRequested(true))
+            assertTrue(shown.help.solutionShown, name)
+            assertEquals(listOf("square.robo", shown.task.program.name), tabs.take(2), name)
+            assertEquals(3, tabs.size, name)
+        }
+        choose("plain")
+        assertEquals(listOf("square.robo"), tabs)
+        assertEquals("forward 7\n", workshop.state.programText)
+    }
+
+    @Test
+    fun `what the pupil changed stays in every other world`() {
+        choose("maze")
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        workshop.handle(ProgramEvent.ProgramEdited("forward 9\n"))
+        choose("nxt-map")
+        assertEquals(listOf("square.robo", "solution.robo"), tabs)
+        assertEquals("forward 9\n", workshop.state.programText)
+    }
+
+    @Test
+    fun `with five programs an unchanged one makes room, and never one of the pupil's`() {
+        choose("maze")
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        repeat(3) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
+        val own = tabs - shown.task.program.name
+        assertEquals(5, tabs.size)
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        assertTrue(shown.help.solutionShown)
+        assertEquals(own + "solution.robo", tabs)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 9\n"))
+        val all = workshop.state.programs.programs
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        assertEquals(Notice.NoSlotForTask, workshop.state.notice)
+        assertEquals(all, workshop.state.programs.programs)
+    }
+
+    @Test
+    fun `a pupil who has only what a world brought begins the next one with the first program`() {
+        choose("maze")
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        workshop.handle(ProgramEvent.ProgramClosed(0))
+        assertEquals(listOf("solution.robo"), tabs)
+        choose("square")
+        assertEquals(listOf("square.robo"), tabs)
     }
 }

@@ -1,7 +1,7 @@
 package robotran.workshop.run
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.controls.BrickButton
+import robotran.brick.controls.BrickButton
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop

@@ -1,7 +1,7 @@
 package robotran.workshop.run
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.program.StepKind
+import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent

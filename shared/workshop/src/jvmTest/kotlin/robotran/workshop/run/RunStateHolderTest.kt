@@ -1,11 +1,11 @@
 package robotran.workshop.run
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.controls.BrickButton
+import robotran.brick.log.CallLogFilter
+import robotran.brick.program.StepKind
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
@@ -228,7 +228,7 @@ class RunStateHolderTest {
         did(RunEvent.DrawerChosen(DrawerTab.LOG), RunEvent.RunPressed)
         frames()
         val all = run.drawer.log.entries.size
-        did(RunEvent.LogFiltered(RomLogFilter(text = "motor")), RunEvent.LogCopied)
+        did(RunEvent.LogFiltered(CallLogFilter(text = "motor")), RunEvent.LogCopied)
         val some = run.drawer.log.entries
         assertTrue(some.isNotEmpty() && some.size < all)
         assertEquals(some.size, shared.single().lines().count { it.isNotEmpty() })

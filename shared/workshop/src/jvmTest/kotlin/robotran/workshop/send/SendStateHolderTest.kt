@@ -315,6 +315,8 @@ class SendStateHolderTest {
 
         override fun replacePrograms(programs: List<PupilProgram>) = error("Sending replaces no program.")
 
+        override fun removePrograms(isMeant: (PupilProgram) -> Boolean) = error("Sending removes no program.")
+
         override fun showLine(index: Int, line: Int) = error("Sending shows no line.")
 
         override fun showMistake(diagnostic: ProgramDiagnostic) {

@@ -8,7 +8,7 @@ import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.tower.TowerError
 import robotran.tower.port.OpenedTower
 import robotran.tower.port.TowerDevice
@@ -48,7 +48,7 @@ class SimulatedBrickTest {
         for ((program, source) in PROGRAMS) {
             workshop.handle(ProgramEvent.ProgramAdded(program))
             assertSent(send(workshop))
-            val built = ProgramCompiler(PENBOT_CALIBRATION).buildImage(listOf(source))
+            val built = ProgramCompiler(PENBOT_TARGET).buildImage(listOf(source))
             assertContentEquals(assertIs<ImageBuildResult.Built>(built).image.bytes, brick.program)
             workshop.handle(SendEvent.Cancelled)
         }

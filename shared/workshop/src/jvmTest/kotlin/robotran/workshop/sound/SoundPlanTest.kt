@@ -6,7 +6,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.sound.SoundEvent
+import robotran.brick.sound.SoundEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -40,6 +40,12 @@ class SoundPlanTest {
         speaker.milliseconds = 500.0
         plan.add(melody.take(1))
         assertEquals(PlannedTone(500.0 + SoundPlan.LEAD, 500.0, 60.0), speaker.tones.single())
+    }
+
+    @Test
+    fun `a tone keeps the volume of its brick, and an NXT's are soft`() {
+        SoundPlan(speaker, isSoft = true).add(listOf(SoundEvent.Tone(0, 440.0, 100, volume = 40)))
+        assertEquals(PlannedTone(SoundPlan.LEAD, 440.0, 100.0, volume = 0.4, isSoft = true), speaker.tones.single())
     }
 
     @Test

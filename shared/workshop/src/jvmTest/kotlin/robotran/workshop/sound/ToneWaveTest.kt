@@ -60,6 +60,28 @@ class ToneWaveTest {
     }
 
     @Test
+    fun `a tone with half the volume is half as loud`() {
+        val loudness = listOf(1.0, 0.5, 0.0).map { volume ->
+            val tone = ToneWave()
+            tone.play(PlannedTone(0.0, 440.0, 1_000.0, volume))
+            tone.take(500).drop(at(5.0)).strengthOf(440.0)
+        }
+        assertEquals(loudness[0] / 2, loudness[1], absoluteTolerance = loudness[0] / 100)
+        assertEquals(0.0, loudness[2])
+    }
+
+    @Test
+    fun `a soft tone has no overtones, the other has`() {
+        val (soft, hard) = listOf(true, false).map { isSoft ->
+            val tone = ToneWave()
+            tone.play(PlannedTone(0.0, 440.0, 1_000.0, isSoft = isSoft))
+            tone.take(500).drop(at(5.0))
+        }
+        assertTrue(soft.strengthOf(3 * 440.0) < soft.strengthOf(440.0) / 50)
+        assertTrue(hard.strengthOf(3 * 440.0) > hard.strengthOf(440.0) / 4)
+    }
+
+    @Test
     fun `the wave is as loud below its middle as above and never too loud`() {
         for (hertz in listOf(31.0, 100.0, 440.0, 2000.0, 7_000.0, 8_000.0, 20_000.0)) {
             val tone = ToneWave()

@@ -39,7 +39,7 @@ class PlugInTest {
         runWith(listOf(emptyList(), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER)), LEFT)
 
     private fun runWith(ports: List<List<PortSensor>>, program: String) {
-        val robots = BuiltInWorlds.plain.robots.map { it.copy(ports = ports) }
+        val robots = BuiltInWorlds.plain.robots.map { it.withPorts(ports) }
         workshop.changeWorld(BuiltInWorlds.plain.copy(robots = robots))
         workshop.handle(ProgramEvent.ProgramEdited(program))
         workshop.handle(RunEvent.RunPressed)
@@ -102,7 +102,7 @@ class PlugInTest {
     fun `other changes of the same robot stay as well`() {
         runWithoutLeftBumper()
         plugIn()
-        change { copy(ports = ports.dropLast(1) + listOf(listOf(PortSensor.TEMPERATURE))) }
+        change { withPorts(ports.dropLast(1) + listOf(listOf(PortSensor.TEMPERATURE))) }
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(listOf(emptyList(), listOf(PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE)), workshop.ports)
     }
@@ -122,7 +122,7 @@ class PlugInTest {
     fun `the notice goes when there is nothing left to take out`() {
         runWithoutLeftBumper()
         plugIn()
-        change { copy(ports = listOf(listOf(PortSensor.LEFT_ROTATION)) + ports.drop(1)) }
+        change { withPorts(listOf(listOf(PortSensor.LEFT_ROTATION)) + ports.drop(1)) }
         assertNull(workshop.state.notice)
     }
 

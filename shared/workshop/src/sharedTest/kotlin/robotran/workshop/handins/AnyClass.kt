@@ -2,6 +2,7 @@ package robotran.workshop.handins
 
 import robotran.assignments.doing.HandedInWork
 import robotran.assignments.doing.makeHandIn
+import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.AssignmentChecks
@@ -10,7 +11,6 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.WorldVariation
 import robotran.projects.writeProject
-import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.workshop.assignment.AnyAssignment

@@ -1,6 +1,7 @@
 package robotran.world.file
 
 import io.kotest.property.Arb
+import io.kotest.property.RandomSource
 import io.kotest.property.arbitrary.arbitrary
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -30,7 +31,9 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Template
@@ -41,6 +44,9 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
+import robotran.world.robot.footprint
+import robotran.world.robot.robotErrors
+import kotlin.math.abs
 import kotlin.random.Random
 
 /** Worlds of all kinds that a file can contain. */
@@ -81,7 +87,7 @@ private class ArbitraryWorld(private val random: Random) {
         start = Pose(number(30.0 + 40 * number, 32.0 + 40 * number), number(20.0, 30.0), number(-179.9, 180.0)),
         name = if (number == 0 && random.nextBoolean()) FIRST_ROBOT else name(),
         colour = RobotColour.entries.random(random),
-        ports = List(3) { PortSensor.entries.shuffled(random).take(random.nextInt(3)) },
+        description = description(),
         lightFacing = maybe { LightFacing.entries.random(random) },
         beacon = number(0.0, 100.0),
         program = maybe {
@@ -89,6 +95,16 @@ private class ArbitraryWorld(private val random: Random) {
         },
         unknown = unknown(),
     )
+
+    /** No larger than there is room for. */
+    private fun description(): RobotDescription {
+        if (random.nextInt(4) > 0) {
+            return ReadyRobots.penbotWith(List(3) { PortSensor.entries.shuffled(random).take(random.nextInt(3)) })
+        }
+        val robot = arbitraryRobots().sample(RandomSource(random, 0L)).value.copy(unknown = unknown())
+        val isSmall = robotErrors(robot).isEmpty() && robot.footprint.all { abs(it.x) < 14 && abs(it.y) < 14 }
+        return if (isSmall) robot else ReadyRobots.all.values.random(random)
+    }
 
     private fun mark(): Mark {
         val figure = when (random.nextInt(3)) {

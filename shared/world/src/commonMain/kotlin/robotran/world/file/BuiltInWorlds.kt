@@ -1,5 +1,7 @@
 package robotran.world.file
 
+import robotran.brick.kind.BrickKind
+import robotran.world.ReadyRobots
 import robotran.world.World
 
 /** The built-in worlds: the files of the folder `worlds`. */
@@ -13,5 +15,16 @@ object BuiltInWorlds {
             is WorldFileResult.Loaded -> result.world.copy(task = "", goals = emptyList())
             is WorldFileResult.Rejected -> error(result.message)
         }
+    }
+
+    /** The same sheet with the penbot of an NXT. */
+    private val plainWithNxt: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
+        plain.copy(robots = plain.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) })
+    }
+
+    /** The default world for programs for a brick of this kind: the empty sheet with the penbot that has one. */
+    fun plainFor(brick: BrickKind): World = when (brick) {
+        BrickKind.RCX -> plain
+        BrickKind.NXT -> plainWithNxt
     }
 }

@@ -5,21 +5,25 @@ import robotran.json.messages.JsonMessages
 import robotran.json.nearestDecimal
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
 import robotran.world.geometry.Pose
 import robotran.world.geometry.normalHeading
 import robotran.world.messages.told
+import robotran.world.messages.toldOfRobot
 
 internal fun readRobot(place: JsonCursor, paper: Paper) = RobotPlacement(
     start = readStart(place.member("start"), paper),
     name = place.optional("name")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS) ?: FIRST_ROBOT,
     colour = place.optional("colour")?.choice(COLOURS) ?: RobotColour.YELLOW,
-    ports = place.optional("ports")?.let(::readPorts) ?: RobotPlacement.PENBOT_PORTS,
+    description = readBuild(place),
     lightFacing = place.optional("lightSensor")?.choice(FACINGS),
     beacon = place.optional("beacon")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: 0.0,
     program = place.optional("program")?.let(::readProgram),
+    draft = place.optional("draft")?.let { readDescription(it, mayBeImpossible = true) },
     unknown = unknownOf(place),
 )
 
@@ -29,6 +33,15 @@ private fun readStart(place: JsonCursor, paper: Paper): Pose {
     if (!paper.contains(x, y)) place.refuse(told { besidePaper() })
     // The sum with half a turn may have more digits than a file keeps.
     return Pose(x, y, nearestDecimal(normalHeading(place.member("heading").number(WorldLimits.ANGLES))))
+}
+
+/** A ready robot, a robot of its own, or a penbot with sensors on its ports. */
+private fun readBuild(place: JsonCursor): RobotDescription {
+    val ports = place.optional("ports")
+    val robot = place.optional("robot") ?: return ports?.let { ReadyRobots.penbotWith(readPorts(it)) }
+        ?: ReadyRobots.RCX_PENBOT
+    ports?.refuseInSentence(toldOfRobot { robotAndPorts() })
+    return if (robot.textOrNull() != null) readyRobot(robot) else readDescription(robot)
 }
 
 private fun readPorts(place: JsonCursor): List<List<PortSensor>> {

@@ -4,6 +4,7 @@ import robotran.json.JsonCursor
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
+import robotran.world.geometry.edgesCross
 import robotran.world.geometry.signedArea
 import robotran.world.messages.told
 import kotlin.math.abs

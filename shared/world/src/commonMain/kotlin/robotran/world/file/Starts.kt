@@ -1,19 +1,24 @@
 package robotran.world.file
 
 import robotran.json.JsonCursor
-import robotran.world.Penbot
+import robotran.world.RobotDescription
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Outline
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.geometry.box
+import robotran.world.geometry.flat
 import robotran.world.geometry.length
+import robotran.world.geometry.overlap
 import robotran.world.messages.told
+import robotran.world.robot.box
 
 /** Rejects a robot that would start in an obstacle or in another robot. */
 internal fun checkStarts(world: World, file: JsonCursor) {
     val starts = file.member("robots").items(1..Int.MAX_VALUE).map { it.member("start") }
-    val robots = world.robots.map { outline(it.start) }
+    val robots = world.robots.map { outline(it.start, it.description) }
     val obstacles = obstacles(world)
     robots.forEachIndexed { number, robot ->
         obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(told { startsIn(it.what) }) }
@@ -21,6 +26,14 @@ internal fun checkStarts(world: World, file: JsonCursor) {
             overlap(robot, robots[it])
         }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
     }
+}
+
+/** Whether the robot with this number starts neither in an obstacle nor in another robot. */
+fun hasRoomAtStart(world: World, robot: Int): Boolean {
+    val outlines = world.robots.map { outline(it.start, it.description) }
+    val own = outlines[robot]
+    return obstacles(world).none { overlap(own, it.shape) } &&
+        outlines.indices.none { it != robot && overlap(own, outlines[it]) }
 }
 
 /** @property what its path in the file, such as `walls[2]`. */
@@ -31,10 +44,10 @@ private fun obstacles(world: World): List<Obstacle> =
         world.barriers.mapIndexed { number, barrier -> Obstacle("barriers[$number]", flat(barrier.shape)) } +
         world.blocks.mapIndexed { number, block -> Obstacle("blocks[$number]", flat(block.shape)) }
 
-/** From the wheels' outer sides and the back of the chassis to the bumpers. */
-fun outline(start: Pose): Outline {
-    val half = Penbot.OVERALL_WIDTH / 2
-    return box(Point(start.x, start.y), Direction(start.heading), Penbot.CHASSIS_BACK..Penbot.BUMPER_FRONT, -half..half)
+/** The box around chassis, wheels and bumpers of a robot at [start]. */
+fun outline(start: Pose, robot: RobotDescription): Outline {
+    val box = robot.box
+    return box(Point(start.x, start.y), Direction(start.heading), box.left..box.right, box.bottom..box.top)
 }
 
 /** The area of a wall, including its square ends. */

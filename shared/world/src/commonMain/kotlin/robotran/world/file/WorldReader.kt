@@ -34,7 +34,7 @@ private fun readMigrated(place: JsonCursor): World {
     try {
         return WorldReader(JsonCursor(migration.migrated, place.path)).read()
     } catch (refusal: JsonValidationException) {
-        throw JsonValidationException(refusal.path?.let(migration::pathBefore), refusal.reason)
+        throw JsonValidationException(refusal.path?.let(migration::pathBefore), refusal.isSentence, refusal.reason)
     }
 }
 

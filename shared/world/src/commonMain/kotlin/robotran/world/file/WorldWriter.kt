@@ -13,6 +13,7 @@ import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.penbotPorts
 
 /** Lists of lines of text, written one item per line. */
 val MULTILINE_LISTS: Set<String> = setOf("program", "rows")
@@ -54,10 +55,16 @@ private fun elementOf(robot: RobotPlacement) = jsonObject(robot.unknown.members)
     text("name", robot.name, default = FIRST_ROBOT)
     text("colour", wordFor(robot.colour), default = wordFor(RobotColour.YELLOW))
     put("start", elementOf(robot.start))
-    if (robot.ports != RobotPlacement.PENBOT_PORTS) put("ports", elementOf(robot.ports))
+    val ports = robot.description.penbotPorts
+    if (ports == null) {
+        put("robot", elementOf(robot.description))
+    } else if (ports != RobotPlacement.PENBOT_PORTS) {
+        put("ports", elementOf(ports))
+    }
     text("lightSensor", robot.lightFacing?.let(::wordFor))
     number("beacon", robot.beacon, default = 0.0)
     put("program", robot.program?.let { program -> JsonArray(program.lines().map(::JsonPrimitive)) })
+    robot.draft?.let { draft -> put("draft", jsonObject(draft.unknown.members) { describe(draft) }) }
 }
 
 private fun elementOf(start: Pose) = jsonObject {

@@ -22,6 +22,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
+import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.Shade
@@ -71,12 +72,14 @@ class ReadWorldTest {
                     Pose(40.0, 30.0, -90.0),
                     "ann",
                     RobotColour.BLUE,
-                    ports,
+                    ReadyRobots.penbotWith(ports),
                     LightFacing.FORWARD,
                     0.5,
                     program,
                 ),
                 RobotPlacement(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
+                RobotPlacement(Pose(120.0, 30.0, 0.0), "carl", description = ReadyRobots.LINE_FOLLOWER),
+                RobotPlacement(Pose(180.0, 50.0, 0.0), "dora", description = loadedRobot(FULL_ROBOT)),
             ),
             full.robots,
         )

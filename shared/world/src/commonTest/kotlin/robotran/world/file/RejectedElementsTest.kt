@@ -192,7 +192,7 @@ class RejectedElementsTest {
         )
         assertEquals(
             "goals[4] needs a template, and this world has none.",
-            complaint("\"template\"", "\"pattern\"", line = 36),
+            complaint("\"template\"", "\"pattern\"", line = 55),
         )
     }
 

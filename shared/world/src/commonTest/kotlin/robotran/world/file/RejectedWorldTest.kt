@@ -43,7 +43,7 @@ class RejectedWorldTest {
     @Test
     fun `a refusal tells its line and its path by themselves too`() {
         assertEquals(
-            WorldFileResult.Rejected("Line 15: walls[0].thickness must be from 0.1 to 100.", 15, "walls[0].thickness"),
+            WorldFileResult.Rejected("Line 34: walls[0].thickness must be from 0.1 to 100.", 34, "walls[0].thickness"),
             refusal(FULL_WORLD.replaceFirst("\"thickness\": 1.5", "\"thickness\": 0")),
         )
     }

@@ -110,7 +110,40 @@ class WriteWorldTest {
                     "end"
                   ]
                 },
-                { "name": "bob", "colour": "red", "start": { "x": 80, "y": 30, "heading": 0 } }
+                { "name": "bob", "colour": "red", "start": { "x": 80, "y": 30, "heading": 0 } },
+                { "name": "carl", "start": { "x": 120, "y": 30, "heading": 0 }, "robot": "line-follower" },
+                {
+                  "name": "dora",
+                  "start": { "x": 180, "y": 50, "heading": 0 },
+                  "robot": {
+                    "title": "Sees all",
+                    "like": "sumo",
+                    "outline": [[-9, -5], [8, -5], [10, 0], [8, 5], [-9, 5]],
+                    "height": 11,
+                    "mass": 1.1,
+                    "massAt": [0.6, 0],
+                    "wheels": {
+                      "diameter": 4.32,
+                      "width": 2.2,
+                      "track": 15,
+                      "gear": 1.667,
+                      "left": "B",
+                      "right": "A",
+                      "reversed": true,
+                      "grip": 0.9
+                    },
+                    "casters": [[7, 2], [7, -2]],
+                    "brickAt": [-1, 0],
+                    "brickTurned": true,
+                    "parts": [
+                      { "kind": "bumper", "port": 1, "at": [-9.5, 1], "width": 9, "depth": 1.5, "direction": 180, "side": "left" },
+                      { "kind": "ultrasonic", "port": 4, "at": [9, 0], "height": 12, "facing": 45, "turret": "C" },
+                      { "kind": "light", "port": 3, "at": [8.5, 1], "height": 2, "facing": "down" },
+                      { "kind": "rotation", "wheel": "right" },
+                      { "kind": "touch" }
+                    ]
+                  }
+                }
               ],
               "walls": [
                 { "from": [0, 90], "to": [120, 90], "thickness": 1.5 }

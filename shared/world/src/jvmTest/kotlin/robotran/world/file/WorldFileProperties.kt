@@ -46,7 +46,7 @@ class WorldFileProperties :
         }
 
         "a world file with any of its values replaced gives a result" {
-            val values = Regex("-?[0-9.]+|\"[^\"]*\"(?!:)|true|false").findAll(FULL_WORLD).map { it.range }.toList()
+            val values = valuesIn(FULL_WORLD)
             val others = Arb.choice(
                 Arb.double().map { it.toString() },
                 Arb.element("null", "[]", "{}", "true", "\"\"", "1e308", "-1e-400", "NaN", "[[["),

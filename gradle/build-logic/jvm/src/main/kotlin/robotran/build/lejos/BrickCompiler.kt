@@ -18,12 +18,13 @@ internal fun resolvable(project: Project, name: String): Configuration = project
     it.isCanBeResolved = true
 }
 
-/** A task that compiles [sources] with ECJ. The output folder is `brick/` and [folder] in the build folder. */
+/** A task that compiles [sources] with ECJ for [target], into `brick/` and [folder] in the build folder. */
 internal fun compileForBrick(
     project: Project,
     name: String,
     folder: String,
     sources: Provider<ConfigurableFileTree>,
+    target: BrickTarget,
     configure: (CompileForBrick) -> Unit,
 ): TaskProvider<CompileForBrick> {
     val compiler = resolvable(project, "brickCompiler")
@@ -36,6 +37,7 @@ internal fun compileForBrick(
     return project.tasks.register(name, CompileForBrick::class.java) { task ->
         task.compiler.from(compiler)
         task.sources.set(sources)
+        task.target.set(target)
         task.eachAlone.convention(false)
         task.classFolder.set(project.layout.buildDirectory.dir("brick/$folder/classes"))
         task.textFolder.set(project.layout.buildDirectory.dir("brick/$folder/texts"))
@@ -63,4 +65,13 @@ internal fun generateClassFiles(
     project.extensions.getByType(
         KotlinMultiplatformExtension::class.java,
     ).sourceSets.getByName(sourceSet).kotlin.srcDir(generate)
+}
+
+/** Publishes the class files of the library that [compiled] makes to other modules. */
+internal fun publishClasses(project: Project, compiled: TaskProvider<CompileForBrick>) {
+    project.configurations.create(BRICK_CLASSES) {
+        it.isCanBeConsumed = true
+        it.isCanBeResolved = false
+        it.outgoing.artifact(compiled.flatMap { made -> made.classFolder })
+    }
 }

@@ -18,9 +18,8 @@ import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
- * Compiles Java for the brick with ECJ into class files of version 45.3: a class library with its own `java.lang`, or
- * programs that use one. The output is reproducible. [textFolder] also receives each class file in Base64, as
- * `NAME.class`, for generated Kotlin.
+ * Compiles Java for a brick with ECJ: a class library with its own `java.lang`, or programs that use one. The output is
+ * reproducible. [textFolder] also receives each class file in Base64, as `NAME.class`, for generated Kotlin.
  */
 @CacheableTask
 abstract class CompileForBrick : DefaultTask() {
@@ -38,6 +37,9 @@ abstract class CompileForBrick : DefaultTask() {
     @get:InputFiles
     @get:PathSensitive(PathSensitivity.RELATIVE)
     val files get() = sources.get()
+
+    @get:Input
+    abstract val target: Property<BrickTarget>
 
     /**
      * Whether each source is a separate program, whose class files go into a folder named after the source, such as
@@ -60,6 +62,8 @@ abstract class CompileForBrick : DefaultTask() {
         workers.classLoaderIsolation { it.classpath.from(compiler) }.submit(CompileForBrickAction::class.java) {
             it.sources.from(files)
             it.sourceFolder.set(files.dir)
+            it.language.set(target.map { brick -> brick.language })
+            it.classFiles.set(target.map { brick -> brick.classFiles })
             it.eachAlone.set(eachAlone)
             it.library.from(library)
             it.noClasses.set(temporaryDir)

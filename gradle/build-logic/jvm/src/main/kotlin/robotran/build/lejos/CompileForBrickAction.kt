@@ -17,6 +17,8 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
     interface Parameters : WorkParameters {
         val sources: ConfigurableFileCollection
         val sourceFolder: DirectoryProperty
+        val language: Property<String>
+        val classFiles: Property<String>
         val eachAlone: Property<Boolean>
         val library: ConfigurableFileCollection
 
@@ -56,7 +58,9 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         val library = (parameters.library.files.singleOrNull() ?: parameters.noClasses.get().asFile).path
         val places = listOf("-bootclasspath", library, "-classpath", library, "-d", classes.path)
         val output = PrintWriter(problems)
-        if (!BatchCompiler.compile((OPTIONS + places + sources.map { it.path }).toTypedArray(), output, output, null)) {
+        val versions = listOf("-source", parameters.language.get(), "-target", parameters.classFiles.get())
+        val arguments = versions + OPTIONS + places + sources.map { it.path }
+        if (!BatchCompiler.compile(arguments.toTypedArray(), output, output, null)) {
             throw GradleException("This does not compile for a brick:\n$problems")
         }
     }
@@ -65,10 +69,6 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         const val MISTAKE = "// error "
         val OPTIONS =
             listOf(
-                "-source",
-                "1.3",
-                "-target",
-                "1.1",
                 "-proc:none",
                 "-g",
                 "-preserveAllLocals",

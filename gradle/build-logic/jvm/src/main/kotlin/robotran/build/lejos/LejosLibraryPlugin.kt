@@ -10,12 +10,8 @@ import org.gradle.api.Project
 class LejosLibraryPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         val sources = project.provider { project.fileTree("src/brick/java") { it.include("**/*.java") } }
-        val compile = compileForBrick(project, "compileForBrick", "library", sources) {}
+        val compile = compileForBrick(project, "compileForBrick", "library", sources, BrickTarget.LEJOS_RCX) {}
         generateClassFiles(project, compile, "robotran.lejoslibrary.libraryClasses", "commonMain")
-        project.configurations.create(BRICK_CLASSES) {
-            it.isCanBeConsumed = true
-            it.isCanBeResolved = false
-            it.outgoing.artifact(compile.flatMap { compiled -> compiled.classFolder })
-        }
+        publishClasses(project, compile)
     }
 }

@@ -2,6 +2,6 @@ package robotran.build.teavm
 
 /**
  * For every module that links `shared/java-compiler` into a wasm test or executable: `loadJavaCompiler()` imports
- * `ecj.mjs`.
+ * `ecj.mjs`, and `NxjLibrary.load()` imports `nxj-library.mjs`.
  */
-class EcjWebPlugin : WebFilesPlugin(":shared:ecj")
+class EcjWebPlugin : WebFilesPlugin(":shared:ecj", ":shared:nxj-library")

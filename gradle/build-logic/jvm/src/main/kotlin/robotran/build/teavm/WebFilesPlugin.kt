@@ -6,15 +6,19 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import robotran.build.Targets
 
 /**
- * Copies the browser files of a Java module next to the generated JavaScript, where Kotlin code imports them.
+ * Copies the browser files of Java modules next to the generated JavaScript, where Kotlin code imports them.
  * Kotlin passes a module's resources to its own executables and tests only. So every module that links that code into a
  * wasm test or executable must apply this plugin.
  *
- * @param module the Gradle path of the module.
+ * @param modules the Gradle paths of the modules.
  */
-abstract class WebFilesPlugin(private val module: String) : Plugin<Project> {
+abstract class WebFilesPlugin(private vararg val modules: String) : Plugin<Project> {
     override fun apply(project: Project) {
         if (!Targets.of(project).wasm) return
+        modules.forEach { copy(project, it) }
+    }
+
+    private fun copy(project: Project, module: String) {
         val files = toolConfiguration(project, module.substringAfterLast(':') + "WebFiles")
         project.dependencies.add(
             files.name,

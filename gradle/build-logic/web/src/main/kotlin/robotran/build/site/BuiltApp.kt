@@ -7,12 +7,13 @@ import java.io.File
 internal class BuiltApp(folder: File) {
     private val atTop = folder.listFiles().orEmpty().filter { it.isFile }.sorted()
 
-    // Kotlin's plugin also copies the modules that webpack has already bundled.
+    // Kotlin's plugin also copies the modules that webpack has already bundled, and their files.
     private val bundled = atTop.filter {
         it.extension == "mjs"
-    }.flatMap { listOf(it.name, "${it.nameWithoutExtension}.wasm") }
+    }.flatMap { listOf(it.name, "${it.nameWithoutExtension}.wasm") } +
+        atTop.filter { it.extension == DATA && !SiteFile.isNamedByContent(it) }.map { it.name }
 
-    /** The scripts and the WebAssembly modules. */
+    /** The scripts, the WebAssembly modules and the files that they fetch. */
     val code: List<SiteFile> = atTop.filter { it.extension in CODE && it.name !in bundled }.map(SiteFile::of)
 
     /** The script that starts the app; it loads other files relative to its own URL. */
@@ -56,7 +57,8 @@ internal class BuiltApp(folder: File) {
 
         /** The folder of the fonts that Compose loads on first use. */
         const val FONTS = "font"
-        val CODE = listOf("js", "wasm")
+        const val DATA = "bin"
+        val CODE = listOf("js", "wasm", DATA)
         const val SKIKO = "skiko"
         const val COMPILER = "ecj"
         val STREAMED_MODULES = listOf("robotran", SKIKO)

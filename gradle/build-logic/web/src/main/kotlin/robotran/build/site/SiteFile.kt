@@ -20,12 +20,15 @@ internal class SiteFile private constructor(
         private const val DIGITS = 16
         private val NAMED_BY_CONTENT = Regex(""".+\.[0-9a-f]{16}\.\w+""")
 
+        /** Whether webpack has put a hash of its content into the name of [file]. */
+        fun isNamedByContent(file: File): Boolean = NAMED_BY_CONTENT.matches(file.name)
+
         /**
          * Keeps the name of [file] if webpack has put a content hash in it, otherwise adds the start of its SHA-256.
          */
         fun of(file: File): SiteFile = SiteFile(
             file,
-            if (NAMED_BY_CONTENT.matches(file.name)) {
+            if (isNamedByContent(file)) {
                 file.name
             } else {
                 "${file.nameWithoutExtension}.${hexOf(sha256(file.readBytes())).take(DIGITS)}.${file.extension}"

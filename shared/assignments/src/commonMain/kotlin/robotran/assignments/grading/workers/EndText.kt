@@ -1,8 +1,8 @@
 package robotran.assignments.grading.workers
 
 import kotlinx.serialization.Serializable
-import robotran.rcxrom.controls.MotorMode
-import robotran.rcxrom.state.RunState
+import robotran.brick.controls.MotorMode
+import robotran.brick.state.RunState
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
@@ -70,9 +70,9 @@ internal class RobotText(
         val (x, y, heading) = pose
         val (left, right) = bumpers
         return start.copy(
-            brick = start.brick.copy(
-                motors = start.brick.motors.zip(motors) { motor, mode -> motor.copy(mode = mode) },
-                run = if (isRunning) RunState.Running(0) else RunState.Ended(stopped = false),
+            brick = start.brick.withRun(
+                motors,
+                if (isRunning) RunState.Running(0) else RunState.Ended(stopped = false),
             ),
             robot = start.robot.copy(
                 pose = Pose(x, y, heading),

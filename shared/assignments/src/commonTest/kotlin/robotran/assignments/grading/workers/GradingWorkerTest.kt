@@ -11,11 +11,16 @@ import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.HandInGrader
 import robotran.assignments.grading.finish
 import robotran.language.Language
+import robotran.projects.Project
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
+import robotran.world.World
 import kotlin.test.Test
+import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
 import kotlin.test.assertIs
@@ -26,26 +31,81 @@ import kotlin.test.assertTrue
 class GradingWorkerTest {
     private val plan = GradingPlan.of(ASSIGNMENT)
 
-    private suspend fun worker(): GradingWorker {
-        val order = assertNotNull(GradingOrder.of(ASSIGNMENT, plan, Language.GERMAN))
+    /** The same task for a robot with an NXT. */
+    private val nxtAssignment = ASSIGNMENT.withRobot(ReadyRobots.NXT_PENBOT)
+
+    private fun World.withRobot(robot: RobotDescription) = copy(robots = robots.map { it.copy(description = robot) })
+
+    private fun Project.withRobot(robot: RobotDescription): Project {
+        val checks = assignment?.checks
+        val variations = checks?.variations.orEmpty().map { it.copy(world = it.world.withRobot(robot)) }
+        return copy(
+            world = world.withRobot(robot),
+            assignment = assignment?.copy(checks = checks?.copy(variations = variations)),
+        )
+    }
+
+    private suspend fun worker(assignment: Project = ASSIGNMENT): GradingWorker {
+        val order = assertNotNull(GradingOrder.of(assignment, GradingPlan.of(assignment), Language.GERMAN))
         return GradingWorker(GradingOrder.parse(order.write()), loadPhysicsEngine())
     }
 
-    private suspend fun start(): SessionState =
+    private suspend fun start(plan: GradingPlan = this.plan): SessionState =
         Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine()).state
 
     private suspend fun submission(name: String, text: String) = collect(file(name, text)).single() as Submission.Usable
 
     @Test
     fun `results that went through texts are the same`() = runTest {
-        val worker = worker()
-        val grader = HandInGrader(ASSIGNMENT, plan, loadPhysicsEngine(), Language.GERMAN)
+        val programs = listOf(DRAWS, "pen down\nforward 2\n", "repeat forever\n  turn left 90\nend\n", "beep\n")
+        val told = compare(ASSIGNMENT, programs.map { submission("anna.robo", it) })
+        assertTrue(told.containsAll(listOf(0, 1, 2, 3)), "$told")
+    }
+
+    @Test
+    fun `those of robots with an NXT are, too`() = runTest {
+        val head = "import lejos.nxt.*;\nclass Go {\n  public static void main(String[] a) {"
+        val draws = "$head Motor.B.rotateTo(90); Motor.A.rotate(245, true); Motor.C.rotate(245); }\n}\n"
+        val shows = "$head int[] none = null; LCD.drawInt(none[0], 0, 0); }\n}\n"
+        compare(
+            nxtAssignment,
+            listOf(
+                submission("anna.robo", DRAWS),
+                submission("ben.robo", "repeat forever\n  show distance\n  turn left 45\nend\n"),
+                submission("Go.java", draws),
+                submission("Go.java", shows),
+            ),
+            met = listOf(4, 0, 4, 0),
+        )
+    }
+
+    @Test
+    fun `a program for the other brick has a mistake in a worker`() = runTest {
+        val submission = submission("Go.java", "import josx.platform.rcx.*;\nclass Go { }\n")
+        val nxtPlan = GradingPlan.of(nxtAssignment)
+        val graded = readGraded(worker(nxtAssignment).grade(writeHandIn(submission)) {}, submission, nxtPlan, start())
+        assertContains(assertIs<GradedHandIn.HasMistakes>(graded).reasons.single(), "für einen RCX")
+    }
+
+    /**
+     * Grades [submissions] here and in a worker.
+     *
+     * @param met how many runs of each meet all goals, if it matters.
+     * @return the numbers of runs that were told.
+     */
+    private suspend fun compare(
+        assignment: Project,
+        submissions: List<Submission.Usable>,
+        met: List<Int>? = null,
+    ): List<Int> {
+        val plan = GradingPlan.of(assignment)
+        val worker = worker(assignment)
+        val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.GERMAN)
         val told = mutableListOf<Int>()
-        for (program in listOf(DRAWS, "pen down\nforward 2\n", "repeat forever\n  turn left 90\nend\n", "beep\n")) {
-            val submission = submission("anna.robo", program)
+        val passed = submissions.map { submission ->
             val here = assertIs<GradedHandIn.Graded>(grader.prepare(submission).finish {})
             val text = worker.grade(writeHandIn(submission), told::add)
-            val there = assertIs<GradedHandIn.Graded>(readGraded(text, submission, plan, start()))
+            val there = assertIs<GradedHandIn.Graded>(readGraded(text, submission, plan, start(plan)))
             assertEquals(here.submission, there.submission)
             assertEquals(
                 here.runs.map { listOf(it.world, it.grade.seed, it.grade.passed, it.grade.seconds, it.grade.report) },
@@ -65,8 +125,10 @@ class GradingWorkerTest {
             assertEquals(poses[0].heading, poses[1].heading, 0.001)
             assertEquals(here.picture.brick.motors.map { it.mode }, there.picture.brick.motors.map { it.mode })
             assertEquals(here.picture.goals.map { it.status }, there.picture.goals.map { it.status })
+            there.met
         }
-        assertTrue(told.containsAll(listOf(0, 1, 2, 3)), "$told")
+        if (met != null) assertEquals(met, passed)
+        return told
     }
 
     @Test

@@ -7,6 +7,8 @@ import androidx.compose.ui.unit.sp
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.freeName
 import robotran.blockediting.messages.BlockMessages
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
@@ -20,6 +22,8 @@ import robotran.workshop.event.BlockEvent
  *
  * @property introduced the ids of the blocks that the palette has; null for all.
  * @property isIntroductionFixed whether the pupil cannot ask for all other blocks, because an assignment allows no others.
+ * @property brick the brick of the robot, which has its own blocks.
+ * @property sensors what is plugged into it.
  * @property onHelp shows help on a word of Robolang.
  */
 @Immutable
@@ -30,6 +34,8 @@ internal data class BlockScope(
     val codeSize: Float,
     val introduced: Set<String>?,
     val isIntroductionFixed: Boolean = false,
+    val brick: BrickKind = BrickKind.RCX,
+    val sensors: Set<SensorKind> = setOf(SensorKind.TOUCH, SensorKind.LIGHT),
     val onHelp: (word: String) -> Unit = {},
     val onEvent: (BlockEvent) -> Unit,
 ) {

@@ -20,5 +20,5 @@ internal class CarriedValue private constructor(val span: SourceSpan?, private v
     constructor(block: PaletteBlock) : this(null, block.valueKind)
 
     /** Whether it may be put at [part], as far as is known; never in itself. */
-    fun fitsAt(part: PhrasePart.Value): Boolean = (span == null || part.span !in span) && fits(kind, part.use.kind)
+    fun fitsAt(part: PhrasePart.Value): Boolean = (span == null || part.span !in span) && fits(kind, part.use)
 }

@@ -26,6 +26,7 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.programs.ProgramDiagnostic
 import robotran.textediting.code.CodeTokens
+import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
@@ -63,8 +64,9 @@ internal fun CodeEditor(
 ) {
     control.follow(draft)
     control.clipboard = LocalClipboardManager.current
-    val layouts = rememberLineLayouts(control.language, codeSize)
-    val pieces = remember(draft.lines, control.language) { CodeTokens(draft.lines, control.language) }
+    val brick = remember(draft.lines, control.brick) { brickOfJava(draft.lines, control.brick) }
+    val layouts = rememberLineLayouts(control.language, brick, codeSize)
+    val pieces = remember(draft.lines, control.language, brick) { CodeTokens(draft.lines, control.language, brick) }
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<TextSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)

@@ -6,6 +6,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
 import robotran.textediting.EditKind
@@ -51,6 +52,9 @@ internal class EditorControl(
     var draft = Draft("")
         private set
     var help: WordHelp = WordHelp { null }
+
+    /** The brick of the robot. */
+    var brick: BrickKind = BrickKind.RCX
     lateinit var clipboard: ClipboardManager
 
     /** The completions at the caret and the selected one; null if none are shown. */
@@ -113,7 +117,7 @@ internal class EditorControl(
     /** Shows all completions at the caret, regardless of what was typed. */
     fun showAllCompletions() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
-        completions = completionsAt(draft, language, help, isExplicit = true)
+        completions = completionsAt(draft, language, help, isExplicit = true, brick)
         hasNoCompletions = completions == null
         chosen = 0
     }
@@ -232,7 +236,7 @@ internal class EditorControl(
     }
 
     private fun offer(after: Draft, isTyping: Boolean, isExplicit: Boolean = false) {
-        val list = if (isTyping) completionsAt(after, language, help, isExplicit) else null
+        val list = if (isTyping) completionsAt(after, language, help, isExplicit, brick) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
         completions = list?.takeIf { isMember || isExplicit || after.selection.caret - it.start >= MIN_TYPED }
         chosen = 0

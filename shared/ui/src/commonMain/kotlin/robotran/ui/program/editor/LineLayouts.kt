@@ -12,6 +12,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.code.tokensOf
 import robotran.ui.theme.codeStyle
@@ -23,6 +24,7 @@ internal class LineLayouts(
     val style: TextStyle,
     private val colours: CodeColours,
     private val language: ProgramLanguage,
+    private val brick: BrickKind,
     density: Density,
 ) {
     private val kept = HashMap<LineKey, LaidOutLine>()
@@ -46,7 +48,7 @@ internal class LineLayouts(
 
     private fun layOut(text: String, startsInComment: Boolean): LaidOutLine {
         val shown = ShownLine(text)
-        val spans = tokensOf(text, language, startsInComment).map {
+        val spans = tokensOf(text, language, startsInComment, brick).map {
             AnnotatedString.Range(SpanStyle(colours.of(it.kind)), shown.column(it.start), shown.column(it.end))
         }
         return LaidOutLine(
@@ -115,15 +117,15 @@ internal class ShownLine(line: String) {
     }
 }
 
-/** The line layouts for a font size of [size] sp and the theme's colours. */
+/** The line layouts of a program for a [brick], for a font size of [size] sp and the theme's colours. */
 @Composable
-internal fun rememberLineLayouts(language: ProgramLanguage, size: Float): LineLayouts {
+internal fun rememberLineLayouts(language: ProgramLanguage, brick: BrickKind, size: Float): LineLayouts {
     val measurer = rememberTextMeasurer(cacheSize = 0)
     val colours = codeColours()
     val density = LocalDensity.current
     val style = editorStyle(size)
-    return remember(measurer, colours, density, style, language) {
-        LineLayouts(measurer, style, colours, language, density)
+    return remember(measurer, colours, density, style, language, brick) {
+        LineLayouts(measurer, style, colours, language, brick, density)
     }
 }
 

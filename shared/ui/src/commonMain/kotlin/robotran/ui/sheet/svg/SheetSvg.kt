@@ -11,6 +11,7 @@ import robotran.world.Penbot
 import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
+import robotran.world.robot.box
 
 /** Writes the sheet and everything on it as an SVG picture; a unit is a centimetre, y points down. */
 internal class SheetSvg(private val world: World, private val state: SessionState) {
@@ -82,7 +83,8 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
         for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
         world.robots.zip(state.robots).forEachIndexed { number, (place, now) ->
-            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), penbotFace(state, number))
+            val face = penbotFace(state, number, drive = place.description.drive)
+            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), face)
         }
         for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
         if (world.robots.size > 1) names()
@@ -132,7 +134,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
     private fun names() {
         for ((place, now) in world.robots.zip(state.robots)) {
             val pose = now.robot.pose
-            shapes.label(place.name, Point(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_SIZE), NAME_SIZE)
+            shapes.label(place.name, Point(pose.x, pose.y - place.description.box.top - NAME_SIZE), NAME_SIZE)
         }
     }
 

@@ -3,9 +3,9 @@ package robotran.ui.program.blocks
 import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
+import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.projects.ProgramView
-import robotran.rcxrom.program.StepKind
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
@@ -15,6 +15,7 @@ import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
@@ -72,6 +73,19 @@ class BlocksPictures {
 
     @Test
     fun `the sheet of a condition can be photographed`() = photograph("condition") { it.openSheetAt("if left") }
+
+    @Test
+    fun `the sheet of a condition of a robot with a sonar can be photographed`() = photograph("condition-nxt") {
+        it.handle(LearningEvent.WorldChosen("nxt-wall"))
+        it.openSheetAt("if left")
+    }
+
+    @Test
+    fun `what senses on a robot with a sonar can be photographed`() = photograph("sense-nxt") {
+        it.handle(LearningEvent.WorldChosen("nxt-wall"))
+        it.handle(BlockEvent.PaletteTurned(BlockPalette(BlockGroup.SENSE)))
+        it.handle(BlockEvent.SheetShown(BlockSheet.Palette))
+    }
 
     @Test
     fun `the menu of a choice can be photographed`() = photograph("choice") { it.openSheetAt("turn", part = 0) }

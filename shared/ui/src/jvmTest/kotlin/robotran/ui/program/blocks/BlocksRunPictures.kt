@@ -1,9 +1,9 @@
 package robotran.ui.program.blocks
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.projects.ProgramView
-import robotran.rcxrom.program.StepKind
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph

@@ -1,7 +1,7 @@
 package robotran.ui.program.editor
 
 import robotran.programs.ProgramDiagnostic
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.PENBOT_TARGET
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.SourceFix
@@ -14,7 +14,7 @@ import kotlin.test.assertNotNull
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {
         val diagnostic = assertIs<RobolangResult.HasErrors>(
-            compileRobolang("a.robo", source, PENBOT_CALIBRATION),
+            compileRobolang("a.robo", source, PENBOT_TARGET),
         ).diagnostics.first()
         val fix = assertNotNull(diagnostic.fix, source)
         return fixLabelOf(

@@ -44,7 +44,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
     val look = scope.looks.of(block.group)
     val reader = LocalLanguage.current
     val sentence = remember(block, reader) {
-        block.words.firstNotNullOfOrNull { WordHelp.of(reader, ProgramLanguage.ROBOLANG, it)?.sentence }.orEmpty()
+        block.explained.firstNotNullOfOrNull { WordHelp.of(reader, ProgramLanguage.ROBOLANG, it)?.sentence }.orEmpty()
     }
     val spoken = stringResource(Res.string.blocks_add_this, block.template.replace("\n", ", "), sentence)
     Column(

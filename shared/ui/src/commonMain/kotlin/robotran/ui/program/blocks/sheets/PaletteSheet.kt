@@ -47,6 +47,7 @@ import robotran.blockediting.palette.PaletteHelp
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
 import robotran.blockediting.palette.valueForm
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.fieldColours
@@ -60,6 +61,7 @@ import robotran.ui.resources.assignment_blocks_none
 import robotran.ui.resources.blocks_none_found
 import robotran.ui.resources.blocks_not_yet
 import robotran.ui.resources.blocks_palette
+import robotran.ui.resources.blocks_palette_lines
 import robotran.ui.resources.blocks_palette_values
 import robotran.ui.resources.blocks_search
 import robotran.ui.resources.blocks_show_all
@@ -87,10 +89,11 @@ internal fun PaletteSheet(
     val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteTurned(next)) }
     var showsAll by remember { mutableStateOf(false) }
     val introduced = scope.introduced.takeIf { !showsAll }
-    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced) {
-        shownBlocks(scope.state, introduced)
+    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced, scope.brick) {
+        shownBlocks(scope.state, introduced, scope.brick)
     }
     val (values, lines) = shown.partition { it.isValue }
+    val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
     val list = remember { FocusRequester() }
     val isOver = room.sheets == SheetPlace.OVER
     val keys = LocalKeysInUse.current
@@ -141,14 +144,21 @@ internal fun PaletteSheet(
         ) {
             if (hasAll && palette.query.isBlank()) item { SheetHeading(scope.messages.group(palette.group)) }
             if (hasAll && shown.isEmpty()) item { noneFound() }
-            items(lines) { block ->
-                Row(verticalAlignment = Alignment.Top) {
-                    Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
-                    DoNowButton(block, scope)
+            val allLines = {
+                items(lines) { block ->
+                    Row(verticalAlignment = Alignment.Top) {
+                        Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
+                        DoNowButton(block, scope)
+                    }
                 }
             }
+            if (!valuesFirst) allLines()
             if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
             items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+            if (valuesFirst) {
+                if (lines.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_lines)) }
+                allLines()
+            }
             if (hasAll && introduced != null) item { showAll() }
         }
     }
@@ -222,9 +232,9 @@ private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
 }
 
 /** The lines that can be added, and the values. */
-private fun shownBlocks(state: BlocksState, introduced: Set<String>?): List<PaletteBlock> {
+private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
     val own = ownBlocks(state.program, state.placeForNew)
-    val known = Palette.blocks.filter { introduced == null || it.id in introduced }
+    val known = Palette.blocksFor(brick).filter { introduced == null || it.id in introduced }
     val all = (known + own).filter { !it.isValue || it.valueForm !in UNOFFERED }
     val query = state.palette.query
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)

@@ -11,9 +11,11 @@ import robotran.blockediting.namesFor
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.comparisonsFor
 import robotran.blockediting.palette.textAt
 import robotran.blockediting.palette.valueForm
 import robotran.blockediting.palette.valueKind
+import robotran.brick.kind.BrickKind
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
@@ -35,8 +37,12 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
         Choices(names.map { textFor(it) to textFor(it) }, "value-name", onChoose)
     }
     SheetHeading(stringResource(Res.string.blocks_values))
-    val fitting = VALUES.filter { (_, kind) -> fits(kind, part.use.kind) }
-    Choices(fitting.map { (block, _) -> block.template to block.textAt(part, scope.state.program) }, "value", onChoose)
+    val fitting = VALUES.getValue(scope.brick).filter { (_, kind) -> fits(kind, part.use) }
+    // Comparisons of the robot's own sensors come first.
+    val (comparisons, others) = fitting.map { it.first }.partition { it.valueForm == ValueForm.COMPARISON }
+    val compared = if (comparisons.isEmpty()) emptyList() else comparisonsFor(scope.sensors, scope.brick)
+    val choices = compared.map { it to it } + others.map { it.template to it.textAt(part, scope.state.program) }
+    Choices(choices, "value", onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */
@@ -75,8 +81,10 @@ private fun textFor(name: DeclaredName): String = if (name.kind == NameKind.FUNC
 }
 
 /** The values of the palette with their types, without plain numbers, which the number pad writes, and brackets. */
-private val VALUES: List<Pair<PaletteBlock, ValueKind>> by lazy {
-    Palette.blocks.filter { it.isValue && it.valueForm !in UNOFFERED }.map { it to it.valueKind }
+private val VALUES: Map<BrickKind, List<Pair<PaletteBlock, ValueKind>>> by lazy {
+    BrickKind.entries.associateWith { brick ->
+        Palette.blocksFor(brick).filter { it.isValue && it.valueForm !in UNOFFERED }.map { it to it.valueKind }
+    }
 }
 
 internal val UNOFFERED = setOf(ValueForm.NUMBER, ValueForm.BRACKETS)

@@ -1,0 +1,86 @@
+package robotran.cli.input
+
+import robotran.cli.console.Console
+import robotran.cli.console.messages
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.projects.messages.ProjectMessages
+import robotran.projects.unfinishedRobot
+import robotran.world.RobotDescription
+import robotran.world.World
+import robotran.world.file.RobotFileResult
+import robotran.world.file.hasRoomAtStart
+import robotran.world.file.readRobot
+
+/** The result of reading a robot file. */
+internal sealed interface DescribedRobot {
+    data class Read(val robot: RobotDescription) : DescribedRobot
+
+    /**
+     * The robot cannot be used. [reason] is a sentence that names the file.
+     *
+     * @property isReadable whether the file could be read, and the robot has a mistake.
+     */
+    data class Rejected(val reason: String, val isReadable: Boolean) : DescribedRobot
+}
+
+/** Reads the robot file [name]. */
+internal fun readDescribedRobot(name: String, console: Console): DescribedRobot =
+    when (val file = readTextFile(name, console.messages)) {
+        is TextFile.Rejected -> {
+            DescribedRobot.Rejected(file.reason, isReadable = false)
+        }
+
+        is TextFile.Read -> {
+            when (val result = readRobot(file.text, console.language)) {
+                is RobotFileResult.Loaded -> {
+                    DescribedRobot.Read(result.robot)
+                }
+
+                is RobotFileResult.Rejected -> {
+                    DescribedRobot.Rejected("$name: ${result.message}", isReadable = true)
+                }
+            }
+        }
+    }
+
+/** Whether all robots of [world] are finished. Prints an error if not. */
+internal fun robotsAreFinished(world: World, console: Console): Boolean {
+    val unfinished = unfinishedRobot(world, console.language) ?: return true
+    unfinished.diagnostics.forEach { console.complain(it.message) }
+    return false
+}
+
+/**
+ * [world] with robots built as [files] say, which name them by robot; an empty name is the first robot. On error prints
+ * it and returns null.
+ */
+internal fun withDescribedRobots(world: World, files: List<RobotFile>, console: Console): World? {
+    var changed = world
+    for (file in files) {
+        val names = changed.robots.map { it.name }
+        val name = file.robot.ifEmpty { names.first() }
+        val number = names.indexOf(name)
+        val problem = if (number < 0) {
+            ProjectMessages.of(console.language).unknownRobot(name, names)
+        } else {
+            when (val read = readDescribedRobot(file.file, console)) {
+                is DescribedRobot.Rejected -> {
+                    read.reason
+                }
+
+                is DescribedRobot.Read -> {
+                    val robots = changed.robots.toMutableList()
+                    robots[number] = robots[number].copy(description = read.robot, draft = null)
+                    changed = changed.copy(robots = robots)
+                    if (hasRoomAtStart(changed, number)) null else console.messages.standsIn(name, file.file)
+                }
+            }
+        }
+        if (problem != null) {
+            console.complain(problem)
+            return null
+        }
+    }
+    return changed
+}

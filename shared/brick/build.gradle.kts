@@ -1,0 +1,11 @@
+plugins {
+    id("robotran.core")
+}
+
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:language"))
+        }
+    }
+}

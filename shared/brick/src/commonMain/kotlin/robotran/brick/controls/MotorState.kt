@@ -1,0 +1,16 @@
+package robotran.brick.controls
+
+/** The output ports of a brick. */
+enum class MotorPort { A, B, C }
+
+/** The command for a motor; [code] is the number for it in the RCX's ROM and in leJOS NXJ. */
+enum class MotorMode(val code: Int) { FORWARD(1), BACKWARD(2), BRAKE(3), FLOAT(4) }
+
+/**
+ * The command for an output port.
+ *
+ * @property power 0..7 on an RCX, whose port is on in power + 1 of 8 milliseconds; 0..100 percent on an NXT.
+ * @property brakesInPauses whether the port brakes, rather than floats, while pulse-width modulation switches it off; an
+ * RCX always floats.
+ */
+data class MotorState(val port: MotorPort, val mode: MotorMode, val power: Int, val brakesInPauses: Boolean = false)

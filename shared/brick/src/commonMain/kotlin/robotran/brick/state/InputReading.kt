@@ -1,0 +1,24 @@
+package robotran.brick.state
+
+import robotran.brick.sensors.SensorKind
+
+/**
+ * What a brick last read at an input port.
+ *
+ * @property port from 1.
+ * @property value the reading in the unit that the program chose.
+ * @property isActive whether the port powers its sensor.
+ * @property isPressed whether a touch sensor that measured this would be pressed.
+ */
+interface InputReading {
+    val port: Int
+    val value: Int
+    val isActive: Boolean
+    val isPressed: Boolean
+
+    /**
+     * The reading in the unit of a sensor of this [kind], whatever the program chose, where the brick knows it: percent,
+     * centimetres, degrees, 0 or 1; otherwise [value].
+     */
+    fun measured(kind: SensorKind): Int = value
+}

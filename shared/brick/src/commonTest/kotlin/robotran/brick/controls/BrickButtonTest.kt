@@ -1,0 +1,18 @@
+package robotran.brick.controls
+
+import robotran.brick.kind.BrickKind
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+class BrickButtonTest {
+    @Test
+    fun `each button belongs to one brick, in its order`() {
+        assertEquals(BrickButton.entries.toList(), BrickKind.entries.flatMap(BrickButton::of))
+        assertEquals(listOf("On-Off", "View", "Prgm", "Run"), BrickButton.of(BrickKind.RCX).map { it.label })
+    }
+
+    @Test
+    fun `a brick is started with a button of its own`() {
+        for (kind in BrickKind.entries) assertEquals(kind, kind.startButton.kind)
+    }
+}

@@ -1,0 +1,33 @@
+package robotran.javacompiler
+
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.ecj.BrickTarget
+import robotran.javacompiler.ecj.JavaSource
+import robotran.nxjlibrary.NxjLibrary
+import kotlin.test.assertIs
+import kotlin.test.fail
+
+/** Compiles [text] as `Robot.java` for an NXT. */
+suspend fun compileForNxt(text: String): CompilationResult = compiler().compile(
+    listOf(JavaSource("Robot.java", text)),
+    NxjLibrary.load().classFiles,
+    target = BrickTarget.LEJOS_NXJ,
+)
+
+suspend fun compiledForNxt(text: String): CompilationResult.Compiled = when (val result = compileForNxt(text)) {
+    is CompilationResult.Compiled -> result
+    is CompilationResult.Rejected -> fail(result.diagnostics.joinToString("\n") { "${it.range.line}: ${it.message}" })
+}
+
+/** A whole program for an NXT with [statements], which begin in line 8. */
+fun nxtProgram(statements: String) =
+    "import java.util.*;\nimport lejos.nxt.*;\nimport lejos.util.*;\nimport lejos.robotics.*;\n" +
+        "import lejos.robotics.navigation.*;\npublic class Robot {\n" +
+        "public static void main(String[] args) throws Exception {\n$statements\n}\n}\n"
+
+/** The first diagnostic of the program [text] for an NXT. */
+suspend fun nxtDiagnosticOf(text: String): JavaDiagnostic =
+    assertIs<CompilationResult.Rejected>(compileForNxt(text), text).diagnostics.first()
+
+/** The first diagnostic for [statements] in a main method for an NXT. */
+suspend fun nxtDiagnostic(statements: String): JavaDiagnostic = nxtDiagnosticOf(nxtProgram(statements))

@@ -1,0 +1,13 @@
+package java.lang;
+
+/** A method was given something that it cannot take. */
+public class IllegalArgumentException extends RuntimeException {
+    /** Makes one without a message. */
+    public IllegalArgumentException() {
+    }
+
+    /** Makes one that says what went wrong. */
+    public IllegalArgumentException(String message) {
+        super(message);
+    }
+}

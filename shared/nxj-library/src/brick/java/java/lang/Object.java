@@ -1,0 +1,46 @@
+package java.lang;
+
+/** What every object is: all classes extend it. */
+public class Object {
+    /** Makes an object. */
+    public Object() {
+    }
+
+    /** Gives the class of the object. */
+    public final native Class<?> getClass();
+
+    /** Says whether both are the very same object, unless its class knows better. */
+    public boolean equals(Object other) {
+        return this == other;
+    }
+
+    /** Gives a number that tells objects apart. */
+    public int hashCode() {
+        return System.getDataAddress(this);
+    }
+
+    /** Gives the object as text: the number of its class and of the object, unless its class knows better. */
+    public String toString() {
+        return getClass() + "@" + Integer.toHexString(hashCode());
+    }
+
+    /** Gives a copy whose fields are those of the object; its class must implement Cloneable. */
+    protected Object clone() throws CloneNotSupportedException {
+        if (!(this instanceof Cloneable)) throw new CloneNotSupportedException();
+        return cloneObject(this);
+    }
+
+    /** Waits until another thread calls notify or notifyAll of this object. */
+    public final native void wait() throws InterruptedException;
+
+    /** Waits until another thread calls notify or notifyAll, at most for so many milliseconds; 0 are for ever. */
+    public final native void wait(long milliseconds) throws InterruptedException;
+
+    /** Wakes one of the threads that wait for this object. */
+    public final native void notify();
+
+    /** Wakes all threads that wait for this object. */
+    public final native void notifyAll();
+
+    private static native Object cloneObject(Object original);
+}

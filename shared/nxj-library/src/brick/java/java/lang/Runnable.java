@@ -1,0 +1,7 @@
+package java.lang;
+
+/** Something that a thread can do. */
+public interface Runnable {
+    /** Does it. */
+    void run();
+}

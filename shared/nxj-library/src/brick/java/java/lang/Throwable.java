@@ -1,0 +1,104 @@
+package java.lang;
+
+import java.io.PrintStream;
+import lejos.nxt.VM;
+
+/**
+ * What can be thrown and caught: all exceptions and errors extend it.
+ *
+ * <p>On a brick there are no names of classes and methods: as a text, and in the list of calls, they are numbers.
+ */
+public class Throwable {
+    // The virtual machine sets the third of these fields if it makes the object itself.
+    private String message;
+    private Throwable cause;
+    private int[] calls;
+
+    /** Makes one without a message. */
+    public Throwable() {
+        fillInStackTrace();
+    }
+
+    /** Makes one that says what went wrong. */
+    public Throwable(String message) {
+        this();
+        this.message = message;
+    }
+
+    /** Makes one that says what went wrong, and which other one caused it. */
+    public Throwable(String message, Throwable cause) {
+        this();
+        this.message = message;
+        this.cause = cause;
+    }
+
+    /** Makes one that another one caused. */
+    public Throwable(Throwable cause) {
+        this();
+        this.message = cause == null ? null : cause.toString();
+        this.cause = cause;
+    }
+
+    /** Notes which methods are being called now. */
+    public Throwable fillInStackTrace() {
+        calls = VM.createStackTrace(Thread.currentThread(), this);
+        return this;
+    }
+
+    /** Gives the sentence that says what went wrong, or null if there is none. */
+    public String getMessage() {
+        return message;
+    }
+
+    /** Gives the sentence that says what went wrong, or null if there is none. */
+    public String getLocalizedMessage() {
+        return getMessage();
+    }
+
+    /** Gives what caused it, or null. */
+    public Throwable getCause() {
+        return cause == this ? null : cause;
+    }
+
+    /** Sets what caused it. */
+    public Throwable initCause(Throwable cause) {
+        this.cause = cause;
+        return this;
+    }
+
+    /** Writes it, and the numbers of the methods that were being called, onto the display. */
+    public void printStackTrace() {
+        printStackTrace(System.err);
+    }
+
+    /** Writes it, and the numbers of the methods that were being called. */
+    public void printStackTrace(PrintStream out) {
+        out.println("Exception: " + getClass());
+        Throwable told = this;
+        while (told != null) {
+            String message = told.getLocalizedMessage();
+            if (message != null) out.println(message);
+            if (told.calls != null) {
+                for (int index = 0; index < told.calls.length; index++) {
+                    int call = told.calls[index];
+                    out.println(" at: " + pad(call >>> 16) + ":" + (call & 0xFFFF));
+                }
+            }
+            told = told.getCause();
+            if (told != null) out.println("Caused by: " + told.getClass());
+        }
+    }
+
+    /** Gives the number of the class and the sentence that says what went wrong. */
+    public String toString() {
+        String message = getLocalizedMessage();
+        return message == null ? getClass().toString() : getClass() + ": " + message;
+    }
+
+    /** The number of a method, in four columns. */
+    private static String pad(int number) {
+        String text = String.valueOf(number);
+        while (text.length() < 4) text = " " + text;
+        return text;
+    }
+}

@@ -1,0 +1,5 @@
+package java.lang.annotation;
+
+/** What all annotations extend. */
+public interface Annotation {
+}

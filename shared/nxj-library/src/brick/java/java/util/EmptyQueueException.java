@@ -1,0 +1,13 @@
+package java.util;
+
+/** The queue is empty. */
+public class EmptyQueueException extends RuntimeException {
+    /** Makes one without a message. */
+    public EmptyQueueException() {
+    }
+
+    /** Makes one that says what went wrong. */
+    public EmptyQueueException(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,5 @@
+package java.util;
+
+/** Marks lists that find each place equally fast. */
+public interface RandomAccess {
+}

@@ -1,0 +1,104 @@
+package java.util;
+
+/** Does tasks later, once or again and again, in a thread of its own. */
+public class Timer {
+    private final Vector<TimerTask> tasks = new Vector<TimerTask>();
+    private boolean isCancelled;
+
+    /** Makes one; the program does not end before cancel is called. */
+    public Timer() {
+        this(false);
+    }
+
+    /** Makes one, and says whether the program may end before cancel is called. */
+    public Timer(boolean isDaemon) {
+        Thread worker = new Worker();
+        worker.setDaemon(isDaemon);
+        worker.start();
+    }
+
+    /** Does a task once, after so many milliseconds. */
+    public void schedule(TimerTask task, long delay) {
+        add(task, delay, 0);
+    }
+
+    /** Does a task after so many milliseconds, and then again and again, with so many between one and the next. */
+    public void schedule(TimerTask task, long delay, long period) {
+        if (period <= 0) throw new IllegalArgumentException();
+        add(task, delay, period);
+    }
+
+    /** Lets the timer do nothing any more. */
+    public void cancel() {
+        synchronized (tasks) {
+            isCancelled = true;
+            tasks.removeAllElements();
+            tasks.notifyAll();
+        }
+    }
+
+    private void add(TimerTask task, long delay, long period) {
+        if (delay < 0) throw new IllegalArgumentException();
+        synchronized (tasks) {
+            if (isCancelled || task.isCancelled) throw new IllegalStateException();
+            task.time = System.currentTimeMillis() + delay;
+            task.period = period;
+            tasks.addElement(task);
+            tasks.notifyAll();
+        }
+    }
+
+    private class Worker extends Thread {
+        Worker() {
+        }
+
+        public void run() {
+            while (true) {
+                TimerTask task;
+                try {
+                    task = awaitNext();
+                } catch (InterruptedException lookAgain) {
+                    continue;
+                }
+                if (task == null) return;
+                task.run();
+            }
+        }
+
+        /** Waits until a task is due; null when the timer is cancelled. */
+        private TimerTask awaitNext() throws InterruptedException {
+            synchronized (tasks) {
+                while (!isCancelled) {
+                    TimerTask next = next();
+                    long now = System.currentTimeMillis();
+                    if (next == null) {
+                        tasks.wait();
+                    } else if (next.time > now) {
+                        tasks.wait(next.time - now);
+                    } else {
+                        if (next.period > 0) {
+                            next.time = now + next.period;
+                        } else {
+                            tasks.removeElement(next);
+                        }
+                        return next;
+                    }
+                }
+                return null;
+            }
+        }
+
+        private TimerTask next() {
+            TimerTask next = null;
+            for (int index = tasks.size() - 1; index >= 0; index--) {
+                TimerTask task = tasks.elementAt(index);
+                if (task.isCancelled) {
+                    tasks.removeElementAt(index);
+                } else if (next == null || task.time <= next.time) {
+                    next = task;
+                }
+            }
+            return next;
+        }
+    }
+}

@@ -1,0 +1,30 @@
+package lejos.nxt;
+
+import lejos.robotics.EncoderMotor;
+
+/** A motor that gets as much power as the program says, and counts degrees. */
+public class NXTMotor extends BasicMotor implements EncoderMotor {
+    private final TachoMotorPort tachoPort;
+
+    /** Makes the motor of a port, with power 0. */
+    public NXTMotor(TachoMotorPort port) {
+        this(port, BasicMotorPort.PWM_BRAKE);
+    }
+
+    /** Makes the motor of a port, and says what it does between its pulses. */
+    public NXTMotor(TachoMotorPort port, int pwmMode) {
+        this.port = port;
+        tachoPort = port;
+        port.setPWMMode(pwmMode);
+    }
+
+    /** Gives how many degrees the motor has turned since it was counted from 0. */
+    public int getTachoCount() {
+        return tachoPort.getTachoCount();
+    }
+
+    /** Counts from 0. */
+    public void resetTachoCount() {
+        tachoPort.resetTachoCount();
+    }
+}

@@ -1,0 +1,82 @@
+package robotran.nxjlibrary
+
+import java.io.ByteArrayOutputStream
+import java.io.File
+import java.io.PrintStream
+import java.lang.reflect.InvocationTargetException
+import java.net.URLClassLoader
+import javax.tools.ToolProvider
+import kotlin.io.path.createTempDirectory
+
+/**
+ * A run of the test program at [path] by the JDK's own compiler and JVM, with its own `java` and the library's `lejos`.
+ */
+internal class ProgramOnJvm(private val path: String, private val source: String) {
+    private val name = path.substringAfterLast('/').removeSuffix(".java")
+    private val output = ByteArrayOutputStream()
+    private val thrown = mutableMapOf<Int, String>()
+
+    val printed: List<String> get() = output.toString().replace("\r", "").removeSuffix("\n").lines()
+
+    /** The simple names of exceptions that left a thread, by the line of the program that threw them. */
+    val failures: Map<Int, String> get() = thrown
+
+    fun run() {
+        val folder = createTempDirectory("program").toFile()
+        try {
+            val library = folder.resolve("library")
+            for ((name, bytes) in robotran.nxjlibrary.library.classFiles.filterKeys { it.startsWith("lejos/") }) {
+                library.resolve("$name.class").apply { parentFile.mkdirs() }.writeBytes(bytes)
+            }
+            compile(folder, library)
+            val places = listOf(folder, library).map { it.toURI().toURL() }
+            URLClassLoader(places.toTypedArray(), null).use { run(it, namesIn(folder)) }
+        } finally {
+            folder.deleteRecursively()
+        }
+    }
+
+    private fun compile(folder: File, library: File) {
+        val file = folder.resolve("$name.java").apply { writeText(source) }
+        val options =
+            listOf("-nowarn", "-Xlint:none", "--release", "8", "-cp", library.path, "-d", folder.path, file.path)
+        val problems = ByteArrayOutputStream()
+        val result = ToolProvider.getSystemJavaCompiler().run(null, problems, problems, *options.toTypedArray())
+        check(result == 0) { "$path: $problems" }
+    }
+
+    private fun namesIn(folder: File): Set<String> =
+        folder.list().orEmpty().filter { it.endsWith(".class") }.map { it.removeSuffix(".class") }.toSet()
+
+    private fun run(loader: ClassLoader, names: Set<String>) {
+        val before = System.out
+        val handler = Thread.getDefaultUncaughtExceptionHandler()
+        System.setOut(PrintStream(output, true))
+        Thread.setDefaultUncaughtExceptionHandler { _, failure -> fail(failure, names) }
+        try {
+            val group = ThreadGroup(path)
+            Thread(group) {
+                try {
+                    loader.loadClass(name).getMethod("main", Array<String>::class.java).invoke(null, arrayOf<String>())
+                } catch (exception: InvocationTargetException) {
+                    fail(exception.targetException, names)
+                }
+            }.apply { start() }.join(LONGEST)
+            val threads = arrayOfNulls<Thread>(MOST_THREADS)
+            repeat(group.enumerate(threads)) { index -> threads[index]?.takeUnless { it.isDaemon }?.join(LONGEST) }
+        } finally {
+            System.setOut(before)
+            Thread.setDefaultUncaughtExceptionHandler(handler)
+        }
+    }
+
+    private fun fail(failure: Throwable, names: Set<String>) {
+        val line = failure.stackTrace.firstOrNull { it.className in names }?.lineNumber ?: 0
+        synchronized(thrown) { thrown[line] = failure.javaClass.simpleName }
+    }
+
+    private companion object {
+        const val LONGEST = 10_000L
+        const val MOST_THREADS = 50
+    }
+}

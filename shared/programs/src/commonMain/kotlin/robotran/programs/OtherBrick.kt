@@ -1,0 +1,25 @@
+package robotran.programs
+
+import robotran.brick.kind.BrickKind
+import robotran.programs.messages.ProgramMessages
+
+/** Tells that a program is for another kind of brick, at the place where it says so. */
+internal class OtherBrick(private val robot: BrickKind, private val messages: ProgramMessages) {
+    /** The mistake in [source] if it cannot run on the robot; null if it can, or is in Robolang, which tells itself. */
+    fun mistakeIn(source: ProgramSource): ProgramDiagnostic? {
+        if (source is ProgramSource.Robolang) return null
+        val program = brickOf(source)?.takeIf { it != robot } ?: return null
+        return diagnosticOf(source, messages.forOtherBrick(program.name, robot.name))
+    }
+
+    /** The mistake in [source] if it is not for an RCX, the only brick that images are for. */
+    fun mistakeInImage(source: ProgramSource): ProgramDiagnostic? {
+        val program = brickOf(source) ?: robot
+        return if (program == BrickKind.RCX) null else diagnosticOf(source, messages.noImageFor(program.name))
+    }
+
+    private fun diagnosticOf(source: ProgramSource, message: String): ProgramDiagnostic {
+        val mention = (source as? ProgramSource.Java)?.let { brickMentionIn(it.files) }
+        return ProgramDiagnostic(mention?.file ?: source.name, mention?.range, message)
+    }
+}

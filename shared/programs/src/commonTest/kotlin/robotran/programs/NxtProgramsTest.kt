@@ -1,0 +1,132 @@
+package robotran.programs
+
+import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.robot.RobotTarget
+import robotran.tinyvm.NxjProgram
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** The robot with an NXT of the test programs. */
+internal val nxtTestTarget = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
+
+class NxtProgramsTest {
+    private val rcx = ProgramCompiler(testTarget)
+    private val nxt = rcx.forTarget(nxtTestTarget)
+
+    private fun java(name: String, text: String) = ProgramSource.Java(name, listOf(SourceFile(name, text)))
+
+    private val squareNxj = java(
+        "Square.java",
+        """
+        import lejos.nxt.*;
+        import lejos.robotics.navigation.DifferentialPilot;
+
+        public class Square {
+            public static void main(String[] args) {
+                DifferentialPilot pilot = new DifferentialPilot(5.6, 11.4, Motor.A, Motor.C);
+                for (int side = 0; side < 4; side++) {
+                    pilot.travel(20);
+                    pilot.rotate(90);
+                }
+            }
+        }
+        """.trimIndent(),
+    )
+
+    private val squareRcx = java(
+        "Square.java",
+        "import josx.platform.rcx.*;\npublic class Square {\n  public static void main(String[] args) {\n" +
+            "    Motor.A.forward();\n  }\n}\n",
+    )
+
+    @Test
+    fun `a program for an NXT is compiled and linked with its own library`() = runTest {
+        val ready = assertIs<ProgramResult.Ready>(nxt.read(squareNxj))
+        assertIs<NxjProgram>(ready.program)
+        assertEquals(BrickKind.NXT, ready.program.kind)
+        assertEquals("Square", ready.mainClass)
+        assertEquals(BrickKind.RCX, assertIs<ProgramResult.Ready>(rcx.read(squareRcx)).program.kind)
+    }
+
+    @Test
+    fun `a program for an NXT on an RCX has one mistake at its import, in each language`() = runTest {
+        val sentences = Language.entries.map { language ->
+            val result = assertIs<ProgramResult.HasErrors>(rcx.withLanguage(language).read(squareNxj))
+            val diagnostic = result.diagnostics.single()
+            assertEquals("Square.java" to SourceRange(1, 8, 19), diagnostic.file to diagnostic.range)
+            diagnostic.message
+        }
+        assertEquals(
+            "This program is for an NXT, but the robot has an RCX. Give it to a robot with an NXT.",
+            sentences.first(),
+        )
+        assertEquals(Language.entries.size, sentences.toSet().size)
+    }
+
+    @Test
+    fun `a program for an RCX on an NXT has one mistake at its import`() = runTest {
+        val diagnostic = assertIs<ProgramResult.HasErrors>(nxt.read(squareRcx)).diagnostics.single()
+        assertEquals(SourceRange(1, 8, 27), diagnostic.range)
+        assertContains(diagnostic.message, "This program is for an RCX, but the robot has an NXT.")
+    }
+
+    @Test
+    fun `a mistake in a program for an NXT is told at its line`() = runTest {
+        val mistaken = java(
+            "Wrong.java",
+            "import lejos.nxt.*;\n\nclass Wrong {\n  static void main(String[] a) {\n    Motor.A.foward();\n  }\n}",
+        )
+        assertEquals(5, assertIs<ProgramResult.HasErrors>(nxt.read(mistaken)).diagnostics.first().range?.line)
+    }
+
+    @Test
+    fun `class files from another compiler run on their brick only`() = runTest {
+        val compiled = ProgramSource.CompiledClasses("Empty.class", mapOf("A" to "lejos/nxt/Motor".encodeToByteArray()))
+        val diagnostic = assertIs<ProgramResult.HasErrors>(rcx.read(compiled)).diagnostics.single()
+        assertEquals("Empty.class" to null, diagnostic.file to diagnostic.range)
+        assertContains(diagnostic.message, "for an NXT")
+    }
+
+    @Test
+    fun `Robolang runs on either brick and its header must not name the other`() = runTest {
+        val plain = ProgramSource.Robolang("drive.robo", "forward 20 cm")
+        assertEquals(BrickKind.RCX, assertIs<ProgramResult.Ready>(rcx.read(plain)).program.kind)
+        assertEquals(BrickKind.NXT, assertIs<ProgramResult.Ready>(nxt.read(plain)).program.kind)
+        val forNxt = ProgramSource.Robolang("drive.robo", "robot\n  brick nxt\nend\nforward 20 cm")
+        assertEquals(BrickKind.NXT, brickOf(forNxt))
+        assertIs<ProgramResult.Ready>(nxt.read(forNxt))
+        assertEquals(2, assertIs<ProgramResult.HasErrors>(rcx.read(forNxt)).diagnostics.single().range?.line)
+    }
+
+    @Test
+    fun `the Java that Robolang becomes for an NXT compiles and links`() = runTest {
+        val programs = robolangExamples.map { (name, text) -> ProgramSource.Robolang(name, text) }
+            .filter { nxt.read(it) is ProgramResult.Ready }
+        val failures = programs.mapNotNull { source ->
+            (nxt.readTranslation(source) as? ProgramResult.HasErrors)?.let { "$source: ${it.diagnostics.first()}" }
+        }
+        assertEquals(emptyList(), failures)
+        assertTrue(programs.size > 10, "${programs.size} programs")
+    }
+
+    @Test
+    fun `no image is built of a program for an NXT`() = runTest {
+        val forNxt = ProgramSource.Robolang("drive.robo", "robot\n  brick nxt\nend\nforward 20 cm")
+        for (source in listOf(squareNxj, forNxt)) {
+            val diagnostic = assertIs<ImageBuildResult.HasErrors>(rcx.buildImage(listOf(squareRcx, source))).diagnostics
+            assertEquals(
+                "This program is for an NXT. Only programs for an RCX can be built for a real brick.",
+                diagnostic.single().message,
+            )
+        }
+        val plain = ProgramSource.Robolang("drive.robo", "forward 20 cm")
+        assertIs<ImageBuildResult.HasErrors>(nxt.buildImage(listOf(plain)))
+        assertIs<ImageBuildResult.Built>(rcx.buildImage(listOf(plain)))
+    }
+}

@@ -1,0 +1,42 @@
+package robotran.projects
+
+import robotran.brick.kind.BrickKind
+import robotran.robolang.robot.RobotTarget
+import robotran.world.Penbot
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
+import robotran.world.robot.RobotFigures
+
+/** What the compiler must know of this robot. */
+val RobotDescription.target: RobotTarget
+    get() = when (brick) {
+        BrickKind.RCX -> RobotFigures.of(this).let {
+            RobotTarget.Rcx(
+                it.millisecondsPerCentimetre,
+                it.millisecondsPerDegree,
+                drive.left,
+                drive.right,
+                pen?.motor,
+                drive.reversed,
+            )
+        }
+
+        BrickKind.NXT -> RobotTarget.Nxt(
+            drive.wheelDiameter / drive.gear,
+            drive.track,
+            drive.left,
+            drive.right,
+            pen?.motor,
+            drive.reversed,
+        )
+    }
+
+/** What the compiler must know of the penbot with an RCX. */
+val PENBOT_TARGET: RobotTarget = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+
+/** What the compiler must know of the penbot with a brick of this kind. */
+val BrickKind.penbotTarget: RobotTarget
+    get() = when (this) {
+        BrickKind.RCX -> PENBOT_TARGET
+        BrickKind.NXT -> ReadyRobots.NXT_PENBOT.target
+    }

@@ -1,0 +1,41 @@
+package robotran.robolang.syntax
+
+import robotran.brick.kind.BrickKind
+
+/**
+ * A word that the program declares as a name is a name on all its lines, if [Keyword.yields]. So programs that are
+ * older than the word mean what they always meant.
+ */
+internal fun withDeclaredNames(lines: List<ScannedLine>): List<ScannedLine> {
+    val declared = lines.flatMapTo(mutableSetOf()) { declaredWords(it.tokens) }
+    if (declared.isEmpty()) return lines
+    return lines.map { line ->
+        if (line.tokens.none { it.keyword in declared }) return@map line
+        line.copy(tokens = line.tokens.map { if (it.keyword in declared) it.copy(keyword = null) else it })
+    }
+}
+
+private fun declaredWords(tokens: List<Token>): List<Keyword> {
+    val names = when (tokens.firstOrNull()?.keyword) {
+        Keyword.VAR, Keyword.CONST -> tokens.drop(1).take(1)
+        Keyword.FOR -> tokens.drop(if (tokens.getOrNull(1)?.keyword == Keyword.EACH) 2 else 1).take(1)
+        Keyword.PROCEDURE, Keyword.FUNCTION -> tokens.drop(1)
+        else -> if (tokens.getOrNull(1)?.kind in ASSIGNING) tokens.take(1) else emptyList()
+    }
+    return names.mapNotNull { it.keyword }.filter { it.yields }
+}
+
+/** What follows a name at the start of a line: it is assigned or called. */
+private val ASSIGNING = setOf(TokenKind.ASSIGN, TokenKind.OPEN_LIST, TokenKind.OPEN_BRACKET)
+
+/** The brick that a header in [lines] names; null if none does. */
+internal fun brickIn(lines: List<ScannedLine>): BrickKind? {
+    if (lines.none { it.tokens.firstOrNull()?.keyword == Keyword.ROBOT }) return null
+    return lines.firstNotNullOfOrNull { line ->
+        val second = line.tokens.getOrNull(1)?.keyword
+        if (line.tokens.firstOrNull()?.keyword == Keyword.BRICK) KINDS[second] else null
+    }
+}
+
+/** The bricks by their words. */
+internal val KINDS = mapOf(Keyword.RCX to BrickKind.RCX, Keyword.NXT to BrickKind.NXT)

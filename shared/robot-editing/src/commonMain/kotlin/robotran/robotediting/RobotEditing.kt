@@ -1,0 +1,83 @@
+package robotran.robotediting
+
+import robotran.world.RobotDescription
+import robotran.world.geometry.Point
+import robotran.world.robot.RobotError
+import robotran.world.robot.robotErrors
+
+/**
+ * A robot in the workbench, with the workbench's state. [after] creates the next state. All figures stay in their
+ * ranges; the robot may still be impossible, see [errors].
+ *
+ * @property chosen the chosen element of [robot]; null for none.
+ * @property gesture the current drag.
+ * @property refusal why the last edit did nothing; null if it was not refused.
+ * @property errors what is impossible about the robot.
+ */
+data class RobotEditing(
+    val robot: RobotDescription,
+    val chosen: RobotElement? = null,
+    val history: RobotHistory = RobotHistory(),
+    val gesture: RobotGesture? = null,
+    val refusal: Refusal? = null,
+    val errors: List<RobotError> = emptyList(),
+) {
+    val isPossible: Boolean get() = errors.isEmpty()
+
+    internal val moment: RobotMoment get() = RobotMoment(robot, chosen)
+
+    companion object {
+        fun of(robot: RobotDescription) = RobotEditing(robot, errors = robotErrors(robot))
+    }
+}
+
+/** The user drags [handle] from [from]; [before] is the state at the start. */
+data class RobotGesture(val handle: RobotHandle, val from: Point, val before: RobotMoment)
+
+/** Why an edit does nothing. */
+enum class Refusal {
+    /** The robot has as many bumpers and sensors as a description can have. */
+    TOO_MANY_PARTS,
+    TOO_MANY_CASTERS,
+    TOO_MANY_CORNERS,
+
+    /** A chassis needs three corners. */
+    TOO_FEW_CORNERS,
+
+    /** The same thing is there already. */
+    SAME_THING,
+
+    /** Wheels, brick, mass and chassis stay. */
+    NEEDED,
+}
+
+/** The state that undo restores. */
+data class RobotMoment(val robot: RobotDescription, val chosen: RobotElement?)
+
+/**
+ * The undo and redo stacks.
+ *
+ * @property going the ongoing change, such as typing a name, whose next part is no separate undo step; null if there is
+ * none.
+ */
+data class RobotHistory(
+    val past: List<RobotMoment> = emptyList(),
+    val future: List<RobotMoment> = emptyList(),
+    val going: Any? = null,
+) {
+    val canUndo: Boolean get() = past.isNotEmpty()
+    val canRedo: Boolean get() = future.isNotEmpty()
+
+    internal fun changed(before: RobotMoment, part: Any?): RobotHistory = if (part != null && part == going) {
+        copy(future = emptyList())
+    } else {
+        RobotHistory((past + before).takeLast(MAX_STEPS), emptyList(), part)
+    }
+
+    internal fun settled(): RobotHistory = if (going == null) this else copy(going = null)
+
+    companion object {
+        /** Max number of undo steps. */
+        const val MAX_STEPS = 200
+    }
+}

@@ -1,0 +1,171 @@
+package robotran.scene3d.model
+
+import robotran.brick.kind.BrickKind
+import robotran.scene3d.geometry.ConvexPolygon
+import robotran.world.RobotDescription
+import robotran.world.RobotPlacement
+import robotran.world.SensorPart
+import robotran.world.robot.brickSeat
+import kotlin.math.abs
+
+/** The brick of a robot that is no penbot, with what stands on it and the motors beside it. */
+internal class BrickOnRobot(
+    robot: RobotDescription,
+    build: RobotPlacement,
+    private val palette: RobotPalette,
+    private val round: Round,
+    wheels: WheelShape,
+) {
+    private val seat = robot.brickSeat
+    private val isAlong = seat.isAlong
+
+    // Where the tyres are, it is as wide as the chassis.
+    private val isBesideWheels = abs(seat.middle.x) - seat.halfAlong < wheels.radius
+    private val halfAcross =
+        if (isBesideWheels) minOf(seat.halfAcross, wheels.inner - GAP) else seat.halfAcross
+    private val halfWidth = if (isAlong) halfAcross else seat.halfAlong
+    private val halfLength = if (isAlong) seat.halfAlong else halfAcross
+
+    /** What it covers of the robot. */
+    val box = Box(
+        seat.middle.x - seat.halfAlong,
+        seat.middle.y - halfAcross,
+        seat.middle.x + seat.halfAlong,
+        seat.middle.y + halfAcross,
+    )
+    val body: Body = when (robot.brick) {
+        BrickKind.RCX -> plainBrick(build)
+        BrickKind.NXT -> nxtBody(build, palette, round, halfWidth, halfLength)
+    }
+
+    /** Its front edge, and where the eyes are aside of the middle: farther where a sensor is between them. */
+    private val front = seat.middle.x + seat.halfAlong
+    private val hasSensorInFront = robot.parts.any {
+        it is SensorPart && it.height >= SensorSeats.HIGH && isInFront(it)
+    }
+    val eyes = EyeBodies(
+        palette.brick(build.colour),
+        palette.brickEdge(build.colour),
+        palette,
+        round,
+        ahead = front - if (isAlong) EYE_BACK_ALONG else EYE_BACK,
+        aside = if (hasSensorInFront) minOf(EYE_FAR_ASIDE, halfAcross) else EYE_ASIDE,
+    )
+    val beacon: Body? = if (build.beacon > 0) beaconBody(palette, round, seat.middle.x) else null
+
+    /** Those of the wheels, behind the axle, unless the brick lies over them. */
+    val motors: List<Body> = if (seat.middle.x - seat.halfAlong < MOTOR_FRONT) {
+        emptyList()
+    } else {
+        val back = maxOf(MOTOR_BACK, robot.chassis.outline.minOf { it.x } + GAP)
+        val outer = minOf(wheels.inner, robot.chassis.outline.maxOf { it.y }) - GAP
+        listOf(1, -1).map { side -> motor(back, side * (outer - MOTOR_WIDTH / 2)) }
+    }
+
+    /** Where its body stands, whose upper end is to its left, on a robot that stands at [place]. */
+    fun placeOn(place: Placement): Placement {
+        val at = place.shifted(seat.middle.x, seat.middle.y)
+        // Its upper end is to its left until it is turned.
+        val (cosine, sine) = when (seat.upperEnd) {
+            QUARTER_TURN -> place.cosine to place.sine
+            0 -> place.sine to -place.cosine
+            HALF_TURN -> -place.sine to place.cosine
+            else -> -place.cosine to -place.sine
+        }
+        return Placement(at.x, at.y, at.z, cosine, sine)
+    }
+
+    /** Whether [part] reaches the place of the eyes on the brick. */
+    private fun isInFront(part: SensorPart) =
+        part.at.x > front - EYE_ROOM && part.at.x < front + EYE_ROOM && abs(part.at.y - seat.middle.y) < EYE_ASIDE
+
+    private fun motor(back: Double, y: Double): Body {
+        val (from, to) = y - MOTOR_WIDTH / 2 to y + MOTOR_WIDTH / 2
+        return prism(
+            ConvexPolygon.rectangle(back, from, MOTOR_FRONT, to),
+            RobotPlan3D.CHASSIS_TOP,
+            MOTOR_TOP,
+            palette.nxtGrey,
+            shaded(palette.nxtGrey, LIT),
+            topDecals = listOf(round.disc(0.0, y, MOTOR_TOP, HUB_RADIUS, palette.orange)),
+        )
+    }
+
+    /** An RCX with its display and buttons, without the details of the penbot's. */
+    private fun plainBrick(build: RobotPlacement): Body {
+        val colour = palette.brick(build.colour)
+        val top = RobotPlan3D.BRICK_TOP
+        val outline = round.cutRectangle(-halfWidth, -halfLength, halfWidth, halfLength, RobotPlan3D.BRICK_CORNER)
+        return prism(
+            outline,
+            RobotPlan3D.CHASSIS_TOP,
+            top,
+            colour,
+            topDecals = listOf(
+                Round.plate(-1.05, -1.55, 1.05, 1.55, top, palette.chassis),
+                Round.plate(-0.85, -1.3, 0.85, 1.3, top, palette.glass),
+            ) + listOf(-1.7 to 0.85, -1.7 to -0.85, 1.7 to 0.85, 1.7 to -0.85).zip(palette.buttons) { (x, y), button ->
+                round.disc(x, y, top, 0.42, button)
+            },
+        )
+    }
+
+    private companion object {
+        const val GAP = 0.05
+        const val QUARTER_TURN = 90
+        const val HALF_TURN = 180
+        const val EYE_BACK = 1.05
+
+        /** Less, to keep the display visible. */
+        const val EYE_BACK_ALONG = 0.45
+        const val EYE_ASIDE = 2.45
+        const val EYE_FAR_ASIDE = 3.75
+        const val EYE_ROOM = 2.5
+        const val MOTOR_BACK = -7.4
+        const val MOTOR_FRONT = 1.35
+        const val MOTOR_WIDTH = 2.5
+        const val MOTOR_TOP = 6.4
+        const val HUB_RADIUS = 0.95
+        const val LIT = 1.06
+    }
+}
+
+/**
+ * An NXT around the origin, its upper end at larger y: a light face with its display, buttons and ports in a frame of
+ * the robot's colour.
+ */
+internal fun nxtBody(
+    build: RobotPlacement,
+    palette: RobotPalette,
+    round: Round,
+    halfWidth: Double,
+    halfLength: Double,
+): Body {
+    val colour = palette.brick(build.colour)
+    val top = RobotPlan3D.BRICK_TOP
+    val outline = round.cutRectangle(-halfWidth, -halfLength, halfWidth, halfLength, RobotPlan3D.BRICK_CORNER)
+    // The parts of the face keep their proportions on a face that is less long.
+    val scale = halfLength / NXT_HALF_LENGTH
+
+    fun plate(left: Double, lower: Double, right: Double, upper: Double, colour: Int) =
+        Round.plate(left, lower * scale, right, upper * scale, top, colour)
+    val ports = listOf(-1.75, 0.0, 1.75).map { plate(it - 0.5, 4.0, it + 0.5, 4.65, palette.chassis) } +
+        listOf(-2.0, -0.67, 0.67, 2.0).map { plate(it - 0.45, -4.65, it + 0.45, -4.0, palette.chassis) }
+    return prism(
+        outline,
+        RobotPlan3D.CHASSIS_TOP,
+        top,
+        colour,
+        topDecals = listOf(
+            plate(-2.75, -4.75, 2.75, 4.75, palette.nxtFace),
+            plate(-2.4, 0.55, 2.4, 3.75, palette.bumperEdge),
+            plate(-2.05, 0.9, 2.05, 3.4, palette.glass),
+            plate(-0.75, -1.5, 0.75, 0.0, palette.orange),
+            round.disc(-1.65, -0.75 * scale, top, 0.55, palette.bumper),
+            round.disc(1.65, -0.75 * scale, top, 0.55, palette.bumper),
+            plate(-1.3, -2.75, 1.3, -1.85, palette.bumperEdge),
+        ) + ports,
+    )
+}
+
+private const val NXT_HALF_LENGTH = 5.1

@@ -1,0 +1,162 @@
+package robotran.simulation.robot
+
+import robotran.brick.controls.MotorPort
+import robotran.brick.sensors.SensorKind
+import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.sensors.RotationSensor
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.TemperatureSensor
+import robotran.rcxrom.sensors.TouchSensor
+import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.noise.Realism
+import robotran.world.BumperPart
+import robotran.world.BumperSide
+import robotran.world.FingerTouchPart
+import robotran.world.RobotDescription
+import robotran.world.RobotPart
+import robotran.world.RotationPart
+import robotran.world.SensorPart
+import robotran.world.robot.things
+import kotlin.math.abs
+import kotlin.math.floor
+
+/** The ports of an RCX. Its sensors are measured as often as the firmware reads them. */
+internal class RcxPorts(
+    robot: RobotDescription,
+    override val brick: RcxBrick,
+    private val machine: SimulatedRobot,
+    lightOf: (SensorPart) -> LightReading,
+    private val thermometer: Thermometer,
+    streams: NoiseStreams,
+    private val realism: Double,
+) : BrickPorts {
+    private val lightParts = robot.things.filterIsInstance<SensorPart>().filter { it.sensor == SensorKind.LIGHT }
+
+    /** Of each light sensor, by the part without its port. */
+    private val lightEyes: Map<RobotPart, LightEye> = lightParts.indices.associate { number ->
+        val name = if (number == 0) "light sensor" else "light sensor ${number + 1}"
+        lightParts[number].on(null) to LightEye(lightOf(lightParts[number]), streams, name, realism)
+    }
+    private val temperatureNoise = streams.named("temperature sensor: noise")
+
+    /** What measures on each port. */
+    private val sensors: List<List<RawSensor>> = List(SensorCode.PORTS) { port ->
+        robot.parts.filter { it.port == port + 1 }.mapNotNull { sensorOf(it, port) }
+    }
+
+    override val sensorErrors: SensorErrors =
+        robot.parts.filter { it.port != null }.firstNotNullOfOrNull { lightEyes[it.on(null)] }?.let { eye ->
+            SensorErrors(lightBias = eye.bias, lightNoise = realism * Realism.LIGHT_NOISE)
+        } ?: SensorErrors()
+
+    /** The ports whose touch sensor the user presses. */
+    private val pressed = BooleanArray(SensorCode.PORTS)
+    private var temperature = Double.NaN
+    private var temperatureRaw = SensorCode.OPEN_RAW
+    private var millivolts = 0
+
+    override fun touch(port: Int, pressed: Boolean) {
+        if (port in this.pressed.indices) this.pressed[port] = pressed
+    }
+
+    override fun sense(tick: Long) {
+        if (tick % SensorCode.READING_MILLISECONDS != 0L) return
+        measure()
+        val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
+        if (realism > 0 && abs(now - millivolts) >= MILLIVOLT_TOLERANCE) {
+            millivolts = now
+            brick.setBattery(now)
+        }
+    }
+
+    override fun moveMotors(tick: Long) =
+        machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
+
+    private fun measure() {
+        for (port in sensors.indices) {
+            val plugged = sensors[port]
+            if (plugged.isEmpty()) continue
+            var raw = SensorCode.OPEN_RAW
+            for (number in plugged.indices) raw = minOf(raw, plugged[number].raw())
+            brick.setRawSensorValue(port, raw)
+        }
+    }
+
+    /** null for what an RCX cannot read. */
+    private fun sensorOf(part: RobotPart, port: Int): RawSensor? = when (part) {
+        is BumperPart -> {
+            machine.bumper(part).let { bumper -> RawSensor { TouchSensor.raw(bumper.isClosed) } }
+        }
+
+        is FingerTouchPart -> {
+            RawSensor { TouchSensor.raw(pressed[port]) }
+        }
+
+        is RotationPart -> {
+            val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
+            RawSensor { rotation(wheel, port) }
+        }
+
+        is SensorPart -> {
+            when (part.sensor) {
+                SensorKind.LIGHT -> lightEyes.getValue(part.on(null)).let { eye ->
+                    RawSensor { rounded(eye.raw(brick.sensorIsActive(port))) }
+                }
+
+                SensorKind.TEMPERATURE -> RawSensor { temperature(thermometer.celsius()) }
+
+                else -> null
+            }
+        }
+    }
+
+    private fun rotation(wheel: Wheel, port: Int): Int {
+        val turns = wheel.turned / machine.figures.wheelCircumference
+        return RotationSensor.raw(floor(turns * RotationSensor.COUNTS_PER_TURN).toInt(), brick.sensorIsActive(port))
+    }
+
+    private fun temperature(celsius: Double): Int {
+        if (celsius != temperature) {
+            temperature = celsius
+            temperatureRaw = TemperatureSensor.raw(celsius)
+        }
+        return if (realism == 0.0) {
+            temperatureRaw
+        } else {
+            rounded(temperatureRaw + realism * Realism.TEMPERATURE_NOISE * temperatureNoise.normal())
+        }
+    }
+
+    private fun rounded(raw: Double): Int = floor(raw + HALF).toInt().coerceIn(0, SensorCode.OPEN_RAW)
+
+    private companion object {
+        const val HALF = 0.5
+        const val MILLIVOLTS_PER_VOLT = 1000
+
+        /** Half of the resolution of the brick's converter. */
+        const val MILLIVOLT_TOLERANCE = 14
+    }
+}
+
+/** One sensor on one port. */
+private fun interface RawSensor {
+    /** Its raw value, alone on the port. */
+    fun raw(): Int
+}
+
+/** A light sensor with its errors; one object for all ports that it is plugged into. */
+private class LightEye(
+    private val light: LightReading,
+    streams: NoiseStreams,
+    name: String,
+    private val realism: Double,
+) {
+    private val noise = streams.named("$name: noise")
+
+    /** The constant error of this light sensor, in raw units. */
+    val bias = realism * Realism.LIGHT_BIAS * streams.named("$name: bias").normal()
+
+    fun raw(active: Boolean): Double = light.raw(active) + error()
+
+    private fun error() = if (realism == 0.0) 0.0 else bias + realism * Realism.LIGHT_NOISE * noise.normal()
+}

@@ -1,0 +1,29 @@
+package robotran.simulation.robot
+
+import robotran.brick.controls.MotorState
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.noise.WheelNoise
+import robotran.world.NxtMotorFigures
+
+/** A motor of an NXT that turns no wheel, but something light between two end stops, or nothing. */
+internal class SmallMotor(private val noise: WheelNoise, private val first: Double, private val last: Double) {
+    private val motor = NxtMotor(
+        NxtMotorFigures.FREE_SPEED,
+        NxtMotorFigures.STALL_TORQUE * (NxtMotorFigures.VOLTS / NxtMotorFigures.STALL_VOLTS),
+        NxtMotorFigures.ROLLING_DECELERATION,
+    )
+
+    /** Degrees that it has turned. */
+    var degrees = 0.0
+        private set
+
+    val current: Double get() = motor.current
+
+    fun tick(told: MotorState, battery: Double, tick: Long) {
+        noise.tick(tick)
+        motor.tick(told, noise.strength * noise.flutter * battery)
+        val wanted = degrees + motor.speed * SimulationLimits.TICK_SECONDS
+        degrees = wanted.coerceIn(first, last)
+        if (degrees != wanted) motor.follow(0.0)
+    }
+}

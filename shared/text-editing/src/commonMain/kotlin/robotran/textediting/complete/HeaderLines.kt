@@ -1,0 +1,50 @@
+package robotran.textediting.complete
+
+import robotran.brick.kind.BrickKind
+import robotran.textediting.text.Draft
+
+/**
+ * What the header of a program says.
+ *
+ * @property isInside whether the line in question is a line of the header.
+ * @property brick the brick that it names; null if it names none.
+ */
+internal class HeaderLines(val isInside: Boolean, val brick: BrickKind?)
+
+/** Looks for the header of [draft], which is near its top, and whether [line] is inside it. */
+internal fun headerAt(draft: Draft, line: Int): HeaderLines {
+    var first = -1
+    var brick: BrickKind? = null
+    for (index in 0..<minOf(draft.lines.count, MAX_LINES)) {
+        val words = draft.lines.line(index).substringBefore("//").trim().lowercase().split(' ').filter {
+            it.isNotEmpty()
+        }
+        when {
+            words == listOf("robot") && first < 0 -> first = index
+            first >= 0 && words == listOf("end") -> return HeaderLines(line in first + 1..<index, brick)
+            first >= 0 && words.size == 2 && words.first() == "brick" -> brick = KINDS[words.last()] ?: brick
+        }
+    }
+    return HeaderLines(first >= 0 && line in first + 1..first + LONGEST, brick)
+}
+
+/** The lines that a header for [brick] can have. */
+internal fun settingsOn(brick: BrickKind): List<Completion> = when (brick) {
+    BrickKind.RCX -> listOf("light sensor on 2 facing down", "brick rcx", "brick nxt")
+
+    BrickKind.NXT -> listOf(
+        "light sensor on 3 facing down",
+        "sonar on 4",
+        "colour sensor on 3",
+        "sound sensor on 2",
+        "brick nxt",
+        "brick rcx",
+    )
+}.map { Completion(it, CompletionKind.WORD) }
+
+private val KINDS = BrickKind.entries.associateBy { it.name.lowercase() }
+
+private const val MAX_LINES = 500
+
+/** The lines of a header that has no `end` yet. */
+private const val LONGEST = 6

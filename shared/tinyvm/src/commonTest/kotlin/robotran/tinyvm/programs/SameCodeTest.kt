@@ -1,0 +1,38 @@
+package robotran.tinyvm.programs
+
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.link.MethodBody
+import robotran.tinyvm.testPrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** What the machine for a newer brick needs must not change the code of programs for an RCX. */
+class SameCodeTest {
+    @Test
+    fun `the code of all test programs is the one that was recorded`() {
+        var hash = 1L
+        var methods = 0
+        for (path in testPrograms.keys.sorted()) {
+            for (mode in TinyVmMode.entries) {
+                val ready = link(path, mode = mode) as? TinyVmResult.Ready ?: continue
+                for (body in ready.program.linked.methods.mapNotNull { it.body }) {
+                    methods++
+                    for (word in wordsOf(body)) hash = hash * FACTOR + word
+                }
+            }
+        }
+        assertEquals(RECORDED, "$methods methods, $hash")
+    }
+
+    private fun wordsOf(body: MethodBody): List<Int> {
+        val registers = body.registerCode
+        return body.code.asList() + body.handlers.asList() +
+            (registers?.let { it.code.asList() + it.entries.asList() } ?: listOf(-1))
+    }
+
+    private companion object {
+        const val FACTOR = 1_000_003L
+        const val RECORDED = "42926 methods, 3441321917796557783"
+    }
+}

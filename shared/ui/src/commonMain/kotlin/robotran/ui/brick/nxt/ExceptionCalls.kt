@@ -1,0 +1,50 @@
+package robotran.ui.brick.nxt
+
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.brick.program.FailureFrame
+import robotran.nxt.state.ExceptionView
+import robotran.ui.resources.Res
+import robotran.ui.resources.nxt_exception_call
+import robotran.ui.resources.nxt_exception_calls
+import robotran.ui.resources.nxt_exception_library
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.codeStyle
+
+/** In words, the calls of which the exception screen of an NXT shows only numbers; empty if there are none. */
+@Composable
+internal fun ExceptionCalls(exception: ExceptionView, modifier: Modifier = Modifier) {
+    val calls = exception.failure.stack
+    if (calls.isEmpty()) return
+    Column(modifier.testTag("exception-calls")) {
+        Text(
+            stringResource(Res.string.nxt_exception_calls),
+            Modifier.padding(bottom = 4.dp),
+            color = LocalRobotranColours.current.quiet,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.SMALL,
+        )
+        for (call in calls) {
+            Text(
+                placeOf(call),
+                style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL),
+            )
+        }
+    }
+}
+
+@Composable
+private fun placeOf(call: FailureFrame): String = if (call.sourceLine == 0) {
+    stringResource(Res.string.nxt_exception_library, call.name)
+} else {
+    val name = call.sourceFile?.let { "${call.name}, $it" } ?: call.name
+    stringResource(Res.string.nxt_exception_call, name, call.sourceLine)
+}

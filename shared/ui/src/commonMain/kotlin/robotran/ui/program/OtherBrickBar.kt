@@ -1,0 +1,68 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
+import robotran.ui.resources.Res
+import robotran.ui.resources.program_for_nxt
+import robotran.ui.resources.program_for_rcx
+import robotran.ui.resources.program_use_nxt
+import robotran.ui.resources.program_use_rcx
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+
+/** Says that the program is for the other [brick] than the robot [robot] has, with a button that changes the robot. */
+@Composable
+internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val (sentence, action) = when (brick) {
+        BrickKind.RCX -> Res.string.program_for_rcx to Res.string.program_use_rcx
+        BrickKind.NXT -> Res.string.program_for_nxt to Res.string.program_use_nxt
+    }
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .background(colours.errorPane)
+            .testTag("other-brick")
+            .padding(start = 16.dp, end = 8.dp),
+    ) {
+        Text(
+            stringResource(sentence, robot),
+            Modifier.padding(top = 8.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            color = colours.error,
+            fontSize = TextSizes.BODY,
+        )
+        TextButton(
+            onUse,
+            Modifier
+                .align(Alignment.End)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
+                .testTag("use-other-brick")
+                .focusRing(),
+        ) {
+            Text(
+                stringResource(action),
+                color = colours.focus,
+                fontSize = TextSizes.BODY,
+                fontWeight = FontWeight.SemiBold,
+            )
+        }
+    }
+}

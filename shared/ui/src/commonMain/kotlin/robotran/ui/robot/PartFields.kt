@@ -1,0 +1,181 @@
+package robotran.ui.robot
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.stringResource
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
+import robotran.robotediting.RobotEdit
+import robotran.robotediting.RobotElement
+import robotran.robotediting.RobotSnapping
+import robotran.robotediting.portsOf
+import robotran.robotediting.thingsOn
+import robotran.ui.resources.Res
+import robotran.ui.resources.robot_bumper_depth
+import robotran.ui.resources.robot_bumper_width
+import robotran.ui.resources.robot_direction
+import robotran.ui.resources.robot_eye_height
+import robotran.ui.resources.robot_fixed
+import robotran.ui.resources.robot_looks
+import robotran.ui.resources.robot_looks_ahead
+import robotran.ui.resources.robot_looks_down
+import robotran.ui.resources.robot_looks_free
+import robotran.ui.resources.robot_no_name
+import robotran.ui.resources.robot_port
+import robotran.ui.resources.robot_port_none
+import robotran.ui.resources.robot_port_taken
+import robotran.ui.resources.robot_side
+import robotran.ui.resources.robot_side_left
+import robotran.ui.resources.robot_side_right
+import robotran.ui.resources.robot_turret
+import robotran.ui.resources.robot_wheel
+import robotran.ui.worldedit.ChipRow
+import robotran.ui.worldedit.NumberRow
+import robotran.world.BumperPart
+import robotran.world.BumperSide
+import robotran.world.Facing
+import robotran.world.RobotLimits
+import robotran.world.RotationPart
+import robotran.world.SensorPart
+import robotran.world.robot.things
+
+/** The figures of a bumper or a sensor. */
+@Composable
+internal fun PartFields(scope: RobotScope, number: Int) {
+    val part = scope.robot.things.getOrNull(number) ?: return
+    PortChips(scope, number)
+    when (part) {
+        is BumperPart -> {
+            Direction(scope, number, part.direction)
+            PlaceRows(scope, RobotElement.Part(number))
+            Centimetres(
+                scope,
+                Res.string.robot_bumper_width,
+                part.width,
+                RobotLimits.BUMPER_WIDTHS,
+                "robot-bumper-width",
+            ) {
+                scope.changePart(number, "width") { old -> (old as BumperPart).copy(width = it) }
+            }
+            Centimetres(
+                scope,
+                Res.string.robot_bumper_depth,
+                part.depth,
+                RobotLimits.BUMPER_DEPTHS,
+                "robot-bumper-depth",
+            ) {
+                scope.changePart(number, "depth") { old -> (old as BumperPart).copy(depth = it) }
+            }
+            val sides =
+                listOf<Pair<BumperSide?, String>>(null to stringResource(Res.string.robot_no_name)) + sideWords()
+            ChipRow(stringResource(Res.string.robot_side), sides, part.side, "robot-side") {
+                scope.changePart(number, null) { old -> (old as BumperPart).copy(side = it) }
+            }
+        }
+
+        is SensorPart -> {
+            SensorFields(scope, number, part)
+        }
+
+        is RotationPart -> {
+            ChipRow(stringResource(Res.string.robot_wheel), sideWords(), part.wheel, "robot-wheel") {
+                scope.changePart(number, null) { old -> (old as RotationPart).copy(wheel = it) }
+            }
+        }
+
+        else -> {
+            // Nothing more to set.
+        }
+    }
+}
+
+/** Ports that something else is on say so, also the chosen one: on an RCX two things may share one. */
+@Composable
+private fun PortChips(scope: RobotScope, number: Int) {
+    val ports = scope.robot.portsOf(number)
+    val choices = listOf<Pair<Int?, String>>(null to stringResource(Res.string.robot_port_none)) +
+        (1..scope.robot.brick.inputPorts).map { port ->
+            val other = scope.robot.thingsOn(port).firstOrNull { it != number }?.let { scope.robot.things[it] }
+            port to if (other == null) {
+                "$port"
+            } else {
+                stringResource(Res.string.robot_port_taken, port, stringResource(partWord(other)))
+            }
+        }
+    ChipRow(stringResource(Res.string.robot_port), choices, ports.firstOrNull(), "robot-port") {
+        scope.make(RobotEdit.SetPort(it))
+    }
+}
+
+@Composable
+private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
+    val change = { what: String?, changed: (SensorPart) -> SensorPart ->
+        scope.changePart(number, what) { old -> changed(old as SensorPart) }
+    }
+    if (part.sensor in LOOKING) {
+        val words = listOfNotNull(
+            Facing.Down to stringResource(Res.string.robot_looks_down),
+            Facing.Ahead((part.facing as? Facing.Ahead)?.direction ?: 0.0) to
+                stringResource(Res.string.robot_looks_ahead),
+            (Facing.Free to stringResource(Res.string.robot_looks_free)).takeIf {
+                part.facing == Facing.Free || (part.sensor == SensorKind.LIGHT && scope.robot.brick == BrickKind.RCX)
+            },
+        )
+        ChipRow(stringResource(Res.string.robot_looks), words, part.facing, "robot-looks") { facing ->
+            val height = if (facing is Facing.Ahead) {
+                maxOf(
+                    part.height,
+                    AHEAD_HEIGHT,
+                )
+            } else {
+                minOf(part.height, DOWN_HEIGHT)
+            }
+            change(null) { it.copy(facing = facing, height = height) }
+        }
+    }
+    (part.facing as? Facing.Ahead)?.let { Direction(scope, number, it.direction) }
+    PlaceRows(scope, RobotElement.Part(number))
+    Centimetres(scope, Res.string.robot_eye_height, part.height, RobotLimits.SENSOR_HEIGHTS, "robot-eye-height") {
+        change("height") { old -> old.copy(height = it) }
+    }
+    if (scope.robot.brick == BrickKind.NXT || part.turret != null) {
+        val motors = listOf<Pair<MotorPort?, String>>(null to stringResource(Res.string.robot_fixed)) +
+            MotorPort.entries.map { it to it.name }
+        ChipRow(stringResource(Res.string.robot_turret), motors, part.turret, "robot-turret") {
+            change(null) { old -> old.copy(turret = it) }
+        }
+    }
+}
+
+@Composable
+private fun Direction(scope: RobotScope, number: Int, direction: Double) = NumberRow(
+    stringResource(Res.string.robot_direction),
+    direction,
+    -180.0..180.0,
+    "robot-direction",
+    { wanted ->
+        scope.changePart(number, "direction") { old ->
+            when (old) {
+                is BumperPart -> old.copy(direction = wanted)
+                is SensorPart -> old.copy(facing = Facing.Ahead(wanted))
+                else -> old
+            }
+        }
+    },
+    scope::settle,
+    step = RobotSnapping.DEGREES,
+    unit = "°",
+)
+
+@Composable
+private fun sideWords(): List<Pair<BumperSide, String>> = listOf(
+    BumperSide.LEFT to stringResource(Res.string.robot_side_left),
+    BumperSide.RIGHT to stringResource(Res.string.robot_side_right),
+)
+
+/** What can look down or ahead. */
+private val LOOKING = setOf(SensorKind.LIGHT, SensorKind.COLOUR)
+
+/** In centimetres, where a sensor looks over the floor, and into it. */
+private const val AHEAD_HEIGHT = 6.0
+private const val DOWN_HEIGHT = 1.0

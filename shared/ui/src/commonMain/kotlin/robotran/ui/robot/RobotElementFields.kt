@@ -1,0 +1,255 @@
+package robotran.ui.robot
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.brick.controls.MotorPort
+import robotran.robotediting.RobotEdit
+import robotran.robotediting.RobotElement
+import robotran.robotediting.RobotSnapping
+import robotran.robotediting.placeOf
+import robotran.ui.resources.Res
+import robotran.ui.resources.robot_ahead
+import robotran.ui.resources.robot_brick_turned
+import robotran.ui.resources.robot_gear
+import robotran.ui.resources.robot_grip
+import robotran.ui.resources.robot_height
+import robotran.ui.resources.robot_left_motor
+import robotran.ui.resources.robot_leftwards
+import robotran.ui.resources.robot_length
+import robotran.ui.resources.robot_mass_kg
+import robotran.ui.resources.robot_mass_side
+import robotran.ui.resources.robot_motor
+import robotran.ui.resources.robot_pen_help
+import robotran.ui.resources.robot_reversed
+import robotran.ui.resources.robot_right_motor
+import robotran.ui.resources.robot_speed
+import robotran.ui.resources.robot_track
+import robotran.ui.resources.robot_tyre
+import robotran.ui.resources.robot_wheel_diameter
+import robotran.ui.resources.robot_width
+import robotran.ui.resources.worldedit_add_corner
+import robotran.ui.resources.worldedit_delete
+import robotran.ui.resources.worldedit_turn_left
+import robotran.ui.resources.worldedit_turn_right
+import robotran.ui.settings.SwitchRow
+import robotran.ui.worldedit.ChipRow
+import robotran.ui.worldedit.EditIcons
+import robotran.ui.worldedit.IconWord
+import robotran.ui.worldedit.NumberRow
+import robotran.ui.worldedit.Remark
+import robotran.world.BumperPart
+import robotran.world.Chassis
+import robotran.world.Drive
+import robotran.world.Facing
+import robotran.world.PenMount
+import robotran.world.RobotLimits
+import robotran.world.SensorPart
+import robotran.world.geometry.Point
+import robotran.world.robot.RobotFigures
+import robotran.world.robot.things
+import robotran.worldediting.written
+import kotlin.math.round
+
+/** What can be done with the chosen element. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun RobotElementActions(scope: RobotScope, element: RobotElement) {
+    val part = (element as? RobotElement.Part)?.let { scope.robot.things.getOrNull(it.number) }
+    val turns = part is BumperPart || (part as? SensorPart)?.facing is Facing.Ahead
+    val stays = element == RobotElement.Wheels || element == RobotElement.Brick || element == RobotElement.Mass ||
+        element == RobotElement.Chassis
+    FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
+        if (!stays) {
+            IconWord(EditIcons.DELETE, stringResource(Res.string.worldedit_delete), "robot-remove", {
+                scope.make(RobotEdit.Remove)
+            })
+        }
+        if (turns) {
+            IconWord(EditIcons.TURN_LEFT, stringResource(Res.string.worldedit_turn_left), "robot-turn-left", {
+                scope.make(RobotEdit.TurnBy(RobotSnapping.DEGREES))
+            })
+            IconWord(EditIcons.TURN_RIGHT, stringResource(Res.string.worldedit_turn_right), "robot-turn-right", {
+                scope.make(RobotEdit.TurnBy(-RobotSnapping.DEGREES))
+            })
+        }
+        if (element is RobotElement.Corner) {
+            IconWord(EditIcons.LARGER, stringResource(Res.string.worldedit_add_corner), "robot-add-corner", {
+                scope.make(RobotEdit.AddCorner)
+            })
+        }
+    }
+}
+
+@Composable
+internal fun RobotElementFields(scope: RobotScope, element: RobotElement) {
+    val robot = scope.robot
+    when (element) {
+        is RobotElement.Part -> {
+            PartFields(scope, element.number)
+        }
+
+        RobotElement.Wheels -> {
+            WheelFields(scope)
+        }
+
+        RobotElement.Pen -> {
+            Remark(stringResource(Res.string.robot_pen_help))
+            MotorChips(Res.string.robot_motor, robot.pen?.motor, "robot-pen-motor") {
+                scope.changeAtOnce(robot.copy(pen = PenMount(it)))
+            }
+        }
+
+        RobotElement.Brick -> {
+            PlaceRows(scope, element)
+            SwitchRow(stringResource(Res.string.robot_brick_turned), robot.brickAt.turned, "robot-brick-turned") {
+                scope.changeAtOnce(robot.copy(brickAt = robot.brickAt.copy(turned = it)))
+            }
+        }
+
+        RobotElement.Mass -> {
+            MassFields(scope)
+        }
+
+        RobotElement.Chassis -> {
+            ChassisFields(scope)
+        }
+
+        is RobotElement.Caster, is RobotElement.Corner -> {
+            PlaceRows(scope, element)
+        }
+    }
+}
+
+/** How far ahead of the pen an element is, and how far to its left. */
+@Composable
+internal fun PlaceRows(scope: RobotScope, element: RobotElement) {
+    val at = scope.robot.placeOf(element) ?: return
+    Centimetres(scope, Res.string.robot_ahead, at.x, RobotLimits.COORDINATES, "robot-x") {
+        scope.make(RobotEdit.Nudge(it - at.x, 0.0))
+    }
+    Centimetres(scope, Res.string.robot_leftwards, at.y, RobotLimits.COORDINATES, "robot-y") {
+        scope.make(RobotEdit.Nudge(0.0, it - at.y))
+    }
+}
+
+@Composable
+internal fun Centimetres(
+    scope: RobotScope,
+    title: StringResource,
+    value: Double,
+    range: ClosedFloatingPointRange<Double>,
+    tag: String,
+    step: Double = RobotSnapping.CENTIMETRES,
+    onChange: (Double) -> Unit,
+) = NumberRow(stringResource(title), shown(value), range, tag, onChange, scope::settle, step, unit = "cm")
+
+/** The track of the penbot has more digits than anybody wants to read. */
+internal fun shown(value: Double): Double = round(value * HUNDREDTHS) / HUNDREDTHS
+
+@Composable
+private fun WheelFields(scope: RobotScope) {
+    val drive = scope.robot.drive
+    val change = { what: String, changed: Drive -> scope.change(scope.robot.copy(drive = changed), what) }
+    val atOnce = { changed: Drive -> scope.changeAtOnce(scope.robot.copy(drive = changed)) }
+    val figures = RobotFigures.of(scope.robot)
+    Remark(
+        stringResource(
+            Res.string.robot_speed,
+            written(round(figures.topSpeed)),
+            written(round(figures.wheelCircumference * TENTHS) / TENTHS),
+        ),
+    )
+    val diameters = RobotLimits.WHEEL_DIAMETERS
+    Centimetres(scope, Res.string.robot_wheel_diameter, drive.wheelDiameter, diameters, "robot-diameter") {
+        change("diameter", drive.copy(wheelDiameter = it))
+    }
+    Centimetres(scope, Res.string.robot_tyre, drive.wheelWidth, RobotLimits.WHEEL_WIDTHS, "robot-tyre") {
+        change("tyre", drive.copy(wheelWidth = it))
+    }
+    Centimetres(scope, Res.string.robot_track, drive.track, RobotLimits.TRACKS, "robot-track") {
+        change("track", drive.copy(track = it))
+    }
+    MotorChips(Res.string.robot_left_motor, drive.left, "robot-left-motor") { atOnce(drive.copy(left = it)) }
+    MotorChips(Res.string.robot_right_motor, drive.right, "robot-right-motor") { atOnce(drive.copy(right = it)) }
+    NumberRow(
+        stringResource(Res.string.robot_gear),
+        shown(drive.gear),
+        RobotLimits.GEARS,
+        "robot-gear",
+        { change("gear", drive.copy(gear = it)) },
+        scope::settle,
+        step = 0.5,
+    )
+    NumberRow(
+        stringResource(Res.string.robot_grip),
+        drive.tyreFriction,
+        RobotLimits.TYRE_FRICTIONS,
+        "robot-grip",
+        { change("grip", drive.copy(tyreFriction = it)) },
+        scope::settle,
+        step = 0.1,
+    )
+    SwitchRow(stringResource(Res.string.robot_reversed), drive.reversed, "robot-reversed") {
+        atOnce(drive.copy(reversed = it))
+    }
+}
+
+@Composable
+private fun MassFields(scope: RobotScope) {
+    val chassis = scope.robot.chassis
+    Remark(stringResource(Res.string.robot_mass_side))
+    NumberRow(
+        stringResource(Res.string.robot_mass_kg),
+        chassis.mass,
+        RobotLimits.MASSES,
+        "robot-mass",
+        { scope.changeChassis("mass", chassis.copy(mass = it)) },
+        scope::settle,
+        step = 0.1,
+        unit = "kg",
+    )
+    Centimetres(scope, Res.string.robot_ahead, chassis.massAt.x, RobotLimits.COORDINATES, "robot-x") {
+        scope.changeChassis("mass place", chassis.copy(massAt = Point(it, chassis.massAt.y)))
+    }
+}
+
+@Composable
+private fun ChassisFields(scope: RobotScope) {
+    val chassis = scope.robot.chassis
+    val corners = chassis.outline
+    val (back, front) = corners.minOf { it.x } to corners.maxOf { it.x }
+    val (right, left) = corners.minOf { it.y } to corners.maxOf { it.y }
+    val sides = RobotLimits.OUTLINE_SIDES
+    Centimetres(scope, Res.string.robot_length, front - back, sides, "robot-length") { length ->
+        if (front > back) {
+            val scaled = corners.map { Point(back + (it.x - back) * length / (front - back), it.y) }
+            scope.changeChassis("length", chassis.copy(outline = scaled))
+        }
+    }
+    Centimetres(scope, Res.string.robot_width, left - right, sides, "robot-width", step = 1.0) { width ->
+        if (left > right) {
+            val middle = (left + right) / 2
+            val scaled = corners.map { Point(it.x, middle + (it.y - middle) * width / (left - right)) }
+            scope.changeChassis("width", chassis.copy(outline = scaled))
+        }
+    }
+    Centimetres(scope, Res.string.robot_height, chassis.height, RobotLimits.HEIGHTS, "robot-height") {
+        scope.changeChassis("height", chassis.copy(height = it))
+    }
+}
+
+private fun RobotScope.changeChassis(what: String, chassis: Chassis) = change(robot.copy(chassis = chassis), what)
+
+@Composable
+internal fun MotorChips(title: StringResource, motor: MotorPort?, tag: String, onChoose: (MotorPort) -> Unit) =
+    ChipRow(stringResource(title), MotorPort.entries.map { it to it.name }, motor ?: MotorPort.B, tag, onChoose)
+
+private const val TENTHS = 10.0
+private const val HUNDREDTHS = 100.0

@@ -1,0 +1,117 @@
+package robotran.ui.robot
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.robotediting.RobotEdit
+import robotran.robotediting.RobotEditing
+import robotran.robotediting.RobotElement
+import robotran.robotediting.elementOf
+import robotran.robotediting.portsOf
+import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
+import robotran.ui.resources.Res
+import robotran.ui.resources.notice_close
+import robotran.ui.resources.robot_hint_unplugged
+import robotran.ui.resources.robot_save_refused
+import robotran.ui.resources.worldedit_show_trouble
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.ui.worldedit.WordButton
+import robotran.ui.worldedit.validationErrorText
+import robotran.workshop.event.RobotEditEvent
+import robotran.workshop.state.RobotEditState
+import robotran.workshop.state.WorldEditState
+import robotran.world.messages.sentence
+import robotran.world.robot.things
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
+
+/**
+ * Why an edit was refused, what is impossible about the robot, whether it has no room where it stands, and what is not
+ * plugged in. It covers the plan, which does not move, until it is closed or replaced.
+ */
+@Composable
+internal fun RobotHints(
+    state: RobotEditState,
+    world: WorldEditState,
+    scope: RobotScope,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    val language = LocalLanguage.current
+    val editing = state.editing
+    val here = ElementRef(ElementKind.ROBOT, state.robot)
+    val sentences = listOfNotNull(
+        state.fileError,
+        editing.refusal?.let { stringResource(refusalWord(it)) },
+        stringResource(Res.string.robot_save_refused).takeIf { state.isSavingRefused },
+    ) + editing.errors.take(MAX_ERRORS).map { it.sentence(language) } +
+        world.editing.errors.filter { it.thing == here }.take(1).map { validationErrorText(world.world, it) }
+    val remarks = listOfNotNull(unpluggedHint(editing))
+    if ((sentences.isEmpty() && remarks.isEmpty()) || !state.hintsShown || editing.gesture != null) return
+    val pane = if (sentences.isEmpty()) colours.pane else colours.errorPane
+    val scroll = rememberScrollState()
+    Row(
+        modifier
+            .widthIn(max = MAX_WIDTH)
+            .background(pane, Shapes.MEDIUM)
+            .border(1.dp, colours.line, Shapes.MEDIUM)
+            // Blocks touches on the content below.
+            .pointerInput(Unit) { },
+    ) {
+        Column(
+            Modifier
+                .weight(1f, fill = false)
+                .testTag("robot-hints")
+                .semantics { liveRegion = LiveRegionMode.Polite }
+                .scrollHint(scroll, Orientation.Vertical, pane, colours.onPane)
+                .verticalScroll(scroll)
+                .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
+            Arrangement.spacedBy(4.dp),
+        ) {
+            for (sentence in sentences + remarks) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
+            if (element != null && element != editing.chosen) {
+                WordButton(stringResource(Res.string.worldedit_show_trouble), "robot-show-trouble", {
+                    scope.make(RobotEdit.Choose(element))
+                })
+            }
+        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "robot-hints-close", {
+            scope.perform(RobotEditEvent.HintsClosed)
+        })
+    }
+}
+
+/** What is chosen and has no cable; null if it has one, or needs none. */
+@Composable
+private fun unpluggedHint(editing: RobotEditing): String? {
+    val part = (editing.chosen as? RobotElement.Part) ?: return null
+    if (editing.robot.portsOf(part.number).isNotEmpty()) return null
+    val name = editing.robot.things.getOrNull(part.number)?.let { stringResource(partWord(it)) } ?: return null
+    return stringResource(Res.string.robot_hint_unplugged, name)
+}
+
+private val MAX_WIDTH = 560.dp
+private const val MAX_ERRORS = 2

@@ -1,0 +1,244 @@
+package robotran.ui.robot
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.IntrinsicSize
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
+import robotran.robotediting.RobotEdit
+import robotran.robotediting.RobotElement
+import robotran.robotediting.elementOf
+import robotran.robotediting.elements
+import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.readyRobotWithBrick
+import robotran.ui.resources.Res
+import robotran.ui.resources.robot_brick
+import robotran.ui.resources.robot_choose_first
+import robotran.ui.resources.robot_open
+import robotran.ui.resources.robot_parts_help
+import robotran.ui.resources.robot_ready
+import robotran.ui.resources.robot_ready_help
+import robotran.ui.resources.robot_save
+import robotran.ui.resources.robot_tab_chosen
+import robotran.ui.resources.robot_tab_parts
+import robotran.ui.resources.robot_tab_robot
+import robotran.ui.resources.worldedit_name
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.ui.worldedit.ChipRow
+import robotran.ui.worldedit.EditIcons
+import robotran.ui.worldedit.Remark
+import robotran.ui.worldedit.RowHeading
+import robotran.ui.worldedit.TextRow
+import robotran.ui.worldedit.WordButton
+import robotran.ui.worldedit.Wrong
+import robotran.workshop.event.RobotEditEvent
+import robotran.world.ReadyRobots
+import robotran.world.RobotLimits
+import robotran.world.messages.sentence
+
+/** The tabs of the workbench's panel. */
+internal enum class RobotTab(val title: StringResource) {
+    CHOSEN(Res.string.robot_tab_chosen),
+    PARTS(Res.string.robot_tab_parts),
+    ROBOT(Res.string.robot_tab_robot),
+}
+
+/** @param tab null if none is open. */
+@Composable
+internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier.fillMaxWidth().background(colours.pane).horizontalScroll(rememberScrollState()).selectableGroup(),
+        Arrangement.spacedBy(4.dp),
+    ) {
+        for (each in RobotTab.entries) {
+            val isOpen = each == tab
+            Column(
+                Modifier
+                    .testTag("tab-robot-${each.name.lowercase()}")
+                    .defaultMinSize(88.dp, Dimensions.TARGET)
+                    .focusRing()
+                    .selectable(isOpen, role = Role.Tab) { onChoose(each) }
+                    .width(IntrinsicSize.Max)
+                    .padding(horizontal = 12.dp),
+                Arrangement.Center,
+                Alignment.CenterHorizontally,
+            ) {
+                Text(
+                    stringResource(each.title),
+                    Modifier.padding(top = 12.dp, bottom = 8.dp),
+                    color = if (isOpen) colours.onPane else colours.quiet,
+                    fontSize = TextSizes.COMPACT,
+                    fontWeight = FontWeight.SemiBold,
+                    maxLines = 1,
+                )
+                Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
+            }
+        }
+    }
+    HorizontalDivider(color = colours.line)
+}
+
+@Composable
+internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> Unit, modifier: Modifier = Modifier) {
+    val chosen = scope.editing.chosen
+    key(tab, if (tab == RobotTab.CHOSEN) chosen else null) {
+        Column(
+            modifier
+                .fillMaxSize()
+                .testTag("robot-panel")
+                .background(LocalRobotranColours.current.pane)
+                .verticalScroll(rememberScrollState())
+                .padding(12.dp),
+            Arrangement.spacedBy(4.dp),
+        ) {
+            when (tab) {
+                RobotTab.CHOSEN -> if (chosen == null) {
+                    Remark(stringResource(Res.string.robot_choose_first))
+                } else {
+                    ChosenElement(scope, chosen)
+                }
+
+                RobotTab.PARTS -> PartsPanel(scope) { onTab(RobotTab.CHOSEN) }
+
+                RobotTab.ROBOT -> WholeRobotPanel(scope)
+            }
+        }
+    }
+}
+
+@Composable
+private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
+    val language = LocalLanguage.current
+    Text(
+        robotElementText(scope.robot, chosen),
+        Modifier.testTag("robot-chosen-name").semantics { heading() },
+        color = LocalRobotranColours.current.onPane,
+        fontSize = TextSizes.LEAD,
+        fontWeight = FontWeight.SemiBold,
+    )
+    for (error in scope.editing.errors.filter { scope.robot.elementOf(it) == chosen }) {
+        Wrong(error.sentence(language), Modifier.testTag("robot-chosen-trouble"))
+    }
+    RobotElementActions(scope, chosen)
+    HorizontalDivider(color = LocalRobotranColours.current.line)
+    RobotElementFields(scope, chosen)
+}
+
+/** A list of all elements, for choosing without seeing or pointing. */
+@Composable
+private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Remark(stringResource(Res.string.robot_parts_help))
+    scope.robot.elements().forEachIndexed { row, element ->
+        val isChosen = element == scope.editing.chosen
+        Row(
+            Modifier
+                .fillMaxWidth()
+                .testTag("robot-element-$row")
+                .defaultMinSize(minHeight = Dimensions.TARGET)
+                .focusRing()
+                .clip(Shapes.MEDIUM)
+                .background(if (isChosen) colours.runningLine else Color.Transparent)
+                .selectable(isChosen, role = Role.Button) {
+                    scope.make(RobotEdit.Choose(element))
+                    onChosen()
+                }
+                .padding(horizontal = 12.dp),
+            Arrangement.spacedBy(8.dp),
+            Alignment.CenterVertically,
+        ) {
+            Text(
+                robotElementText(scope.robot, element),
+                Modifier.weight(1f),
+                color = colours.onPane,
+                fontSize = TextSizes.BODY,
+            )
+            if (scope.editing.errors.any { scope.robot.elementOf(it) == element }) {
+                Canvas(Modifier.size(22.dp)) { with(EditIcons.WARNING) { draw(colours.error) } }
+            }
+        }
+    }
+}
+
+/** The name, the brick, other robots, and files. */
+@Composable
+private fun WholeRobotPanel(scope: RobotScope) {
+    val robot = scope.robot
+    TextRow(
+        stringResource(Res.string.worldedit_name),
+        robot.title,
+        RobotLimits.MAXIMUM_TITLE_CHARACTERS,
+        "robot-title",
+        { scope.change(robot.copy(title = it), "title") },
+        scope::settle,
+    )
+    ChipRow(
+        stringResource(Res.string.robot_brick),
+        BrickKind.entries.map { it to it.name },
+        robot.brick,
+        "robot-brick",
+    ) { brick ->
+        if (brick != robot.brick) {
+            scope.changeAtOnce(robot.copy(brick = brick, base = ReadyRobots.defaultOf(brick).base))
+        }
+    }
+    RowHeading(stringResource(Res.string.robot_ready))
+    Remark(stringResource(Res.string.robot_ready_help))
+    for ((name, ready) in ReadyRobots.all) {
+        WordButton(
+            readyRobotWithBrick(name),
+            "robot-ready-$name",
+            { scope.make(RobotEdit.Replace(ready)) },
+            Modifier.fillMaxWidth(),
+        )
+    }
+    HorizontalDivider(Modifier.padding(vertical = 8.dp), color = LocalRobotranColours.current.line)
+    WordButton(
+        stringResource(Res.string.robot_open),
+        "robot-open",
+        { scope.perform(RobotEditEvent.OpenRequested) },
+        Modifier.fillMaxWidth(),
+    )
+    WordButton(
+        stringResource(Res.string.robot_save),
+        "robot-save",
+        { scope.perform(RobotEditEvent.SaveRequested) },
+        Modifier.fillMaxWidth(),
+    )
+}

@@ -1,0 +1,73 @@
+package robotran.ui.brick.rcx
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.toPixelMap
+import robotran.rcxrom.RcxBrick
+import robotran.world.RobotPlacement
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+class BrickPictureTest {
+    @Test
+    fun `only the infrared window changes while the brick sends, and two lamps shine in it`() {
+        val (width, height) = BrickPlan.WIDTH.toInt() to BrickPlan.HEIGHT.toInt()
+        val dark = photograph(width, height) { drawBrickBody(sending = false) }.toPixelMap()
+        val sending = photograph(width, height) { drawBrickBody(sending = true) }.toPixelMap()
+        val window = BrickPlan.INFRARED_WINDOW.inflate(1f)
+        for (x in 0..<width) {
+            for (y in 0..<height) {
+                if (!window.contains(
+                        Offset(x.toFloat(), y.toFloat()),
+                    )
+                ) {
+                    assertEquals(dark[x, y], sending[x, y])
+                }
+            }
+        }
+        for (x in BrickPlan.INFRARED_LAMPS) assertEquals(BrickColours.INFRARED_LAMP, sending[x.toInt(), 38])
+    }
+
+    @Test
+    fun `a bumper that is pushed in lights its port, a light sensor in the dark does not`() {
+        val brick = RcxBrick(emptyList())
+        assertEquals(
+            listOf(false, false, false),
+            brick.state.sensors.map {
+                PluggedSensor.of(RobotPlacement.PENBOT_PORTS[it.port - 1]).isPressed(it)
+            },
+        )
+        repeat(3) { brick.setRawSensorValue(it, raw = 0) }
+        repeat(4) { brick.tick() }
+        assertEquals(
+            listOf(true, false, true),
+            brick.state.sensors.map {
+                PluggedSensor.of(RobotPlacement.PENBOT_PORTS[it.port - 1]).isPressed(it)
+            },
+        )
+    }
+
+    @Test
+    fun `the display can be drawn at any size`() {
+        for (width in listOf(40, 120, 1_000)) {
+            val picture =
+                photograph(width, (width * LcdPlan.HEIGHT / LcdPlan.WIDTH).toInt()) { drawLcd(glassOf("8888")) }
+            val pixels = picture.toPixelMap()
+            val dark = (0..<picture.width).sumOf { x -> (0..<picture.height).count { y -> pixels[x, y].green < 0.4f } }
+            assertTrue(dark > width * picture.height / 25, "$dark dark pixels at a width of $width")
+        }
+    }
+
+    @Test
+    fun `no two things on the brick's face lie over each other`() {
+        val places =
+            BrickPlan.BUTTONS.values + BrickPlan.INPUTS + BrickPlan.OUTPUTS.values + BrickPlan.DISPLAY +
+                BrickPlan.INFRARED_WINDOW
+        for ((number, place) in places.withIndex()) {
+            places.drop(number + 1).forEach {
+                assertFalse(place.overlaps(it), "$place and $it")
+            }
+        }
+    }
+}

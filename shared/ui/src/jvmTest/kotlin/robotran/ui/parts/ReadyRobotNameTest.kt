@@ -1,0 +1,22 @@
+package robotran.ui.parts
+
+import robotran.world.ReadyRobots
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+class ReadyRobotNameTest {
+    @Test
+    fun `each ready robot has a name in the app, which in English and in the docs is its title`() {
+        val texts = File("src/commonMain/composeResources/values/robots.xml").readText()
+        val titles = ReadyRobots.all.mapValues { it.value.title }
+        val names = READY_ROBOT_WORDS.mapValues { (_, word) ->
+            Regex("""name="${word.key}">(.*?)<""").find(texts)?.groupValues?.get(1)
+        }
+        assertEquals(titles, names)
+        val rows = Regex(
+            """\| `([\w-]+)` \| ([^|]+) \| (?:RCX|NXT) \|""",
+        ).findAll(File("../../docs/robots.md").readText())
+        assertEquals(titles, rows.associate { it.groupValues[1] to it.groupValues[2] })
+    }
+}

@@ -1,0 +1,74 @@
+package robotran.ui.program
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextEquals
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.examples.examplesFor
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.state.PupilProgram
+import robotran.world.ReadyRobots
+import robotran.world.file.writeRobot
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+@OptIn(ExperimentalTestApi::class)
+class OtherBrickTest {
+    @Test
+    fun `a program for an NXT offers a robot with one, and that has a kit instead of sending`() = onTablet { workshop ->
+        val text = ProgramLanguage.JAVA.examplesFor(BrickKind.NXT).getValue("Hello.java")
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", text)))
+        runBlocking { workshop.compilePrograms() }
+        pass(300)
+        onNodeWithText("This program is for an NXT; the robot yellow has an RCX.").assertIsDisplayed()
+        onNodeWithTag("use-other-brick").performClick()
+        runBlocking { workshop.compilePrograms() }
+        pass(300)
+        onNodeWithTag("other-brick").assertDoesNotExist()
+        assertEquals(BrickKind.NXT, workshop.state.programs.brick)
+        assertEquals(emptyList(), workshop.state.diagnostics)
+        onNodeWithText("For a real robot…").assertExists()
+        onNodeWithText("Send to my robot").assertDoesNotExist()
+        onNodeWithTag("notice-text").assertTextEquals("The robot yellow is now: NXT penbot.")
+        onNodeWithTag("notice-action").assertTextEquals("Undo").performClick()
+        runBlocking { workshop.compilePrograms() }
+        pass(300)
+        assertEquals(BrickKind.RCX, workshop.state.programs.brick)
+        onNodeWithTag("notice").assertDoesNotExist()
+        onNodeWithTag("other-brick").assertExists()
+    }
+
+    @Test
+    fun `a robot that is dropped on the window takes the place of the robot, and Undo brings that back`() {
+        for (show in listOf(::onTablet, ::onPhone)) {
+            show { workshop ->
+                val owl = ReadyRobots.BOTH_SIDES.copy(title = "Owl")
+                val file = OpenedFile("owl.robot.json", writeRobot(owl).encodeToByteArray())
+                workshop.handle(DocumentEvent.FilesBrought(listOf(file)))
+                pass(300)
+                onNodeWithTag("notice-text").assertTextEquals("The robot yellow is now: Owl.")
+                onNodeWithTag("notice-action").performClick()
+                pass(300)
+                assertEquals(ReadyRobots.RCX_PENBOT, workshop.state.programs.robot.description)
+            }
+        }
+    }
+
+    @Test
+    fun `a file that is no robot is told in a sentence`() = onTablet { workshop ->
+        workshop.handle(DocumentEvent.FilesBrought(listOf(OpenedFile("owl.robot.json", "{}".encodeToByteArray()))))
+        pass(300)
+        onNodeWithText("owl.robot.json: ", substring = true).assertIsDisplayed()
+        assertEquals(ReadyRobots.RCX_PENBOT, workshop.state.programs.robot.description)
+    }
+}

@@ -1,0 +1,20 @@
+package robotran.workshop.learning
+
+import robotran.learning.WorldGallery
+import robotran.workshop.state.PupilProgram
+import robotran.world.World
+
+/** Whether a world of the gallery brought this program, and the pupil has changed nothing in it. */
+internal val PupilProgram.isGiven: Boolean
+    get() = files.size == 1 && WorldGallery.isGiven(name, files.single().text)
+
+/**
+ * The programs that leave when [world] is opened: those that other worlds brought and the pupil has not changed. The
+ * program to begin with of [world] itself stays.
+ */
+internal fun programsLeftBehind(world: World): (PupilProgram) -> Boolean {
+    val start by lazy { WorldGallery.find(world)?.lesson?.program }
+    return { program ->
+        program.isGiven && !(program.name == start?.name && program.files.single().text == start?.text)
+    }
+}

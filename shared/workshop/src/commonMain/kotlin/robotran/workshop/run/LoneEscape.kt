@@ -1,0 +1,33 @@
+package robotran.workshop.run
+
+import robotran.brick.controls.BrickButton
+
+/** Notices that ESCAPE is pressed without ENTER while a program of an NXT runs, once per run. */
+internal class LoneEscape {
+    private var isDown = false
+    private var isTold = false
+    private val down = mutableSetOf<BrickButton>()
+
+    fun pressed(button: BrickButton, isRunning: Boolean) {
+        down += button
+        isDown = button == BrickButton.ESCAPE && isRunning && down.size == 1
+    }
+
+    /** Whether this is the first time in this run that ESCAPE was pressed and released alone. */
+    fun released(button: BrickButton, isRunning: Boolean): Boolean {
+        down -= button
+        val isAlone = button == BrickButton.ESCAPE && isDown && isRunning && !isTold
+        if (button == BrickButton.ESCAPE) isDown = false
+        if (isAlone) isTold = true
+        return isAlone
+    }
+
+    /** Called when a run begins. */
+    fun forget() {
+        isTold = false
+        isDown = false
+    }
+}
+
+/** What a program that reads the buttons of an NXT contains, in Robolang and in Java. */
+internal val BUTTON_WORDS = listOf("button", "escape")

@@ -1,0 +1,154 @@
+package robotran.world.file
+
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
+import robotran.world.BrickMount
+import robotran.world.BumperPart
+import robotran.world.BumperSide
+import robotran.world.Chassis
+import robotran.world.Drive
+import robotran.world.Facing
+import robotran.world.FingerTouchPart
+import robotran.world.PenMount
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
+import robotran.world.RobotPart
+import robotran.world.RotationPart
+import robotran.world.SensorPart
+import robotran.world.geometry.Point
+import robotran.world.robot.rounded
+import kotlin.random.Random
+
+/** Descriptions of all kinds, possible and impossible ones, with at most three decimals. */
+internal fun arbitraryRobots(brick: BrickKind? = null): Arb<RobotDescription> =
+    arbitrary { ArbitraryRobot(it.random, brick).robot() }
+
+/** Most figures are sensible and some are not, so that about half of the robots can be built. */
+private class ArbitraryRobot(private val random: Random, private val wanted: BrickKind?) {
+    fun robot(): RobotDescription {
+        val brick = wanted ?: BrickKind.entries.random(random)
+        val base = if (random.nextBoolean()) {
+            ReadyRobots.all.values.filter {
+                it.brick == brick
+            }.random(random)
+        } else {
+            null
+        }
+        val like = base ?: ReadyRobots.defaultOf(brick)
+        val front = number(3.0, 15.0)
+        val motors = MotorPort.entries.shuffled(random)
+        return RobotDescription(
+            title = "Robot ${random.nextInt(100)}",
+            brick = brick,
+            chassis = if (random.nextInt(4) == 0) like.chassis else chassis(front),
+            drive = if (random.nextInt(4) == 0) like.drive else drive(motors),
+            casters = if (random.nextInt(4) == 0) like.casters else casters(front),
+            pen = if (random.nextBoolean()) null else PenMount(motors[rarely(0, 2)]),
+            brickAt = BrickMount(Point(number(-3.0, 3.0), 0.0), random.nextBoolean()),
+            parts = if (random.nextInt(4) == 0) like.parts else parts(brick, front),
+            base = base?.base,
+        ).rounded()
+    }
+
+    private fun chassis(front: Double): Chassis {
+        val back = -number(3.0, 12.0)
+        val half = number(2.0, 9.0)
+        val outline = when (random.nextInt(4)) {
+            0 -> listOf(Point(back, -half), Point(front, -half / 2), Point(front, half / 2), Point(back, half))
+
+            1 -> listOf(
+                Point(back, -half),
+                Point(front, -half),
+                Point(front / 2, 0.0),
+                Point(front, half),
+                Point(back, half),
+            )
+
+            2 -> List(random.nextInt(3, 13)) { Point(number(back, front), number(-half, half)) }
+
+            else -> listOf(Point(back, -half), Point(front, -half), Point(front, half), Point(back, half))
+        }
+        val massAt = Point(if (random.nextInt(6) == 0) -1.0 else number(0.0, 2.0), 0.0)
+        return Chassis(outline, number(4.0, 15.0), number(0.1, 2.0), massAt)
+    }
+
+    private fun drive(motors: List<MotorPort>) = Drive(
+        wheelDiameter = number(2.0, 10.0),
+        wheelWidth = number(0.5, 4.0),
+        track = number(4.0, 25.0),
+        gear = if (random.nextInt(4) == 0) number(0.2, 12.0) else number(2.0, 6.0),
+        left = motors[0],
+        right = motors[rarely(0, 1)],
+        reversed = random.nextBoolean(),
+        tyreFriction = number(0.1, 2.0),
+    )
+
+    private fun casters(front: Double) = List(
+        if (random.nextInt(6) ==
+            0
+        ) {
+            0
+        } else {
+            random.nextInt(1, 4)
+        },
+    ) { Point(front - number(0.0, 2.0), number(-4.0, 4.0)) }
+
+    private fun parts(brick: BrickKind, front: Double): List<RobotPart> {
+        val ports = (1..brick.inputPorts).shuffled(random)
+        return List(random.nextInt(brick.inputPorts + 1)) {
+            part(
+                if (random.nextInt(5) ==
+                    0
+                ) {
+                    null
+                } else {
+                    ports[it]
+                },
+                front,
+            )
+        }
+    }
+
+    private fun part(port: Int?, front: Double): RobotPart = when (random.nextInt(6)) {
+        0 -> FingerTouchPart(port)
+        1 -> RotationPart(port, BumperSide.entries.random(random))
+        2, 3 -> bumper(port, front)
+        else -> sensor(port, front)
+    }
+
+    private fun bumper(port: Int?, front: Double) = BumperPart(
+        port,
+        Point(front + number(-0.5, 4.0), number(-5.0, 5.0)),
+        width = number(1.0, 15.0),
+        depth = number(0.5, 4.0),
+        direction = if (random.nextBoolean()) 0.0 else number(-60.0, 60.0),
+        side = if (random.nextBoolean()) BumperSide.entries.random(random) else null,
+    )
+
+    private fun sensor(port: Int?, front: Double): SensorPart {
+        val kind = if (random.nextInt(3) > 0) SensorKind.LIGHT else (SensorKind.entries - OTHER_PARTS).random(random)
+        val facing = when (random.nextInt(4)) {
+            0 -> Facing.Down
+            1 -> Facing.Free
+            else -> Facing.Ahead(number(-90.0, 90.0))
+        }
+        val at = Point(front + number(-1.0, 3.0), number(-5.0, 5.0))
+        val turret = if (random.nextInt(8) == 0) MotorPort.entries.random(random) else null
+        return SensorPart(port, kind, at, number(0.5, if (facing is Facing.Ahead) 10.0 else 3.5), facing, turret)
+    }
+
+    private fun number(from: Double, to: Double): Double {
+        val any = random.nextDouble(from, to)
+        return if (random.nextBoolean()) any else (any * 2).toInt() / 2.0
+    }
+
+    /** [rare] in one of ten cases, otherwise [usual]. */
+    private fun rarely(rare: Int, usual: Int) = if (random.nextInt(10) == 0) rare else usual
+
+    private companion object {
+        val OTHER_PARTS = setOf(SensorKind.TOUCH, SensorKind.ROTATION)
+    }
+}

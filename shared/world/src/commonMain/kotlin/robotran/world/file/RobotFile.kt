@@ -1,0 +1,72 @@
+package robotran.world.file
+
+import robotran.json.JsonCursor
+import robotran.json.JsonReading
+import robotran.json.JsonValidationException
+import robotran.json.jsonObject
+import robotran.json.messages.JsonMessages
+import robotran.json.readJson
+import robotran.json.writeJson
+import robotran.language.Language
+import robotran.world.RobotDescription
+import robotran.world.messages.toldOfRobot
+
+/** The result of reading a robot file. */
+sealed interface RobotFileResult {
+    data class Loaded(val robot: RobotDescription) : RobotFileResult
+
+    /**
+     * The file is invalid.
+     *
+     * @property message one sentence with location and reason.
+     * @property line the line of the error, from 1; null if the error concerns the whole file.
+     * @property path the value with the error, such as `parts[2]`; empty if none.
+     */
+    data class Rejected(val message: String, val line: Int?, val path: String) : RobotFileResult
+}
+
+/**
+ * Reads a robot file, whose name ends in `.robot.json`; `docs/robots.md` describes the format. Returns quickly for any
+ * text: it reads the file or rejects it. Unknown fields are preserved in the robot's
+ * [robotran.world.UnknownFields].
+ *
+ * @param language the language of error messages.
+ */
+fun readRobot(text: String, language: Language = Language.ENGLISH): RobotFileResult =
+    resultOf(readJson(text, language, ::robotIn))
+
+/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+fun readRobot(bytes: ByteArray, language: Language = Language.ENGLISH): RobotFileResult =
+    resultOf(readJson(bytes, language, ::robotIn))
+
+/**
+ * [robot] as a file, with what differs from the ready robot that it is like. [readRobot] restores the same robot if its
+ * figures have at most three decimals, or are those of that ready robot.
+ */
+fun writeRobot(robot: RobotDescription): String = writeJson(
+    jsonObject(robot.unknown.members) {
+        text("format", ROBOT_FORMAT)
+        number("version", ROBOT_VERSION)
+        describe(robot)
+    },
+)
+
+private fun robotIn(place: JsonCursor): RobotDescription {
+    if (place.optional("format")?.textOrNull() != ROBOT_FORMAT) {
+        throw JsonValidationException(null, toldOfRobot { notARobot(ROBOT_FORMAT) })
+    }
+    val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)
+    if (version < 1) place.member("version").refuse { JsonMessages.of(it).mustBeFrom("1", "$ROBOT_VERSION") }
+    if (version > ROBOT_VERSION) {
+        throw JsonValidationException(null, toldOfRobot { newerRobot(version, ROBOT_VERSION) })
+    }
+    return readDescription(place)
+}
+
+private fun resultOf(reading: JsonReading<RobotDescription>): RobotFileResult = when (reading) {
+    is JsonReading.Read -> RobotFileResult.Loaded(reading.value)
+    is JsonReading.Rejected -> RobotFileResult.Rejected(reading.message, reading.line, reading.path)
+}
+
+private const val ROBOT_FORMAT = "robotran-robot"
+private const val ROBOT_VERSION = 1

@@ -1,0 +1,29 @@
+package robotran.world.file
+
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
+import robotran.world.BumperSide
+import robotran.world.Facing
+
+/** The words for the parts of a robot in a file; [sensor] of those that are no more than a sensor. */
+internal enum class PartKind(val sensor: SensorKind?) {
+    BUMPER(null),
+    TOUCH(null),
+    LIGHT(SensorKind.LIGHT),
+    ROTATION(null),
+    TEMPERATURE(SensorKind.TEMPERATURE),
+    ULTRASONIC(SensorKind.ULTRASONIC),
+    SOUND(SensorKind.SOUND),
+    COLOUR(SensorKind.COLOUR),
+    COMPASS(SensorKind.COMPASS),
+    GYRO(SensorKind.GYRO),
+}
+
+internal val PART_KINDS: Map<String, PartKind> = PartKind.entries.associateBy { wordFor(it) }
+internal val SIDES: Map<String, BumperSide> = BumperSide.entries.associateBy { wordFor(it) }
+internal val BRICKS: Map<String, BrickKind> = BrickKind.entries.associateBy { wordFor(it) }
+internal val DIRECTIONS: Map<String, Facing> = mapOf("down" to Facing.Down, "free" to Facing.Free)
+
+/** In capital letters, as on the brick. */
+internal val MOTORS: Map<String, MotorPort> = MotorPort.entries.associateBy { it.name }

@@ -1,0 +1,141 @@
+package robotran.world.messages
+
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
+import robotran.json.writeDecimal
+import robotran.language.Language
+import robotran.language.choose
+import robotran.world.robot.RobotError
+import robotran.world.robot.RobotFigure
+
+/** Why a robot cannot be built, in whole sentences for the pupil. Lengths are in centimetres. */
+interface RobotMessages {
+    /** A whole sentence, for a file. */
+    fun notARobot(format: String): String
+
+    /** A whole sentence, for a file. */
+    fun newerRobot(version: Int, known: Int): String
+
+    fun noReadyRobot(name: String, known: List<String>): String
+
+    fun robotAndPorts(): String
+
+    fun outOfRange(figure: RobotFigure, lowest: String, highest: String): String
+
+    fun portTaken(port: Int): String
+
+    fun noSuchPort(brick: BrickKind, port: Int): String
+
+    fun unreadable(brick: BrickKind, kind: SensorKind): String
+
+    fun oneDriveMotor(motor: MotorPort): String
+
+    fun penMotorTaken(motor: MotorPort): String
+
+    fun noWheels(): String
+
+    fun wheelsTooClose(): String
+
+    fun tooFast(): String
+
+    fun tipsOver(backwards: Boolean): String
+
+    fun casterOnAxle(): String
+
+    fun outlineCrosses(): String
+
+    fun outlineTooSmall(): String
+
+    fun outlineTooLarge(): String
+
+    fun tooManyCorners(): String
+
+    fun massOutside(): String
+
+    fun massBesideMiddle(): String
+
+    fun bumperInside(): String
+
+    fun sensorInFloor(kind: SensorKind, lowest: String): String
+
+    fun sensorTooHigh(kind: SensorKind, highest: String): String
+
+    fun cannotLookDown(kind: SensorKind): String
+
+    fun looksIntoRobot(kind: SensorKind): String
+
+    fun farAway(kind: SensorKind, centimetres: Int): String
+
+    fun turretMotorTaken(motor: MotorPort, byPen: Boolean): String
+
+    fun noTurret(brick: BrickKind): String
+
+    companion object {
+        fun of(language: Language): RobotMessages =
+            language.choose(EnglishRobotMessages, SpanishRobotMessages, GermanRobotMessages)
+    }
+}
+
+/** The whole sentence for this error. */
+fun RobotError.sentence(language: Language): String = with(RobotMessages.of(language)) {
+    when (val error = this@sentence) {
+        is RobotError.OutOfRange -> outOfRange(
+            error.figure,
+            writeDecimal(error.range.start),
+            writeDecimal(error.range.endInclusive),
+        )
+
+        is RobotError.PortTaken -> portTaken(error.port)
+
+        is RobotError.NoSuchPort -> noSuchPort(error.brick, error.port)
+
+        is RobotError.UnreadableSensor -> unreadable(error.brick, error.kind)
+
+        is RobotError.OneDriveMotor -> oneDriveMotor(error.motor)
+
+        is RobotError.PenMotorTaken -> penMotorTaken(error.motor)
+
+        RobotError.NoWheels -> noWheels()
+
+        RobotError.WheelsTooClose -> wheelsTooClose()
+
+        RobotError.TooFast -> tooFast()
+
+        is RobotError.TipsOver -> tipsOver(error.backwards)
+
+        RobotError.CasterOnAxle -> casterOnAxle()
+
+        RobotError.OutlineCrosses -> outlineCrosses()
+
+        RobotError.OutlineTooSmall -> outlineTooSmall()
+
+        RobotError.OutlineTooLarge -> outlineTooLarge()
+
+        RobotError.TooManyCorners -> tooManyCorners()
+
+        RobotError.MassOutside -> massOutside()
+
+        RobotError.MassBesideMiddle -> massBesideMiddle()
+
+        is RobotError.BumperInside -> bumperInside()
+
+        is RobotError.SensorInFloor -> sensorInFloor(error.kind, writeDecimal(error.lowest))
+
+        is RobotError.SensorTooHigh -> sensorTooHigh(error.kind, writeDecimal(error.highest))
+
+        is RobotError.CannotLookDown -> cannotLookDown(error.kind)
+
+        is RobotError.LooksIntoRobot -> looksIntoRobot(error.kind)
+
+        is RobotError.FarAway -> farAway(error.kind, error.centimetres)
+
+        is RobotError.TurretMotorTaken -> turretMotorTaken(error.motor, error.byPen)
+
+        is RobotError.NoTurret -> noTurret(error.brick)
+    }
+}
+
+internal fun toldOfRobot(sentence: RobotMessages.() -> String): (Language) -> String = {
+    RobotMessages.of(it).sentence()
+}
