@@ -1,0 +1,5 @@
+package robotran.legofirmware.messages
+
+internal object English : FirmwareMessages {
+    override val image = ImageEnglish
+}

@@ -1,0 +1,5 @@
+package robotran.legofirmware.messages
+
+internal object German : FirmwareMessages {
+    override val image = ImageGerman
+}

@@ -1,0 +1,5 @@
+package robotran.legofirmware.messages
+
+internal object Spanish : FirmwareMessages {
+    override val image = ImageSpanish
+}
