@@ -2,4 +2,5 @@ package robotran.legofirmware.messages
 
 internal object English : FirmwareMessages {
     override val image = ImageEnglish
+    override val assembly = AssemblyEnglish
 }

@@ -2,4 +2,5 @@ package robotran.legofirmware.messages
 
 internal object German : FirmwareMessages {
     override val image = ImageGerman
+    override val assembly = AssemblyGerman
 }
