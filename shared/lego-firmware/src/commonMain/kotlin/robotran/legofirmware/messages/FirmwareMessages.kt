@@ -7,6 +7,7 @@ import robotran.language.choose
 interface FirmwareMessages {
     val image: ImageMessages
     val assembly: AssemblyMessages
+    val run: RunMessages
 
     companion object {
         fun of(language: Language): FirmwareMessages = language.choose(English, Spanish, German)
