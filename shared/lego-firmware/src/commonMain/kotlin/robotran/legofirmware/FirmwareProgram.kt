@@ -8,6 +8,7 @@ import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
 import robotran.legofirmware.run.LegoFirmwareRun
 import robotran.legofirmware.run.ProgramCode
+import robotran.rcxrom.program.RcxFirmware
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 
@@ -23,6 +24,8 @@ class FirmwareProgram(
     val lines: LineTable = LineTable.NONE,
     private val language: Language = Language.ENGLISH,
 ) : RcxProgram {
+    override val firmware: RcxFirmware get() = LegoFirmware(language)
+
     internal val code = ProgramCode(name, image, lines)
 
     /** Starts a new run on a firmware of its own, which knows nothing of earlier runs. */

@@ -22,6 +22,13 @@ internal class Inputs(private val calls: RomCalls) {
         calls.call(routine, SensorCode.FIRST_PORT + port)
     }
 
+    /** Powers the ports again whose types need it, after the brick was off. */
+    fun resume() {
+        for (port in 0 until SensorCode.PORTS) {
+            if (types[port] >= FIRST_POWERED) calls.call(RomAddress.ACTIVATE_SENSOR, SensorCode.FIRST_PORT + port)
+        }
+    }
+
     /** Sets mode and slope, and clears the value. */
     fun setMode(port: Int, mode: Int) = set(port, types[port], mode)
 

@@ -47,5 +47,8 @@ internal object RunEnglish : RunMessages {
 
     override fun localVariables() = "own variables"
 
+    override fun motorsStayOn() = "The program is over, but its motors stay on: LEGO's firmware does not stop them. " +
+        "A program that is to stop ends with the motors off."
+
     override fun emptySlot(slot: Int) = "There is no program in slot $slot. Choose another one with the Prgm button."
 }

@@ -50,5 +50,9 @@ internal object RunGerman : RunMessages {
 
     override fun localVariables() = "eigene Variablen"
 
+    override fun motorsStayOn() =
+        "Das Programm ist zu Ende, aber die Motoren bleiben an: Die Firmware von LEGO hält sie " +
+            "nicht an. Schalte sie am Ende des Programms aus."
+
     override fun emptySlot(slot: Int) = "Auf Platz $slot ist kein Programm. Wähle mit der Taste Prgm einen anderen."
 }

@@ -47,6 +47,9 @@ interface RunMessages {
     /** The heading of the variables of a task. */
     fun localVariables(): String
 
+    /** The program has ended, but motors are on. */
+    fun motorsStayOn(): String
+
     /** Why Run starts nothing. */
     fun emptySlot(slot: Int): String
 }

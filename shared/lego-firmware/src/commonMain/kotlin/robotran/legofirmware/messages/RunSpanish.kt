@@ -51,5 +51,9 @@ internal object RunSpanish : RunMessages {
 
     override fun localVariables() = "variables propias"
 
+    override fun motorsStayOn() =
+        "El programa ha terminado, pero los motores siguen encendidos: el firmware de LEGO no los " +
+            "para. Apágalos al final del programa."
+
     override fun emptySlot(slot: Int) = "No hay programa en el lugar $slot. Elige otro con el botón Prgm."
 }

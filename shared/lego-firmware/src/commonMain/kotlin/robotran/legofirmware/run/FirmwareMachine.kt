@@ -33,6 +33,18 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
 
     val remarks: List<RuntimeWarning> get() = core.remarks
 
+    /** Makes the View button's step. */
+    fun viewNext() {
+        core.devices.viewing.showNext()
+        display.tick(isRunning, atOnce = true)
+    }
+
+    /** Selects a slot while nothing runs. */
+    fun select(slot: Int) {
+        core.devices.slot = slot
+        display.tick(isRunning, atOnce = true)
+    }
+
     /** What the remote control wants; null if nothing. */
     fun takeRemoteCommand(): RemoteCommand? = requests.takeCommand()
 
