@@ -23,6 +23,7 @@ import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.shell.Shell
 import robotran.rcxrom.state.InfraredState
+import robotran.rcxrom.state.RcxFirmwareState
 import robotran.rcxrom.state.RcxState
 
 /**
@@ -89,6 +90,9 @@ class RcxBrick(
             shell.isImmediate,
         )
 
+    /** What the firmware knows, such as its variables; null for leJOS's. */
+    val firmwareState: RcxFirmwareState? get() = shell.firmwareState
+
     override val sounds: SoundTrack get() = hardware.speaker.track
 
     override val isSounding: Boolean get() = hardware.speaker.sounding
@@ -106,15 +110,11 @@ class RcxBrick(
     fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
 
     override fun press(button: BrickButton) {
-        if (button.kind == kind && hardware.buttons.hold(button, down = true)) shell.pressed(button)
+        if (button.kind == kind && hardware.buttons.hold(button, down = true)) changeSlot { shell.pressed(button) }
     }
 
     override fun release(button: BrickButton) {
-        if (button.kind != kind || !hardware.buttons.hold(button, down = false)) return
-        val slotBefore = shell.selectedSlot
-        shell.released(button)
-        val slot = shell.selectedSlot
-        if (slot != slotBefore) programs.getOrNull(slot)?.let { loadFirmwareOf(it) }
+        if (button.kind == kind && hardware.buttons.hold(button, down = false)) changeSlot { shell.released(button) }
     }
 
     /**
@@ -138,6 +138,14 @@ class RcxBrick(
         if (program.firmware != firmware) shell.stopProgram()
         loadFirmwareOf(program)
         shell.runNow(program)
+    }
+
+    /** Runs [work] of the shell, which may select a slot. */
+    private inline fun changeSlot(work: () -> Unit) {
+        val slotBefore = shell.selectedSlot
+        work()
+        val slot = shell.selectedSlot
+        if (slot != slotBefore) programs.getOrNull(slot)?.let { loadFirmwareOf(it) }
     }
 
     private fun loadFirmwareOf(program: RcxProgram) {

@@ -12,8 +12,10 @@ internal class Outputs(private val rom: RomCalls) {
 
     /** Sets the motors of [stateAndMask]: [ON], [OFF] or, without either, float. A disabled motor stays as it is. */
     fun switch(stateAndMask: Int) = each(stateAndMask) {
-        it.state = stateOf(stateAndMask)
-        if (it.isEnabled) it.apply()
+        if (it.isEnabled) {
+            it.state = stateOf(stateAndMask)
+            it.apply()
+        }
     }
 
     /** Sets the direction: [FORWARD], [OTHER_WAY] or, without either, backward. */

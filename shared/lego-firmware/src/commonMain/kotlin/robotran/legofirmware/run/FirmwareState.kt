@@ -1,6 +1,7 @@
 package robotran.legofirmware.run
 
 import robotran.legofirmware.device.DatalogEntry
+import robotran.rcxrom.state.RcxFirmwareState
 
 /**
  * What LEGO's firmware on a brick knows at one moment; immutable.
@@ -23,7 +24,7 @@ data class FirmwareState(
     val datalog: List<DatalogEntry>,
     val datalogCapacity: Int,
     val tasks: List<TaskView>,
-)
+) : RcxFirmwareState
 
 /**
  * A task that runs.

@@ -10,6 +10,7 @@ import robotran.legofirmware.device.PowerRoutines
 import robotran.legofirmware.messages.RunMessages
 import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
+import robotran.legofirmware.run.FirmwareState
 import robotran.legofirmware.run.ProgramCode
 import robotran.legofirmware.run.RemoteCommand
 import robotran.rcxrom.program.RcxProgram
@@ -69,6 +70,8 @@ internal class LegoShell(
         }
 
     override val debuggableRun: DebuggableRun? get() = run
+
+    override val firmwareState: FirmwareState get() = machine.state
 
     override val isPaused: Boolean get() = pausedSteps > 0
 

@@ -4,6 +4,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.program.DebuggableRun
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
+import robotran.rcxrom.state.RcxFirmwareState
 
 /**
  * The part of a firmware between buttons and programs. It acts on the brick through ROM calls, and does so only in these
@@ -31,6 +32,9 @@ interface RcxShell {
 
     /** Whether the program is paused in the middle of its share of this millisecond. */
     val isPaused: Boolean
+
+    /** What the firmware knows now; null for leJOS's. */
+    val firmwareState: RcxFirmwareState? get() = null
 
     /** Starts for the first time, after the firmware was loaded. */
     fun begin()
