@@ -1,5 +1,6 @@
 package robotran.legofirmware
 
+import robotran.brick.controls.BrickButton
 import robotran.legofirmware.assembly.AssemblyLimits
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
@@ -10,21 +11,39 @@ import robotran.legofirmware.image.readRcxImage
 import robotran.legofirmware.image.toBytes
 import robotran.legofirmware.listing.assemblyListing
 import robotran.legofirmware.listing.plainListing
+import robotran.legofirmware.run.FirmwareState
+import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.sensors.SensorCode
 import kotlin.random.Random
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 /** Damages images of the vectors and does with them all that can be done. Returns how many could be read. */
-internal fun tryMutatedImages(count: Int, seed: Int, use: (RcxImage) -> Unit = {}): Int {
+internal fun tryMutatedImages(count: Int, seed: Int): Int {
     val random = Random(seed)
     val originals = Vectors.names.map { Vectors.bytes(it) }
     return (1..count).count {
         val bytes = mutated(originals.random(random), random)
         val read = readRcxImage(bytes) as? RcxImageResult.Read ?: return@count false
         checkForms(read.image, bytes.size)
-        use(read.image)
+        runOnBrick(read.image)
         true
     }
+}
+
+/** A program runs as long as it likes, and with every sensor pressed after a while; what it leaves behind is limited. */
+private fun runOnBrick(image: RcxImage) {
+    val brick = RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines)))
+    brick.press(BrickButton.RUN)
+    brick.release(BrickButton.RUN)
+    repeat(RUN_MILLISECONDS) { brick.tick() }
+    for (port in 0 until SensorCode.PORTS) brick.setRawSensorValue(port, 0)
+    repeat(RUN_MILLISECONDS) { brick.tick() }
+    val instructions = 2 * RUN_MILLISECONDS / 2
+    assertTrue(brick.log.total < CALLS_AT_START + instructions * CALLS_OF_INSTRUCTION, "${brick.log.total} calls")
+    assertTrue(brick.remarks.size <= REMARKS)
+    val state = brick.firmwareState as FirmwareState
+    assertTrue(state.variables.all { it in Short.MIN_VALUE..Short.MAX_VALUE })
 }
 
 /** Texts have a few dozen characters a byte at most; assembling one gives the same program. */
@@ -94,6 +113,10 @@ private fun mutated(original: String, random: Random): String {
     return text.toString()
 }
 
+private const val RUN_MILLISECONDS = 60
+private const val CALLS_AT_START = 60
+private const val CALLS_OF_INSTRUCTION = 4
+private const val REMARKS = 100
 private const val MOST_MUTATIONS = 6
 private const val MUTATIONS = 6
 private const val LISTING_CHARACTERS = 120
