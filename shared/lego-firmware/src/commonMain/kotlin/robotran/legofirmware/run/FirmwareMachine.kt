@@ -69,6 +69,7 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
         core.begin(code.image.target)
         core.devices.outputs.resetGlobalLayer()
         core.devices.sounds.isMuted = false
+        core.devices.random.stir(core.now)
         core.devices.viewing.forgetUserValue()
         core.tasks.load(code.image)
         core.tasks.start(0)
