@@ -91,8 +91,9 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
     fun tick() {
         if (core.now == lastTick) return
         lastTick = core.now
-        if (requests.tick()) wasActive = true
+        if (requests.tick(isRunning)) wasActive = true
         core.devices.infrared.tick()
+        if (isRunning && !core.tasks.anyAlive) finish()
         if (isRunning) core.events.tick(core.now)
         core.at(null)
         display.tick(isRunning)
