@@ -64,9 +64,9 @@ internal class ConditionReader(private val tokens: List<Token>, private val isDe
     }
 
     private fun defined(): Int {
-        val name = tokens.getOrNull(place + 1)
-        val isWellFormed = isSign("(") && name?.kind == TokenKind.NAME && tokens.getOrNull(place + 2)?.isSign(")") == true
-        if (!isWellFormed || name == null) return fail(NqcDiagnosticCode.CONDITION_SYNTAX)
+        val name = tokens.getOrNull(place + 1)?.takeIf { it.kind == TokenKind.NAME }
+        val isInBrackets = isSign("(") && tokens.getOrNull(place + 2)?.isSign(")") == true
+        if (name == null || !isInBrackets) return fail(NqcDiagnosticCode.CONDITION_SYNTAX)
         place += DEFINED_TOKENS
         return if (isDefined(name.text)) 1 else 0
     }
