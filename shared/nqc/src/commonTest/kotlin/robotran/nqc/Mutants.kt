@@ -14,7 +14,8 @@ internal class Mutants(seed: Int) {
     /** Compiles one copy; returns whether it has no mistake. */
     fun compileNext(): Boolean {
         val text = StringBuilder(sources.random(random))
-        repeat(random.nextInt(1, MOST_CHANGES)) { change(text) }
+        // Most copies change little, so that many still compile.
+        repeat(if (random.nextInt(3) == 0) random.nextInt(1, MOST_CHANGES) else 1) { change(text) }
         val options = NqcOptions(FirmwareTarget.entries.random(random), isOld = random.nextInt(OLD) == 0)
         return when (val result = compileNqc(FILE, text.toString(), options)) {
             is NqcResult.HasErrors -> {
@@ -33,6 +34,7 @@ internal class Mutants(seed: Int) {
         val start = random.nextInt(text.length + 1)
         val end = minOf(text.length, start + random.nextInt(1, LONGEST))
         when (random.nextInt(CHANGES)) {
+            in EXCHANGES -> exchange(text)
             0 -> text.deleteRange(start, end)
             1 -> text.insert(start, text.substring(start, end))
             2 -> text.insert(start, WORDS.random(random))
@@ -42,6 +44,14 @@ internal class Mutants(seed: Int) {
             6 -> text.insert(random.nextInt(text.length + 1), text.substring(start, end).repeat(random.nextInt(1, TIMES)))
             else -> if (start < text.length) text[start] = random.nextInt(' '.code, DELETE).toChar()
         }
+    }
+
+    /** Puts a word or number of the same kind in place of another. */
+    private fun exchange(text: StringBuilder) {
+        val kind = KINDS.random(random)
+        val found = kind.findAll(text).toList().randomOrNull(random) ?: return
+        val other = kind.findAll(sources.random(random)).toList().randomOrNull(random) ?: return
+        text.setRange(found.range.first, found.range.last + 1, other.value)
     }
 
     private fun spliceOf(source: String): String {
@@ -55,7 +65,9 @@ internal class Mutants(seed: Int) {
         const val MOST_DIAGNOSTICS = 200
         const val LONGEST = 40
         const val TIMES = 30
-        const val CHANGES = 8
+        const val CHANGES = 24
+        val EXCHANGES = 8 until CHANGES
+        val KINDS = listOf(Regex("[0-9]+"), Regex("[+*/%&|^<>=!-]+"), Regex("[A-Z_]{3,}[0-9A-Z_]*"), Regex("\\b[a-z]+\\b"), Regex("[^;{}]+;"))
         const val OLD = 20
         const val DELETE = 127
 

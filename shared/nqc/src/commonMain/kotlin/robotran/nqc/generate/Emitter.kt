@@ -66,7 +66,9 @@ internal class Emitter(
     fun temporary(range: SourceRange, allowsLocals: Boolean = true): Int =
         allocator.allocate(1, isTemporary = true, allowsLocals) ?: run {
             budget.isOutOfVariables = true
-            sink.report(NqcDiagnosticCode.NO_TEMPORARIES, place(range), sink.messages.noTemporaries())
+            val isShared = allocator.mode == AllocationMode.SUB_OF_MANY_TASKS
+            val message = if (isShared) sink.messages.noStorageInSharedSub() else sink.messages.noTemporaries()
+            sink.report(NqcDiagnosticCode.NO_TEMPORARIES, place(range), message)
             throw GenerationStop()
         }
 

@@ -35,7 +35,8 @@ internal class PlaceAllocator(target: FirmwareTarget) {
     private val states = MutableList(FirmwareLimits.GLOBAL_VARIABLES + locals) { State.FREE }
     private val globalPlaces = 0 until FirmwareLimits.GLOBAL_VARIABLES
     private val localPlaces = FirmwareLimits.GLOBAL_VARIABLES until states.size
-    private var mode = AllocationMode.GLOBAL
+    var mode = AllocationMode.GLOBAL
+        private set
 
     /** Takes the variables [places] away for good; false if one does not exist or is taken. */
     fun reserve(places: IntRange): Boolean {

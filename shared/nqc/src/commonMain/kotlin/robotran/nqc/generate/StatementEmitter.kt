@@ -4,6 +4,7 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.ValueSource
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.Expression
@@ -99,7 +100,9 @@ internal class StatementEmitter(
         val place = emitter.allocator.allocate(size, isTemporary = false)
         if (place == null) {
             emitter.outOfVariables()
-            emitter.report(NqcDiagnosticCode.NO_STORAGE, range, sink.messages.noStorage())
+            val isShared = emitter.allocator.mode == AllocationMode.SUB_OF_MANY_TASKS
+            val message = if (isShared) sink.messages.noStorageInSharedSub() else sink.messages.noStorage()
+            emitter.report(NqcDiagnosticCode.NO_STORAGE, range, message)
             throw GenerationStop()
         }
         scopes.last() += place until place + size
@@ -175,7 +178,8 @@ internal class StatementEmitter(
         if (number == null) {
             val similar = similarName(statement.task, units.tasks.keys)
             val message = sink.messages.undefinedTask(statement.task, similar)
-            return emitter.report(NqcDiagnosticCode.UNDEFINED_TASK, statement.range, message)
+            val fix = similar?.takeIf { statement.name.macro == null }?.let { SourceFix(statement.name.range, it) }
+            return sink.report(NqcDiagnosticCode.UNDEFINED_TASK, statement.range, message, fix)
         }
         emitter.add(if (statement.isStart) Opcode.START else Opcode.STOP, number)
     }

@@ -79,6 +79,8 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "The character ${quoted(character)} means nothing here."
 
+    override fun decimalNumber() = "The brick computes with whole numbers only. Leave the point and what follows out."
+
     override fun textAsValue() = "The brick cannot show texts, so NQC has none. Use a number."
 
     override fun missingSemicolon() = "A semicolon is missing here."
@@ -230,6 +232,9 @@ private object EnglishNameMessages : NqcNameMessages {
 private object EnglishCodeMessages : NqcCodeMessages {
     override fun noStorage() =
         "The brick has no room for this variable. It has 32 for all tasks, and 16 more for each with firmware 2.0."
+
+    override fun noStorageInSharedSub() =
+        "Several tasks call this sub, so its variables need places of their own in each: 16 with firmware 2.0, none with 1.0."
 
     override fun noStorageForSub(name: String) =
         "The variables of ${quoted(name)} and of this task together do not fit into the brick. Use fewer of them."

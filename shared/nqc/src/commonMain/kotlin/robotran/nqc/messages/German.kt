@@ -87,6 +87,8 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "Das Zeichen ${quoted(character)} bedeutet hier nichts."
 
+    override fun decimalNumber() = "Der Stein rechnet nur mit ganzen Zahlen. Lass den Punkt und was danach kommt weg."
+
     override fun textAsValue() = "Der Stein kann keine Texte zeigen, darum hat NQC keine. Nimm eine Zahl."
 
     override fun missingSemicolon() = "Hier fehlt ein Strichpunkt."
@@ -248,6 +250,9 @@ private object GermanNameMessages : NqcNameMessages {
 private object GermanCodeMessages : NqcCodeMessages {
     override fun noStorage() =
         "Der Stein hat keinen Platz für diese Variable. Er hat 32 für alle Tasks, mit Firmware 2.0 noch 16 für jeden."
+
+    override fun noStorageInSharedSub() =
+        "Mehrere Tasks rufen dieses Unterprogramm auf. Dann hat es Platz für 16 Variablen mit Firmware 2.0, für keine mit 1.0."
 
     override fun noStorageForSub(name: String) =
         "Die Variablen von ${quoted(name)} und von diesem Task passen zusammen nicht in den Stein. Nimm weniger."

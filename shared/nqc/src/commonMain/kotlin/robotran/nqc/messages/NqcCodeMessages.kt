@@ -6,6 +6,9 @@ import robotran.nqc.config.ParameterLimit
 interface NqcCodeMessages {
     fun noStorage(): String
 
+    /** A subroutine that several tasks call has more variables than it can. */
+    fun noStorageInSharedSub(): String
+
     /** The variables of the subroutine [name] and of its caller do not fit together. */
     fun noStorageForSub(name: String): String
 

@@ -8,6 +8,9 @@ interface NqcSyntaxMessages {
 
     fun unknownCharacter(character: String): String
 
+    /** A point within a number. */
+    fun decimalNumber(): String
+
     fun textAsValue(): String
 
     fun missingSemicolon(): String

@@ -87,6 +87,9 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "El carácter ${quoted(character)} no significa nada aquí."
 
+    override fun decimalNumber() =
+        "El ladrillo solo calcula con números enteros. Quita el punto y lo que sigue."
+
     override fun textAsValue() = "El ladrillo no puede mostrar textos, por eso NQC no los tiene. Usa un número."
 
     override fun missingSemicolon() = "Aquí falta un punto y coma."
@@ -247,6 +250,9 @@ private object SpanishCodeMessages : NqcCodeMessages {
     override fun noStorage() =
         "El ladrillo no tiene sitio para esta variable. Tiene 32 para todas las tareas y, con el firmware 2.0, 16 más " +
             "para cada una."
+
+    override fun noStorageInSharedSub() =
+        "Varias tareas llaman a esta subrutina. Entonces tiene sitio para 16 variables con el firmware 2.0 y ninguna con el 1.0."
 
     override fun noStorageForSub(name: String) =
         "Las variables de ${quoted(name)} y de esta tarea juntas no caben en el ladrillo. Usa menos."

@@ -1,6 +1,7 @@
 package robotran.nqc.parse
 
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.tree.Expression
@@ -42,7 +43,8 @@ internal class FlowParser(
         val word = reader.advance()
         val condition = expressions.inBrackets()
         if (reader.isSign(";") && reader.token.macro == null && word.macro == null) {
-            sink.report(NqcDiagnosticCode.EMPTY_BODY, reader.token.range, sink.messages.emptyBody())
+            val range = reader.token.range
+            sink.report(NqcDiagnosticCode.EMPTY_BODY, range, sink.messages.emptyBody(), SourceFix(range, ""))
         }
         val then = statement()
         val otherwise = if (reader.accept(Keyword.ELSE)) statement() else null

@@ -89,7 +89,8 @@ internal class ProgramParser(
             reader.fail(NqcDiagnosticCode.INLINE_WRITTEN, token.range, sink.messages.inlineWritten(), fix)
         }
         if (reader.isSign("}")) {
-            reader.fail(NqcDiagnosticCode.MISSING_BRACE, token.range, sink.messages.extraBrace())
+            val fix = SourceFix(token.range, "").takeIf { token.macro == null }
+            reader.fail(NqcDiagnosticCode.MISSING_BRACE, token.range, sink.messages.extraBrace(), fix)
         }
         val isStatement = token.keyword?.group == KeywordGroup.STATEMENT || token.kind == TokenKind.NAME
         if (isStatement) {

@@ -35,7 +35,7 @@ internal class StatementParser(
         while (!reader.accept("}")) {
             if (reader.token.kind == TokenKind.END || reader.token.keyword?.group == KeywordGroup.UNIT) {
                 val message = sink.messages.missingBrace(brace.range.line)
-                sink.report(NqcDiagnosticCode.MISSING_BRACE, reader.gap, message)
+                sink.report(NqcDiagnosticCode.MISSING_BRACE, reader.gap, message, reader.insertion("\n}"))
                 break
             }
             val start = reader.index
@@ -105,7 +105,7 @@ internal class StatementParser(
         val word = reader.advance()
         val name = reader.name()
         reader.semicolon()
-        return Statement.TaskCommand(name.text, keyword == Keyword.START, word.range.to(name.range))
+        return Statement.TaskCommand(name.text, keyword == Keyword.START, word.range.to(name.range), name)
     }
 
     private fun leave(kind: LeaveKind): Statement {
@@ -141,7 +141,8 @@ internal class StatementParser(
         val word = reader.advance()
         val value = if (keyword == Keyword.CASE) expressions.expression() else null
         if (!reader.accept(":")) {
-            reader.fail(NqcDiagnosticCode.MISSING_COLON, reader.gap, sink.messages.missingColon(word.text))
+            val message = sink.messages.missingColon(word.text)
+            reader.fail(NqcDiagnosticCode.MISSING_COLON, reader.gap, message, reader.insertion(":"))
         }
         val number = value?.let { expressions.constantOf(it) }
         if (value != null && number !in CASES) {

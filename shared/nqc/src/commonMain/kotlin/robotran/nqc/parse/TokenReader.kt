@@ -81,7 +81,10 @@ internal class TokenReader(private val tokens: List<Token>, val sink: Diagnostic
     /** Fails at a token that is no part of the language. */
     private fun failUnlessKnown() {
         if (token.kind == TokenKind.UNKNOWN) {
-            fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, sink.messages.unknownCharacter(token.text))
+            val isPoint = token.text == "." && previous.kind == TokenKind.NUMBER
+            val message =
+                if (isPoint) sink.messages.decimalNumber() else sink.messages.unknownCharacter(token.text)
+            fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, message)
         }
         if (token.kind == TokenKind.TEXT) {
             fail(NqcDiagnosticCode.TEXT_AS_VALUE, token.range, sink.messages.textAsValue())

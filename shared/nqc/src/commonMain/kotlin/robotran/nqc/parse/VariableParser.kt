@@ -2,7 +2,9 @@ package robotran.nqc.parse
 
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.Token
 import robotran.nqc.tree.Expression.VariableUse
 import robotran.nqc.tree.Statement.Assignment
@@ -20,17 +22,19 @@ internal class VariableParser(
 
     /** Reads variables up to the semicolon, which is left. */
     fun variables(): List<Declaration> {
+        val type = reader.previous
         val declarations = mutableListOf<Declaration>()
-        do declarations += variable() while (reader.accept(","))
+        do declarations += variable(type) while (reader.accept(","))
         return declarations
     }
 
-    private fun variable(): Declaration {
+    /** @param type the word `int`. */
+    private fun variable(type: Token): Declaration {
         val isPointer = reader.isSign("*")
         val sign = if (isPointer) reader.advance() else null
         val name = reader.name()
         if (sign != null) names.requirePointers(sign.range)
-        if (scopes.declaresGlobals && reader.isSign("(")) failAtFunction(name)
+        if (scopes.declaresGlobals && reader.isSign("(")) failAtFunction(name, type)
         val size = if (!isPointer && reader.accept("[")) arraySize(name) else null
         val variable = Variable(name.text, name.range, scopes.declaresGlobals, size != null, isPointer, size ?: 1)
         val isFree = scopes.declare(variable)
@@ -59,10 +63,11 @@ internal class VariableParser(
         return number.coerceIn(1, LARGEST_ARRAY)
     }
 
-    private fun failAtFunction(name: Token): Nothing = reader.fail(
+    private fun failAtFunction(name: Token, type: Token): Nothing = reader.fail(
         NqcDiagnosticCode.FUNCTION_WITH_TYPE,
         name.range,
         sink.messages.functionWithType(name.text),
+        SourceFix(type.range, Keyword.VOID.text).takeIf { type.macro == null },
     )
 
     private companion object {

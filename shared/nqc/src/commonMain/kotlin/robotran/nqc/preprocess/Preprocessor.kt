@@ -2,9 +2,11 @@ package robotran.nqc.preprocess
 
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
+import robotran.nqc.syntax.similarName
 
 /**
  * Follows the directives of a program and replaces its macros. Never throws.
@@ -82,10 +84,12 @@ internal class Preprocessor(
 
         else -> {
             restOfLine()
+            val similar = similarName(directive.text, DIRECTIVES)
             sink.report(
                 NqcDiagnosticCode.UNKNOWN_DIRECTIVE,
                 directive.range,
                 sink.messages.unknownDirective(directive.text),
+                similar?.let { SourceFix(directive.range, "#$it") },
             )
         }
     }
@@ -95,12 +99,19 @@ internal class Preprocessor(
         val name = line.firstOrNull()?.takeIf { it.kind == TokenKind.TEXT }
         if (name == null) {
             val range = line.firstOrNull()?.range ?: directive.range.end
-            sink.report(NqcDiagnosticCode.INCLUDE_NEEDS_NAME, range, sink.messages.includeNeedsName())
+            sink.report(NqcDiagnosticCode.INCLUDE_NEEDS_NAME, range, sink.messages.includeNeedsName(), quoting(line))
         } else if (!source.has(name.text)) {
             sink.report(NqcDiagnosticCode.FILE_NOT_FOUND, name.range, sink.messages.fileNotFound(name.text))
         } else if (!source.open(name.text)) {
             sink.report(NqcDiagnosticCode.TOO_MANY_INCLUDES, name.range, sink.messages.tooManyIncludes())
         }
+    }
+
+    /** The fix that puts the name of an `#include` in quotation marks. */
+    private fun quoting(line: List<Token>): SourceFix? {
+        if (line.isEmpty()) return null
+        val name = line.joinToString("") { it.text }.removePrefix("<").removeSuffix(">")
+        return SourceFix(line.first().range.to(line.last().range), "\"$name\"")
     }
 
     private fun beginIf(directive: Token, condition: () -> Boolean) {
@@ -175,5 +186,8 @@ internal class Preprocessor(
     private companion object {
         /** Directives whose line has nothing more to say. */
         val ENDING = setOf("else", "endif")
+
+        val DIRECTIVES =
+            listOf("define", "undef", "include", "if", "ifdef", "ifndef", "elif", "else", "endif", "pragma", "error", "warning")
     }
 }

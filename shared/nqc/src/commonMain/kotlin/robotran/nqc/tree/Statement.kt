@@ -1,6 +1,7 @@
 package robotran.nqc.tree
 
 import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.syntax.Token
 
 /** A statement. */
 internal sealed class Statement {
@@ -103,7 +104,12 @@ internal sealed class Statement {
     class Leave(val kind: LeaveKind, override val range: SourceRange) : Statement()
 
     /** `start task;` or `stop task;` */
-    class TaskCommand(val task: String, val isStart: Boolean, override val range: SourceRange) : Statement()
+    class TaskCommand(
+        val task: String,
+        val isStart: Boolean,
+        override val range: SourceRange,
+        val name: Token,
+    ) : Statement()
 
     class Monitor(
         val events: Expression,
