@@ -9,8 +9,10 @@ import kotlin.test.assertTrue
 /** Code that no vector has, from the rules of the reference; and where ours is better than that of the original. */
 class CodeTest {
     @Test
-    fun `a random number is no operand of a test`() =
-        assertEquals("14 2f 04 06 00 85 42 00 03 00 2f 02 50", codeOf("task main() { if (Random(6) > 3) StopAllTasks(); }"))
+    fun `a random number is no operand of a test`() = assertEquals(
+        "14 2f 04 06 00 85 42 00 03 00 2f 02 50",
+        codeOf("task main() { if (Random(6) > 3) StopAllTasks(); }"),
+    )
 
     @Test
     fun `the first firmware moves operands to variables`() {

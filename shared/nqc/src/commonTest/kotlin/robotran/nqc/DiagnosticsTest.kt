@@ -75,15 +75,28 @@ class DiagnosticsTest {
 
     @Test
     fun `directives in a skipped branch do nothing`() {
-        val source = "#define A 1\n#if 0\n#error no\n#undef A\n#frob\n#elif A\n#else\n#warning no\n#endif\ntask main() { Wait(A); }"
+        val branches = "#if 0\n#error no\n#undef A\n#frob\n#elif A\n#else\n#warning no\n#endif\n"
+        val source = "#define A 1\n${branches}task main() { Wait(A); }"
         assertTrue(diagnosticsOf(source).isEmpty(), diagnosticsOf(source).toString())
     }
 
     @Test
     fun `conditions compute`() {
         val conditions = listOf(
-            "1 + 2 * 3 == 7", "(1 + 2) * 3 == 9", "!0", "~0 == -1", "defined(A) && !defined(B)", "A << 3 == 16", "7 % 4 == 3",
-            "MISSING == 0", "1 ? 1 : 0", "(1", "1)", "", "1 / 0", "defined A",
+            "1 + 2 * 3 == 7",
+            "(1 + 2) * 3 == 9",
+            "!0",
+            "~0 == -1",
+            "defined(A) && !defined(B)",
+            "A << 3 == 16",
+            "7 % 4 == 3",
+            "MISSING == 0",
+            "1 ? 1 : 0",
+            "(1",
+            "1)",
+            "",
+            "1 / 0",
+            "defined A",
         )
         val results = conditions.map { condition ->
             val source = "#define A 2\n#if $condition\ntask main() { }\n#endif"
@@ -112,7 +125,8 @@ class DiagnosticsTest {
     private fun applied(source: String, fix: SourceFix): String {
         val lines = source.lines().toMutableList()
         val line = lines[fix.range.line - 1]
-        val changed = line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
+        val changed =
+            line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
         lines[fix.range.line - 1] = changed
         return lines.joinToString("\n")
     }

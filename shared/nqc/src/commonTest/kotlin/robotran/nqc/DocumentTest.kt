@@ -43,6 +43,11 @@ class DocumentTest {
     @Test
     fun `the page lists every word`() {
         val words = text.substringAfter("These words are no names:").substringBefore("###").replace('\n', ' ')
-        for (keyword in Keyword.entries) assertTrue(Regex("[` ]${keyword.text}[` ]").containsMatchIn(words), keyword.text)
+        for (keyword in Keyword.entries) {
+            assertTrue(
+                Regex("[` ]${keyword.text}[` ]").containsMatchIn(words),
+                keyword.text,
+            )
+        }
     }
 }

@@ -40,7 +40,11 @@ class ErrorCasesTest {
     @Test
     fun `every language says something else`() {
         for (case in ErrorCase.all) {
-            val messages = Language.entries.map { diagnosticsOf(case, NqcMessages.of(it)).map { found -> found.message } }
+            val messages = Language.entries.map {
+                diagnosticsOf(case, NqcMessages.of(it)).map { found ->
+                    found.message
+                }
+            }
             if (messages.first().isNotEmpty()) assertEquals(3, messages.distinct().size, "${case.name} $messages")
         }
     }

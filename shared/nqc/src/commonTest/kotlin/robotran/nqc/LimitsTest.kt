@@ -67,10 +67,12 @@ class LimitsTest {
     }
 
     @Test
-    fun `very many brackets`() = check("int x; task main() { x = ${"(".repeat(50_000)}", NqcDiagnosticCode.NESTED_TOO_DEEPLY)
+    fun `very many brackets`() =
+        check("int x; task main() { x = ${"(".repeat(50_000)}", NqcDiagnosticCode.NESTED_TOO_DEEPLY)
 
     @Test
-    fun `very many signs`() = check("int x; task main() { x = ${"-".repeat(50_001)}1;", NqcDiagnosticCode.NESTED_TOO_DEEPLY)
+    fun `very many signs`() =
+        check("int x; task main() { x = ${"-".repeat(50_001)}1;", NqcDiagnosticCode.NESTED_TOO_DEEPLY)
 
     @Test
     fun `very many blocks`() = check("task main() ${"{".repeat(50_000)}", NqcDiagnosticCode.NESTED_TOO_DEEPLY)
@@ -80,7 +82,8 @@ class LimitsTest {
         check("int x; task main() { ${"if (x) x = 1; else ".repeat(5_000)} }", NqcDiagnosticCode.NESTED_TOO_DEEPLY)
 
     @Test
-    fun `a file that includes itself`() = check("#include \"x.nqc\"\ntask main() { }", NqcDiagnosticCode.TOO_MANY_INCLUDES)
+    fun `a file that includes itself`() =
+        check("#include \"x.nqc\"\ntask main() { }", NqcDiagnosticCode.TOO_MANY_INCLUDES)
 
     @Test
     fun `more than a brick can hold`() =

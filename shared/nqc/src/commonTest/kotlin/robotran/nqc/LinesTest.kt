@@ -28,7 +28,16 @@ class LinesTest {
         val program = programOf(source)
         val lines = program.lines.getValue(ChunkId.MAIN).map { it.address to it.range.line }
         val expected = listOf(
-            0 to 6, 6 to 8, 10 to 9, 12 to 11, 17 to 4, 22 to 9, 30 to 13, 35 to 13, 42 to 14, 46 to 13,
+            0 to 6,
+            6 to 8,
+            10 to 9,
+            12 to 11,
+            17 to 4,
+            22 to 9,
+            30 to 13,
+            35 to 13,
+            42 to 14,
+            46 to 13,
         )
         assertEquals(expected, lines)
     }

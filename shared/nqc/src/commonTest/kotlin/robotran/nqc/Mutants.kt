@@ -35,13 +35,24 @@ internal class Mutants(seed: Int) {
         val end = minOf(text.length, start + random.nextInt(1, LONGEST))
         when (random.nextInt(CHANGES)) {
             in EXCHANGES -> exchange(text)
+
             0 -> text.deleteRange(start, end)
+
             1 -> text.insert(start, text.substring(start, end))
+
             2 -> text.insert(start, WORDS.random(random))
+
             3 -> text.insert(start, " ${WORDS.random(random)} ")
+
             4 -> text.insert(start, random.nextInt(' '.code, DELETE).toChar())
+
             5 -> text.insert(start, spliceOf(sources.random(random)))
-            6 -> text.insert(random.nextInt(text.length + 1), text.substring(start, end).repeat(random.nextInt(1, TIMES)))
+
+            6 -> text.insert(
+                random.nextInt(text.length + 1),
+                text.substring(start, end).repeat(random.nextInt(1, TIMES)),
+            )
+
             else -> if (start < text.length) text[start] = random.nextInt(' '.code, DELETE).toChar()
         }
     }
@@ -67,16 +78,16 @@ internal class Mutants(seed: Int) {
         const val TIMES = 30
         const val CHANGES = 24
         val EXCHANGES = 8 until CHANGES
-        val KINDS = listOf(Regex("[0-9]+"), Regex("[+*/%&|^<>=!-]+"), Regex("[A-Z_]{3,}[0-9A-Z_]*"), Regex("\\b[a-z]+\\b"), Regex("[^;{}]+;"))
+        val KINDS = listOf("[0-9]+", "[+*/%&|^<>=!-]+", "[A-Z_]{3,}[0-9A-Z_]*", "\\b[a-z]+\\b", "[^;{}]+;").map(::Regex)
         const val OLD = 20
         const val DELETE = 127
 
         val WORDS = (
-            "{ } ( ) [ ] ; , : ? = += ||= +-= << >> ++ -- && || ! ~ ^ % @ @@ & * # ## $ \\ \" /* */ // 0 1 32768 65536 " +
-                "0xFFFFFFFF 99999999999 abs acquire asm break case catch const continue default do else for goto if " +
+            "{ } ( ) [ ] ; , : ? = += ||= +-= << >> ++ -- && || ! ~ ^ % @ @@ & * # ## $ \\ \" /* */ // 0 1 32768 " +
+                "65536 0xFFFFFFFF 99999999999 abs acquire asm break case catch const continue default do else for goto if " +
                 "int monitor repeat return sign start stop sub switch task while void true __sensor __type " +
                 "__event_src __taskid __nolist __res main a b x SENSOR_1 Timer(0) Random(3) Wait until #define #if " +
                 "#else #endif #include #pragma #undef defined OUT_A EVENT_MASK(1) Set Indirect(0)"
-            ).split(' ') + listOf("\n", "\n#define A A A\n", "\n#define F(x) x x\n", "é", "\uFEFF", "\u0000")
+        ).split(' ') + listOf("\n", "\n#define A A A\n", "\n#define F(x) x x\n", "é", "\uFEFF", "\u0000")
     }
 }

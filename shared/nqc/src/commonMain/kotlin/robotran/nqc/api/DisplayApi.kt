@@ -19,9 +19,9 @@ internal val DISPLAY_API = api(NqcApiGroup.DISPLAY) {
         "SetUserDisplay(const int &value, const int decimals)",
         "asm { 0xe5, 0, decimals, \$value : 0x4000000 };",
         ApiHelp(
-            "Sets the value that the display shows after SelectDisplay(DISPLAY_USER); a variable is read again and again.",
-            "Stellt den Wert ein, den die Anzeige nach SelectDisplay(DISPLAY_USER) zeigt; eine Variable wird immer neu " +
-                "gelesen.",
+            "Sets the value that the display shows after SelectDisplay(DISPLAY_USER); a variable is always read anew.",
+            "Stellt den Wert ein, den die Anzeige nach SelectDisplay(DISPLAY_USER) zeigt; eine Variable wird immer " +
+                "neu gelesen.",
             "Ajusta el valor que la pantalla muestra tras SelectDisplay(DISPLAY_USER); una variable se lee siempre.",
         ),
         null,

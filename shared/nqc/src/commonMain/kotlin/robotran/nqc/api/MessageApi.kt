@@ -59,7 +59,11 @@ internal val TASK_API = api(NqcApiGroup.TASKS) {
     function(
         "StopAllTasks()",
         "asm { 0x50 };",
-        ApiHelp("Stops all tasks, and so the program.", "Hält alle Tasks an, also das Programm.", "Para todas las tareas, y así el programa."),
+        ApiHelp(
+            "Stops all tasks, and so the program.",
+            "Hält alle Tasks an, also das Programm.",
+            "Para todas las tareas, y así el programa.",
+        ),
     )
     function(
         "SetPriority(const int priority)",
@@ -86,7 +90,11 @@ internal val TASK_API = api(NqcApiGroup.TASKS) {
     value(
         "Program()",
         "@(0x80000)",
-        ApiHelp("The number of this program, 0 to 4.", "Die Nummer dieses Programms, 0 bis 4.", "El número de este programa, de 0 a 4."),
+        ApiHelp(
+            "The number of this program, 0 to 4.",
+            "Die Nummer dieses Programms, 0 bis 4.",
+            "El número de este programa, de 0 a 4.",
+        ),
     )
 }
 
@@ -109,13 +117,21 @@ internal val OTHER_API = api(NqcApiGroup.OTHER) {
     value(
         "BatteryLevel()",
         "@(0x220000)",
-        ApiHelp("The battery in thousandths of a volt.", "Die Batterie in Tausendstel Volt.", "La pila en milésimas de voltio."),
+        ApiHelp(
+            "The battery in thousandths of a volt.",
+            "Die Batterie in Tausendstel Volt.",
+            "La pila en milésimas de voltio.",
+        ),
         SECOND,
     )
     value(
         "FirmwareVersion()",
         "@(0x230000)",
-        ApiHelp("The version of the firmware, such as 328.", "Die Version der Firmware, etwa 328.", "La versión del firmware, como 328."),
+        ApiHelp(
+            "The version of the firmware, such as 328.",
+            "Die Version der Firmware, etwa 328.",
+            "La versión del firmware, como 328.",
+        ),
         SECOND,
     )
     value(

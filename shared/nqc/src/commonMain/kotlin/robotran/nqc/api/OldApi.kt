@@ -11,12 +11,27 @@ import robotran.nqc.config.ParameterLimit.WAIT
 internal val OLD_API: List<NqcApiEntry> = oldOutputs() + oldSensors() + oldOthers()
 
 private fun oldOutputs() = api(NqcApiGroup.OUTPUTS) {
-    val mode = ApiHelp("Sets the mode of motors.", "Stellt den Modus von Motoren ein.", "Ajusta el modo de los motores.")
+    val mode =
+        ApiHelp("Sets the mode of motors.", "Stellt den Modus von Motoren ein.", "Ajusta el modo de los motores.")
     function("OutputMode(const int outputs, const int mode)", "asm { 0x21, outputs + mode };", mode, OUTPUTS)
     val direction =
-        ApiHelp("Sets the direction of motors.", "Stellt die Richtung von Motoren ein.", "Ajusta la dirección de los motores.")
-    function("OutputDir(const int outputs, const int direction)", "asm { 0xe1, outputs + direction };", direction, OUTPUTS)
-    val power = ApiHelp("Sets the power of motors.", "Stellt die Leistung von Motoren ein.", "Ajusta la potencia de los motores.")
+        ApiHelp(
+            "Sets the direction of motors.",
+            "Stellt die Richtung von Motoren ein.",
+            "Ajusta la dirección de los motores.",
+        )
+    function(
+        "OutputDir(const int outputs, const int direction)",
+        "asm { 0xe1, outputs + direction };",
+        direction,
+        OUTPUTS,
+    )
+    val power =
+        ApiHelp(
+            "Sets the power of motors.",
+            "Stellt die Leistung von Motoren ein.",
+            "Ajusta la potencia de los motores.",
+        )
     function(
         "OutputPower(const int outputs, const int &power)",
         "asm { 0x13, outputs, \$power : 0x1000015 };",
@@ -46,12 +61,17 @@ private fun oldOutputs() = api(NqcApiGroup.OUTPUTS) {
         OUTPUTS,
         POWER,
     )
-    val off = ApiHelp("Stops motors and brakes them.", "Hält Motoren an und bremst sie.", "Para los motores y los frena.")
+    val off =
+        ApiHelp("Stops motors and brakes them.", "Hält Motoren an und bremst sie.", "Para los motores y los frena.")
     function("Off(const int outputs)", "OutputMode(outputs, 0x40);", off, OUTPUTS)
     val float = ApiHelp("Lets motors roll on.", "Lässt Motoren ausrollen.", "Deja rodar los motores.")
     function("Float(const int outputs)", "OutputMode(outputs, 0);", float, OUTPUTS)
     val toggle =
-        ApiHelp("Turns the direction of motors round.", "Kehrt die Richtung von Motoren um.", "Invierte la dirección de los motores.")
+        ApiHelp(
+            "Turns the direction of motors round.",
+            "Kehrt die Richtung von Motoren um.",
+            "Invierte la dirección de los motores.",
+        )
     function("Toggle(const int outputs)", "OutputDir(outputs, 0x40);", toggle, OUTPUTS)
     constants(
         "OUT_A=1 OUT_B=2 OUT_C=4",
@@ -102,7 +122,12 @@ private fun oldSensors() = api(NqcApiGroup.SENSORS) {
 }
 
 private fun oldOthers() = api(NqcApiGroup.OTHER) {
-    val timer = ApiHelp("A timer in tenths of a second.", "Ein Timer in Zehntelsekunden.", "Un temporizador en décimas de segundo.")
+    val timer =
+        ApiHelp(
+            "A timer in tenths of a second.",
+            "Ein Timer in Zehntelsekunden.",
+            "Un temporizador en décimas de segundo.",
+        )
     value("Timer(n)", "@(0x10000 + (n))", timer)
     function("ClearTimer(const int n)", "asm { 0xa1, n };", timer, TIMER)
     val random = ApiHelp("A random number from 0 to n.", "Eine Zufallszahl von 0 bis n.", "Un número al azar de 0 a n.")
@@ -118,9 +143,19 @@ private fun oldOthers() = api(NqcApiGroup.OTHER) {
     function("ClearMessage()", "asm { 0x90 };", message)
     function("IRMode(const int power)", "asm { 0x31, power };", message)
     constants("IR_LO=0 IR_HI=1", message)
-    val wait = ApiHelp("Waits until a condition is true.", "Wartet, bis eine Bedingung wahr ist.", "Espera hasta que una condición sea cierta.")
+    val wait =
+        ApiHelp(
+            "Waits until a condition is true.",
+            "Wartet, bis eine Bedingung wahr ist.",
+            "Espera hasta que una condición sea cierta.",
+        )
     value("wait(condition)", "while (!(condition))", wait)
-    val sleep = ApiHelp("Waits, in hundredths of a second.", "Wartet, in Hundertstelsekunden.", "Espera, en centésimas de segundo.")
+    val sleep =
+        ApiHelp(
+            "Waits, in hundredths of a second.",
+            "Wartet, in Hundertstelsekunden.",
+            "Espera, en centésimas de segundo.",
+        )
     function("Sleep(const int &time)", "asm { 0x43, \$time : 0x15 };", sleep, WAIT)
     val sound = ApiHelp("Plays a sound.", "Spielt einen Klang.", "Toca un sonido.")
     function("PlaySound(const int sound)", "asm { 0x51, sound };", sound, SOUND)
@@ -133,10 +168,15 @@ private fun oldOthers() = api(NqcApiGroup.OTHER) {
     )
     val stop = ApiHelp("Stops the program.", "Hält das Programm an.", "Para el programa.")
     function("StopAllTasks()", "asm { 0x50 };", stop)
-    val display = ApiHelp("Chooses what the display shows.", "Wählt, was die Anzeige zeigt.", "Elige qué muestra la pantalla.")
+    val display =
+        ApiHelp("Chooses what the display shows.", "Wählt, was die Anzeige zeigt.", "Elige qué muestra la pantalla.")
     function("Display(const int &view)", "asm { 0x33, \$view : 0x5 };", display)
     val log = ApiHelp("The datalog.", "Das Datenlog.", "El registro de datos.")
     function("SetDatalog(const int size)", "asm { 0x52, size, size >> 8 };", log)
     function("Datalog(const int &value)", "asm { 0x62, \$value : 0x1004203 };", log)
-    function("UploadDatalog(const int first, const int count)", "asm { 0xa4, first, first >> 8, count, count >> 8 };", log)
+    function(
+        "UploadDatalog(const int first, const int count)",
+        "asm { 0xa4, first, first >> 8, count, count >> 8 };",
+        log,
+    )
 }

@@ -43,7 +43,10 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
     private fun functionOf(entry: NqcApiEntry, target: FirmwareTarget): String? {
         val function = entry.definition as? ApiDefinition.Function ?: return null
         val isFirst = target == FirmwareTarget.RCX
-        val body = function.body.replace("{basic}", if (isFirst) BASIC else ALL).replace("{random}", if (isFirst) RANDOM else ALL)
+        val body = function.body.replace(
+            "{basic}",
+            if (isFirst) BASIC else ALL,
+        ).replace("{random}", if (isFirst) RANDOM else ALL)
         return "void ${entry.name}(${function.declaration}) { $body }"
     }
 

@@ -83,7 +83,10 @@ internal val SENSOR_API = api(NqcApiGroup.SENSORS) {
     value("SENSOR_1", "SensorValue(0)", sensor)
     value("SENSOR_2", "SensorValue(1)", sensor)
     value("SENSOR_3", "SensorValue(2)", sensor)
-    constants("S1=0 S2=1 S3=2", ApiHelp("The number of a sensor.", "Die Nummer eines Sensors.", "El número de un sensor."))
+    constants(
+        "S1=0 S2=1 S3=2",
+        ApiHelp("The number of a sensor.", "Die Nummer eines Sensors.", "El número de un sensor."),
+    )
     constants(
         "SENSOR_TYPE_NONE=0 SENSOR_TYPE_TOUCH=1 SENSOR_TYPE_TEMPERATURE=2 SENSOR_TYPE_LIGHT=3 SENSOR_TYPE_ROTATION=4",
         ApiHelp("A type of sensors.", "Eine Art von Sensoren.", "Un tipo de sensores."),

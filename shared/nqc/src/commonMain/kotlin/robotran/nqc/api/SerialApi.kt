@@ -66,7 +66,11 @@ internal val SERIAL_API = api(NqcApiGroup.SERIAL) {
     value(
         "SerialPacket()",
         "@(0x210010)",
-        ApiHelp("The setting of SetSerialPacket.", "Die Einstellung von SetSerialPacket.", "El ajuste de SetSerialPacket."),
+        ApiHelp(
+            "The setting of SetSerialPacket.",
+            "Die Einstellung von SetSerialPacket.",
+            "El ajuste de SetSerialPacket.",
+        ),
         SECOND,
     )
     value(

@@ -94,7 +94,10 @@ internal val TIME_API = api(NqcApiGroup.TIME) {
         "asm { 0x60 };",
         ApiHelp("Switches the brick off.", "Schaltet den Stein aus.", "Apaga el ladrillo."),
     )
-    constants("T1=0 T2=1 T3=2 T4=3", ApiHelp("The number of a timer.", "Die Nummer eines Timers.", "El número de un temporizador."))
+    constants(
+        "T1=0 T2=1 T3=2 T4=3",
+        ApiHelp("The number of a timer.", "Die Nummer eines Timers.", "El número de un temporizador."),
+    )
     function(
         "IncCounter(const int n)",
         "asm { 0x97, n };",

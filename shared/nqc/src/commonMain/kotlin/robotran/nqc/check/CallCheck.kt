@@ -1,9 +1,9 @@
 package robotran.nqc.check
 
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.FunctionUnit
 import robotran.nqc.tree.ParsedProgram

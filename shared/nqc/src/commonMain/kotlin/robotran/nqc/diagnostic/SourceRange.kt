@@ -13,8 +13,13 @@ data class SourceRange(val file: String, val line: Int, val column: Int, val end
     val end: SourceRange get() = copy(column = endColumn)
 
     /** From the first character of this range to the last one of [last], if both are on one line; otherwise this. */
-    fun to(last: SourceRange): SourceRange =
-        if (last.file == file && last.line == line && last.endColumn > column) copy(endColumn = last.endColumn) else this
+    fun to(last: SourceRange): SourceRange = if (last.file == file && last.line == line &&
+        last.endColumn > column
+    ) {
+        copy(endColumn = last.endColumn)
+    } else {
+        this
+    }
 
     companion object {
         /** A place in the API. */

@@ -29,7 +29,8 @@ internal object ExpectedNames {
     ).mapValues { it.value.split(' ') }
 
     private val BY_FUNCTION = mapOf(
-        ("SetSensor" to 1) to "SENSOR_TOUCH SENSOR_LIGHT SENSOR_ROTATION SENSOR_CELSIUS SENSOR_FAHRENHEIT SENSOR_PULSE " +
+        ("SetSensor" to 1) to
+            "SENSOR_TOUCH SENSOR_LIGHT SENSOR_ROTATION SENSOR_CELSIUS SENSOR_FAHRENHEIT SENSOR_PULSE " +
             "SENSOR_EDGE",
         ("Sensor" to 1) to "IN_SWITCH IN_LIGHT IN_ANGLE IN_PULSE IN_EDGE",
         ("SetSensorMode" to 1) to "SENSOR_MODE_RAW SENSOR_MODE_BOOL SENSOR_MODE_EDGE SENSOR_MODE_PULSE " +

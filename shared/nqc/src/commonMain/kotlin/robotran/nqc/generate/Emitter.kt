@@ -4,10 +4,10 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.Relation
 import robotran.legofirmware.instructions.ValueSource
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceRange
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.tree.Place
 import robotran.nqc.tree.VariableOperation
 

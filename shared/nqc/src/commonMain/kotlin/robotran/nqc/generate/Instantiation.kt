@@ -1,8 +1,8 @@
 package robotran.nqc.generate
 
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceRange
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.tree.BinaryOperator
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Expression.AddressOf
@@ -70,7 +70,13 @@ internal class Instantiation(private val emitter: Emitter, private val frame: Fr
 
     private fun addressOf(expression: AddressOf): Expression {
         val binding = frame.binding(expression.variable)
-        return if (binding == null || binding is Cell) expression.copy(place = placeOf(expression.variable)) else binding
+        return if (binding == null ||
+            binding is Cell
+        ) {
+            expression.copy(place = placeOf(expression.variable))
+        } else {
+            binding
+        }
     }
 
     /** A pointer that is constant is the variable itself. */

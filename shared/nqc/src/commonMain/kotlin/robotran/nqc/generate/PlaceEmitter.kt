@@ -55,7 +55,11 @@ internal class PlaceEmitter(private val emitter: Emitter, private val values: Va
         if (expression.kind == QueryKind.EVENT_SOURCE) {
             emitter.report(NqcDiagnosticCode.WRONG_EVENT_SOURCE, expression.operand.range, messages.wrongEventSource())
         } else {
-            emitter.report(NqcDiagnosticCode.ARGUMENT_NOT_SENSOR, expression.operand.range, messages.argumentNotSensor())
+            emitter.report(
+                NqcDiagnosticCode.ARGUMENT_NOT_SENSOR,
+                expression.operand.range,
+                messages.argumentNotSensor(),
+            )
         }
         return Emitter.constant(0)
     }

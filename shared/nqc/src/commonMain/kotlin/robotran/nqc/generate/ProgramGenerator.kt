@@ -8,10 +8,10 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.Symbol
 import robotran.legofirmware.image.SymbolKind
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceRange
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Expression.Cell
 import robotran.nqc.tree.ParsedProgram

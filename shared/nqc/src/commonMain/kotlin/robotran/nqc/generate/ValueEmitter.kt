@@ -98,8 +98,7 @@ internal class ValueEmitter(private val emitter: Emitter) {
         if (expression is Step) step(expression) else expression.parts.forEach { sideEffects(it) }
     }
 
-    fun branch(expression: Expression, label: Label, isWanted: Boolean) =
-        conditions.branch(expression, label, isWanted)
+    fun branch(expression: Expression, label: Label, isWanted: Boolean) = conditions.branch(expression, label, isWanted)
 
     private fun anyBinary(expression: Binary): Place = when (expression.operator.kind) {
         OperatorKind.ARITHMETIC -> combinations.any(expression)

@@ -42,14 +42,14 @@ private object EnglishDirectiveMessages : DirectiveMessages {
 
     override fun elseWithoutIf(directive: String) = "This #$directive has no #if before it."
 
-    override fun unknownDirective(directive: String) =
-        if (directive.isEmpty()) {
-            "After # comes a word such as \"define\"."
-        } else {
-            "There is no #$directive. NQC knows #define, #undef, #include, #if, #ifdef, #else, #endif and #pragma."
-        }
+    override fun unknownDirective(directive: String) = if (directive.isEmpty()) {
+        "After # comes a word such as \"define\"."
+    } else {
+        "There is no #$directive. NQC knows #define, #undef, #include, #if, #ifdef, #else, #endif and #pragma."
+    }
 
-    override fun conditionSyntax() = "This condition cannot be computed. It may have numbers, names, defined(NAME) and operators."
+    override fun conditionSyntax() =
+        "This condition cannot be computed. It may have numbers, names, defined(NAME) and operators."
 
     override fun conditionIncomplete() = "The condition ends too early: a number or a name is missing."
 
@@ -57,16 +57,17 @@ private object EnglishDirectiveMessages : DirectiveMessages {
 
     override fun unterminatedComment() = "This comment has no end. Write */ where it stops."
 
-    override fun errorDirective(text: String) = "The program itself says that something is wrong here: ${text.ifEmpty { "#error" }}"
+    override fun errorDirective(text: String) = "The program itself says that something is wrong here: ${text.ifEmpty {
+        "#error"
+    }}"
 
     override fun warningDirective(text: String) = "The program itself warns: ${text.ifEmpty { "#warning" }}"
 
-    override fun unknownPragma(word: String) =
-        if (word.isEmpty()) {
-            "After #pragma comes \"noinit\", \"init\" with a function, or \"reserve\" with numbers."
-        } else {
-            "NQC ignores the #pragma ${quoted(word)}. It knows noinit, init with a function, and reserve with numbers."
-        }
+    override fun unknownPragma(word: String) = if (word.isEmpty()) {
+        "After #pragma comes \"noinit\", \"init\" with a function, or \"reserve\" with numbers."
+    } else {
+        "NQC ignores the #pragma ${quoted(word)}. It knows noinit, init with a function, and reserve with numbers."
+    }
 
     override fun notReserved(last: Int) =
         "These variables cannot be reserved. The numbers go from 0 to $last, and each can be reserved only once."
@@ -139,7 +140,8 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun programTooLong() = "The program is far too long for a brick."
 
-    override fun nestedTooDeeply(limit: Int) = "Too much is inside of each other here. At most $limit levels are possible."
+    override fun nestedTooDeeply(limit: Int) =
+        "Too much is inside of each other here. At most $limit levels are possible."
 
     override fun numberTooLarge() = "This number is far too large. The brick computes with -32768 to 32767."
 
@@ -180,7 +182,8 @@ private object EnglishNameMessages : NqcNameMessages {
 
     override fun labelRedefined(name: String) = "The label ${quoted(name)} is there twice. Choose another name."
 
-    override fun initUndefined(name: String) = "#pragma init names ${quoted(name)}, but there is no function of that name."
+    override fun initUndefined(name: String) =
+        "#pragma init names ${quoted(name)}, but there is no function of that name."
 
     override fun isArray(name: String) = "${quoted(name)} is an array. Say which element: $name[0]."
 

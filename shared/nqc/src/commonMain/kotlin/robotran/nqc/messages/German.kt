@@ -48,12 +48,11 @@ private object GermanDirectiveMessages : DirectiveMessages {
 
     override fun elseWithoutIf(directive: String) = "Vor diesem #$directive steht kein #if."
 
-    override fun unknownDirective(directive: String) =
-        if (directive.isEmpty()) {
-            "Nach # kommt ein Wort wie \"define\"."
-        } else {
-            "#$directive gibt es nicht. NQC kennt #define, #undef, #include, #if, #ifdef, #else, #endif und #pragma."
-        }
+    override fun unknownDirective(directive: String) = if (directive.isEmpty()) {
+        "Nach # kommt ein Wort wie \"define\"."
+    } else {
+        "#$directive gibt es nicht. NQC kennt #define, #undef, #include, #if, #ifdef, #else, #endif und #pragma."
+    }
 
     override fun conditionSyntax() =
         "Diese Bedingung lässt sich nicht berechnen. Sie darf Zahlen, Namen, defined(NAME) und Rechenzeichen haben."
@@ -69,12 +68,13 @@ private object GermanDirectiveMessages : DirectiveMessages {
 
     override fun warningDirective(text: String) = "Das Programm warnt selbst: ${text.ifEmpty { "#warning" }}"
 
-    override fun unknownPragma(word: String) =
-        if (word.isEmpty()) {
-            "Nach #pragma kommt \"noinit\", \"init\" mit einer Funktion oder \"reserve\" mit Zahlen."
-        } else {
-            "NQC beachtet das #pragma ${quoted(word)} nicht. Es kennt noinit, init mit einer Funktion und reserve mit Zahlen."
-        }
+    override fun unknownPragma(word: String) = if (word.isEmpty()) {
+        "Nach #pragma kommt \"noinit\", \"init\" mit einer Funktion oder \"reserve\" mit Zahlen."
+    } else {
+        "NQC beachtet das #pragma ${quoted(
+            word,
+        )} nicht. Es kennt noinit, init mit einer Funktion und reserve mit Zahlen."
+    }
 
     override fun notReserved(last: Int) =
         "Diese Variablen lassen sich nicht reservieren. Die Nummern gehen von 0 bis $last, und jede nur einmal."
@@ -108,8 +108,7 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
         "${quoted(word)} ist ein Wort von NQC und kann kein Name sein. Nimm einen anderen."
     }
 
-    override fun missingBlock(before: String) =
-        "Nach ${quoted(before)} kommt ein Block in geschweiften Klammern: { }."
+    override fun missingBlock(before: String) = "Nach ${quoted(before)} kommt ein Block in geschweiften Klammern: { }."
 
     override fun missingColon(word: String) = "Der Doppelpunkt zu ${quoted(word)} fehlt."
 
@@ -138,8 +137,9 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun statementAfterLabel() = "Vor } fehlt ein Befehl; ein einzelner Strichpunkt genügt."
 
-    override fun outsideTask(text: String) =
-        "${quoted(text)} muss in einem Task, Unterprogramm oder einer Funktion stehen. Ein Programm beginnt mit task main()."
+    override fun outsideTask(text: String) = "${quoted(
+        text,
+    )} muss in einem Task, Unterprogramm oder einer Funktion stehen. Ein Programm beginnt mit task main()."
 
     override fun parameterNeedsType(text: String) =
         "Ein Parameter beginnt mit int, const int oder __sensor, nicht mit ${quoted(text)}."
@@ -154,8 +154,7 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun numberTooLarge() = "Diese Zahl ist viel zu groß. Der Stein rechnet mit -32768 bis 32767."
 
-    override fun noEffect() =
-        "Diese Zeile tut nichts. Wolltest du mit = etwas zuweisen oder eine Funktion aufrufen?"
+    override fun noEffect() = "Diese Zeile tut nichts. Wolltest du mit = etwas zuweisen oder eine Funktion aufrufen?"
 
     override fun emptyBody() = "Dieser Strichpunkt beendet das if, also entscheidet die Bedingung nichts. Lösch ihn."
 }
@@ -219,8 +218,9 @@ private object GermanNameMessages : NqcNameMessages {
 
     override fun argumentNotPointer() = "Das muss ein Zeiger sein oder die Adresse einer Variablen: &name."
 
-    override fun nestedSub(name: String) =
-        "Ein Unterprogramm kann keines aufrufen, und ${quoted(name)} führt zu einem. Mach daraus eine Funktion: void $name()."
+    override fun nestedSub(name: String) = "Ein Unterprogramm kann keines aufrufen, und ${quoted(
+        name,
+    )} führt zu einem. Mach daraus eine Funktion: void $name()."
 
     override fun recursion(name: String) =
         "${quoted(name)} ruft sich selbst auf. Das kann der Stein nicht. Nimm eine Schleife."
@@ -233,16 +233,13 @@ private object GermanNameMessages : NqcNameMessages {
     override fun tooManySubs(limit: Int) =
         "Der Stein hat Platz für $limit Unterprogramme. Das ist eines zu viel. Mach aus einigen Funktionen: void."
 
-    override fun pointerUnsupported() =
-        "Zeiger brauchen Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
+    override fun pointerUnsupported() = "Zeiger brauchen Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
 
     override fun arrayUnsupported() = "Arrays brauchen Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
 
-    override fun acquireUnsupported() =
-        "acquire braucht Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
+    override fun acquireUnsupported() = "acquire braucht Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
 
-    override fun monitorUnsupported() =
-        "monitor braucht Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
+    override fun monitorUnsupported() = "monitor braucht Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
 
     private fun didYouMean(suggestion: String?) = suggestion?.let { "Meinst du ${quoted(it)}?" }
 }
@@ -260,13 +257,11 @@ private object GermanCodeMessages : NqcCodeMessages {
     override fun noTemporaries() =
         "Der Stein hat keine Variablen mehr, um das zu berechnen. Nimm weniger Variablen oder teil die Zeile auf."
 
-    override fun constantNeeded() =
-        "Das muss eine Konstante sein: eine Zahl oder ein Name, dem #define eine gibt."
+    override fun constantNeeded() = "Das muss eine Konstante sein: eine Zahl oder ein Name, dem #define eine gibt."
 
     override fun shiftNeedsConstant() = "Um wie viele Bits << und >> schieben, muss eine Konstante sein."
 
-    override fun numberOutOfRange(number: Int) =
-        "$number ist zu groß für den Stein. Zahlen gehen von -32768 bis 32767."
+    override fun numberOutOfRange(number: Int) = "$number ist zu groß für den Stein. Zahlen gehen von -32768 bis 32767."
 
     override fun numberCut(number: Int, kept: Int) = "$number ist zu groß für den Stein. Daraus wird $kept."
 

@@ -19,8 +19,7 @@ object SpanishNqcMessages :
 private object SpanishDirectiveMessages : DirectiveMessages {
     override fun fileNotFound(name: String) = "En este programa no hay ningún archivo ${quoted(name)}."
 
-    override fun includeNeedsName() =
-        "Tras #include va el nombre de un archivo entre comillas: #include \"mio.nqh\"."
+    override fun includeNeedsName() = "Tras #include va el nombre de un archivo entre comillas: #include \"mio.nqh\"."
 
     override fun tooManyIncludes() = "Demasiados archivos se incluyen unos a otros. ¿Se incluye alguno a sí mismo?"
 
@@ -48,12 +47,11 @@ private object SpanishDirectiveMessages : DirectiveMessages {
 
     override fun elseWithoutIf(directive: String) = "Antes de este #$directive no hay ningún #if."
 
-    override fun unknownDirective(directive: String) =
-        if (directive.isEmpty()) {
-            "Tras # va una palabra como \"define\"."
-        } else {
-            "No existe #$directive. NQC conoce #define, #undef, #include, #if, #ifdef, #else, #endif y #pragma."
-        }
+    override fun unknownDirective(directive: String) = if (directive.isEmpty()) {
+        "Tras # va una palabra como \"define\"."
+    } else {
+        "No existe #$directive. NQC conoce #define, #undef, #include, #if, #ifdef, #else, #endif y #pragma."
+    }
 
     override fun conditionSyntax() =
         "Esta condición no se puede calcular. Puede tener números, nombres, defined(NOMBRE) y operadores."
@@ -69,12 +67,11 @@ private object SpanishDirectiveMessages : DirectiveMessages {
 
     override fun warningDirective(text: String) = "El propio programa avisa: ${text.ifEmpty { "#warning" }}"
 
-    override fun unknownPragma(word: String) =
-        if (word.isEmpty()) {
-            "Tras #pragma va \"noinit\", \"init\" con una función o \"reserve\" con números."
-        } else {
-            "NQC no hace caso del #pragma ${quoted(word)}. Conoce noinit, init con una función y reserve con números."
-        }
+    override fun unknownPragma(word: String) = if (word.isEmpty()) {
+        "Tras #pragma va \"noinit\", \"init\" con una función o \"reserve\" con números."
+    } else {
+        "NQC no hace caso del #pragma ${quoted(word)}. Conoce noinit, init con una función y reserve con números."
+    }
 
     override fun notReserved(last: Int) =
         "Estas variables no se pueden reservar. Los números van de 0 a $last, y cada uno solo una vez."
@@ -87,8 +84,7 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "El carácter ${quoted(character)} no significa nada aquí."
 
-    override fun decimalNumber() =
-        "El ladrillo solo calcula con números enteros. Quita el punto y lo que sigue."
+    override fun decimalNumber() = "El ladrillo solo calcula con números enteros. Quita el punto y lo que sigue."
 
     override fun textAsValue() = "El ladrillo no puede mostrar textos, por eso NQC no los tiene. Usa un número."
 
@@ -149,7 +145,8 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun programTooLong() = "El programa es demasiado largo para un ladrillo."
 
-    override fun nestedTooDeeply(limit: Int) = "Aquí hay demasiadas cosas unas dentro de otras. Como máximo, $limit niveles."
+    override fun nestedTooDeeply(limit: Int) =
+        "Aquí hay demasiadas cosas unas dentro de otras. Como máximo, $limit niveles."
 
     override fun numberTooLarge() = "Este número es demasiado grande. El ladrillo calcula con -32768 a 32767."
 
@@ -190,8 +187,7 @@ private object SpanishNameMessages : NqcNameMessages {
 
     override fun labelRedefined(name: String) = "La etiqueta ${quoted(name)} está dos veces. Elige otro nombre."
 
-    override fun initUndefined(name: String) =
-        "#pragma init nombra ${quoted(name)}, pero ninguna función se llama así."
+    override fun initUndefined(name: String) = "#pragma init nombra ${quoted(name)}, pero ninguna función se llama así."
 
     override fun isArray(name: String) = "${quoted(name)} es un array. Di qué elemento: $name[0]."
 
@@ -248,11 +244,12 @@ private object SpanishNameMessages : NqcNameMessages {
 
 private object SpanishCodeMessages : NqcCodeMessages {
     override fun noStorage() =
-        "El ladrillo no tiene sitio para esta variable. Tiene 32 para todas las tareas y, con el firmware 2.0, 16 más " +
-            "para cada una."
+        "El ladrillo no tiene sitio para esta variable. Tiene 32 para todas las tareas y, con el firmware 2.0, 16 " +
+            "más para cada una."
 
     override fun noStorageInSharedSub() =
-        "Varias tareas llaman a esta subrutina. Entonces tiene sitio para 16 variables con el firmware 2.0 y ninguna con el 1.0."
+        "Varias tareas llaman a esta subrutina. Entonces tiene sitio para 16 variables con el firmware 2.0 y ninguna " +
+            "con el 1.0."
 
     override fun noStorageForSub(name: String) =
         "Las variables de ${quoted(name)} y de esta tarea juntas no caben en el ladrillo. Usa menos."
@@ -260,8 +257,7 @@ private object SpanishCodeMessages : NqcCodeMessages {
     override fun noTemporaries() =
         "Al ladrillo no le quedan variables para calcular esto. Usa menos variables o divide la línea."
 
-    override fun constantNeeded() =
-        "Esto tiene que ser una constante: un número, o un nombre al que #define da uno."
+    override fun constantNeeded() = "Esto tiene que ser una constante: un número, o un nombre al que #define da uno."
 
     override fun shiftNeedsConstant() = "El número de bits que desplazan << y >> tiene que ser una constante."
 

@@ -1,7 +1,7 @@
 package robotran.nqc.parse
 
-import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.config.NqcLimits
+import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.tree.BinaryOperator
 import robotran.nqc.tree.Expression
@@ -77,18 +77,26 @@ internal class ExpressionParser(private val reader: TokenReader, names: NameReso
                 limited(Unary(operator, operand, token.range.to(operand.range)))
             }
 
-            reader.isSign("@") -> source()
+            reader.isSign("@") -> {
+                source()
+            }
 
             reader.isSign("++") || reader.isSign("--") -> {
                 reader.advance()
                 step(unary(), token.text == "++", isPrefix = true)
             }
 
-            reader.isSign("&") -> operands.addressOf()
+            reader.isSign("&") -> {
+                operands.addressOf()
+            }
 
-            reader.isSign("*") -> operands.pointedAt()
+            reader.isSign("*") -> {
+                operands.pointedAt()
+            }
 
-            else -> postfix()
+            else -> {
+                postfix()
+            }
         }
     }
 

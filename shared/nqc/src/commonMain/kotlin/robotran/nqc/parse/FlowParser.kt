@@ -31,9 +31,7 @@ internal class FlowParser(
         else -> null
     }
 
-    private fun withBody(
-        make: (Expression, Statement, SourceRange) -> Statement,
-    ): Statement {
+    private fun withBody(make: (Expression, Statement, SourceRange) -> Statement): Statement {
         val word = reader.advance()
         val value = expressions.inBrackets()
         return make(value, statement(), word.range.to(value.range))

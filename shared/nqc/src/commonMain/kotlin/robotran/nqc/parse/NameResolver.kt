@@ -4,8 +4,8 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
-import robotran.nqc.syntax.similarName
 import robotran.nqc.syntax.Token
+import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.Variable
 
 /**

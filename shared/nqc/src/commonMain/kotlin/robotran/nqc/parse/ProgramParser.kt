@@ -1,6 +1,7 @@
 package robotran.nqc.parse
 
 import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.config.ParameterLimit
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
@@ -9,7 +10,6 @@ import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.tree.FunctionUnit
-import robotran.nqc.config.ParameterLimit
 import robotran.nqc.tree.ParsedProgram
 import robotran.nqc.tree.Statement
 import robotran.nqc.tree.SubUnit
@@ -69,17 +69,25 @@ internal class ProgramParser(
                 reader.semicolon()
             }
 
-            Keyword.TASK -> task()
+            Keyword.TASK -> {
+                task()
+            }
 
-            Keyword.SUB -> sub()
+            Keyword.SUB -> {
+                sub()
+            }
 
-            Keyword.VOID, Keyword.NO_LISTING -> function(isApi)
+            Keyword.VOID, Keyword.NO_LISTING -> {
+                function(isApi)
+            }
 
             Keyword.RESOURCE -> {
                 reader.fail(NqcDiagnosticCode.RESOURCE_WRITTEN, token.range, sink.messages.resourceWritten())
             }
 
-            else -> notAUnit(token)
+            else -> {
+                notAUnit(token)
+            }
         }
     }
 

@@ -1,9 +1,9 @@
 package robotran.nqc.parse
 
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.tree.Expression

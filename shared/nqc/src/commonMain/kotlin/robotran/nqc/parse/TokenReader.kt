@@ -1,12 +1,12 @@
 package robotran.nqc.parse
 
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 

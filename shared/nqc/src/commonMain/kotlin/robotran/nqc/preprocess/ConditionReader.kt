@@ -1,7 +1,7 @@
 package robotran.nqc.preprocess
 
-import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.config.NqcLimits
+import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 

@@ -10,11 +10,7 @@ import robotran.nqc.syntax.Token
  * @property init the function that `#pragma init` names; null for the one of the API.
  * @property reserved variables that the compiler must not use, each with the place that asks for it.
  */
-internal class Pragmas(
-    val hasInit: Boolean,
-    val init: InitFunction?,
-    val reserved: List<Pair<IntRange, SourceRange>>,
-)
+internal class Pragmas(val hasInit: Boolean, val init: InitFunction?, val reserved: List<Pair<IntRange, SourceRange>>)
 
 internal class InitFunction(val name: String, val range: SourceRange)
 

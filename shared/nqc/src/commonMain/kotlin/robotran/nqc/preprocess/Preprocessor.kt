@@ -1,9 +1,9 @@
 package robotran.nqc.preprocess
 
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.syntax.similarName
@@ -66,21 +66,37 @@ internal class Preprocessor(
     }
 
     private fun act(directive: Token) = when (directive.text) {
-        "include" -> include(directive)
-        "define" -> definitions.define(directive, restOfLine())
-        "undef" -> definitions.undefine(directive, restOfLine())
-        "pragma" -> pragmas.read(directive, restOfLine())
-        "error" -> sink.report(
-            NqcDiagnosticCode.ERROR_DIRECTIVE,
-            directive.range,
-            sink.messages.errorDirective(textOf(restOfLine())),
-        )
+        "include" -> {
+            include(directive)
+        }
 
-        "warning" -> sink.report(
-            NqcDiagnosticCode.WARNING_DIRECTIVE,
-            directive.range,
-            sink.messages.warningDirective(textOf(restOfLine())),
-        )
+        "define" -> {
+            definitions.define(directive, restOfLine())
+        }
+
+        "undef" -> {
+            definitions.undefine(directive, restOfLine())
+        }
+
+        "pragma" -> {
+            pragmas.read(directive, restOfLine())
+        }
+
+        "error" -> {
+            sink.report(
+                NqcDiagnosticCode.ERROR_DIRECTIVE,
+                directive.range,
+                sink.messages.errorDirective(textOf(restOfLine())),
+            )
+        }
+
+        "warning" -> {
+            sink.report(
+                NqcDiagnosticCode.WARNING_DIRECTIVE,
+                directive.range,
+                sink.messages.warningDirective(textOf(restOfLine())),
+            )
+        }
 
         else -> {
             restOfLine()
@@ -163,7 +179,8 @@ internal class Preprocessor(
     private fun conditionLine(): List<Token> {
         val line = mutableListOf<Token>()
         while (line.size <= NqcLimits.TOKENS) {
-            val isName = line.size >= 2 && line[line.size - 2].text == ConditionReader.DEFINED && line.last().isSign("(")
+            val isName =
+                line.size >= 2 && line[line.size - 2].text == ConditionReader.DEFINED && line.last().isSign("(")
             val token = replacer.next(!isName)
             if (token.kind == TokenKind.END || token.kind == TokenKind.END_OF_DIRECTIVE) break
             line += token
@@ -180,14 +197,26 @@ internal class Preprocessor(
         }
     }
 
-    private fun textOf(line: List<Token>): String =
-        line.joinToString(" ") { it.text }.take(NqcLimits.QUOTED_CHARACTERS)
+    private fun textOf(line: List<Token>): String = line.joinToString(" ") { it.text }.take(NqcLimits.QUOTED_CHARACTERS)
 
     private companion object {
         /** Directives whose line has nothing more to say. */
         val ENDING = setOf("else", "endif")
 
         val DIRECTIVES =
-            listOf("define", "undef", "include", "if", "ifdef", "ifndef", "elif", "else", "endif", "pragma", "error", "warning")
+            listOf(
+                "define",
+                "undef",
+                "include",
+                "if",
+                "ifdef",
+                "ifndef",
+                "elif",
+                "else",
+                "endif",
+                "pragma",
+                "error",
+                "warning",
+            )
     }
 }

@@ -1,9 +1,9 @@
 package robotran.nqc.preprocess
 
+import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Lexer
-import robotran.nqc.config.NqcLimits
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 

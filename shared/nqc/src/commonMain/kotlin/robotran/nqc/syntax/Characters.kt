@@ -1,14 +1,12 @@
 package robotran.nqc.syntax
 
-internal fun isNameStart(character: Char): Boolean =
-    character in 'a'..'z' || character in 'A'..'Z' || character == '_'
+internal fun isNameStart(character: Char): Boolean = character in 'a'..'z' || character in 'A'..'Z' || character == '_'
 
 internal fun isNamePart(character: Char): Boolean = isNameStart(character) || isDigit(character)
 
 internal fun isDigit(character: Char): Boolean = character in '0'..'9'
 
-internal fun isHexDigit(character: Char): Boolean =
-    isDigit(character) || character in 'a'..'f' || character in 'A'..'F'
+internal fun isHexDigit(character: Char): Boolean = isDigit(character) || character in 'a'..'f' || character in 'A'..'F'
 
 /** Blanks; the last one ends files of DOS. */
 internal fun isBlank(character: Char): Boolean = character == ' ' || character == '\t' || character == '\u001A'

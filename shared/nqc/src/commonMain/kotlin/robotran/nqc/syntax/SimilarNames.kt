@@ -1,8 +1,7 @@
 package robotran.nqc.syntax
 
-import robotran.nqc.config.NqcLimits
-
 import robotran.language.editDistance
+import robotran.nqc.config.NqcLimits
 
 /** The one of [candidates] that [typed] was probably meant to be: the same but for case, or for a few letters. */
 internal fun similarName(typed: String, candidates: Iterable<String>): String? {

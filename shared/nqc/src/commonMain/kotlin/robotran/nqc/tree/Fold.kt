@@ -14,16 +14,14 @@ internal fun fold(expression: Expression): Int? = when (expression) {
     is AddressOf -> expression.place.takeIf { it >= 0 }?.plus(expression.offset)
     is Unary -> expression.operand.constant?.let { foldUnary(expression.operator, it) }
     is Binary -> foldBinary(expression)
-    is Choice -> expression.condition.constant?.let { (if (it != 0) expression.then else expression.otherwise).constant }
+    is Choice -> expression.condition.constant?.let { branchOf(expression, it != 0).constant }
     is Query -> foldQuery(expression)
     is TaskNumber -> expression.task
     else -> null
 }
 
-/** Whether a constant in [expression] is divided by a constant 0. */
-internal fun dividesConstantByZero(expression: Expression): Boolean =
-    (expression is Binary && expression.isDivision && expression.left.constant != null && expression.right.constant == 0) ||
-        expression.parts.any { dividesConstantByZero(it) }
+/** The side of [choice] that is taken. */
+private fun branchOf(choice: Choice, isTrue: Boolean): Expression = if (isTrue) choice.then else choice.otherwise
 
 internal val Binary.isDivision: Boolean
     get() = operator == BinaryOperator.DIVIDED_BY || operator == BinaryOperator.MODULO

@@ -104,12 +104,8 @@ internal sealed class Statement {
     class Leave(val kind: LeaveKind, override val range: SourceRange) : Statement()
 
     /** `start task;` or `stop task;` */
-    class TaskCommand(
-        val task: String,
-        val isStart: Boolean,
-        override val range: SourceRange,
-        val name: Token,
-    ) : Statement()
+    class TaskCommand(val task: String, val isStart: Boolean, override val range: SourceRange, val name: Token) :
+        Statement()
 
     class Monitor(
         val events: Expression,
@@ -121,12 +117,8 @@ internal sealed class Statement {
         override val expressions get() = listOf(events)
     }
 
-    class Acquire(
-        val resources: Int,
-        val body: Statement,
-        val handler: Statement?,
-        override val range: SourceRange,
-    ) : Statement() {
+    class Acquire(val resources: Int, val body: Statement, val handler: Statement?, override val range: SourceRange) :
+        Statement() {
         override val parts get() = listOfNotNull(body, handler)
     }
 

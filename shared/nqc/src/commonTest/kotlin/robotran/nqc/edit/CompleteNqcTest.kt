@@ -35,7 +35,10 @@ class CompleteNqcTest {
     @Test
     fun `values and variables are in expressions`() {
         val labels = labelsAt("#define MAX 3\nint count; task main() { int near; near = | }")
-        assertTrue(labels.containsAll(listOf("count", "near", "MAX", "SENSOR_1", "Timer(n)", "true")), labels.toString())
+        assertTrue(
+            labels.containsAll(listOf("count", "near", "MAX", "SENSOR_1", "Timer(n)", "true")),
+            labels.toString(),
+        )
         assertFalse("OnFwd(outputs)" in labels)
     }
 
@@ -88,8 +91,7 @@ class CompleteNqcTest {
         assertNull(completeNqc("", 5, Language.ENGLISH))
     }
 
-    private fun completeAt(marked: String) =
-        completeNqc(marked.replace("|", ""), marked.indexOf('|'), Language.ENGLISH)
+    private fun completeAt(marked: String) = completeNqc(marked.replace("|", ""), marked.indexOf('|'), Language.ENGLISH)
 
     private fun labelsAt(marked: String) = checkNotNull(completeAt(marked)).items.map { it.label }
 }
