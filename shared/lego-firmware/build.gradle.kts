@@ -10,6 +10,12 @@ texts {
         "shared/lego-firmware/src/commonTest/resources/vectors",
         "*",
     )
+    constant(
+        "commonTest",
+        "robotran.legofirmware.testPrograms",
+        "shared/lego-firmware/src/commonTest/resources/programs",
+        "**/*.lasm",
+    )
 }
 
 kotlin {

@@ -2,4 +2,6 @@ package robotran.legofirmware.messages
 
 internal object Spanish : FirmwareMessages {
     override val image = ImageSpanish
+    override val assembly = AssemblySpanish
+    override val run = RunSpanish
 }
