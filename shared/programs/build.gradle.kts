@@ -62,6 +62,8 @@ kotlin {
             api(project(":shared:tinyvm"))
             api(project(":shared:java-compiler"))
             api(project(":shared:lejos-linker"))
+            api(project(":shared:lego-firmware"))
+            api(project(":shared:nqc"))
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:nxj-library"))
         }

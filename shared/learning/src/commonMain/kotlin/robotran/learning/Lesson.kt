@@ -90,6 +90,6 @@ class Lesson internal constructor(
 }
 
 private fun languageOf(file: SourceFile): ProgramLanguage =
-    if (file.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+    ProgramLanguage.ofFile(file.name) ?: ProgramLanguage.ROBOLANG
 
 internal const val JAVA_FILE = ".java"

@@ -29,12 +29,16 @@ data class WordHelp(
             when (code) {
                 ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
                 ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
+                ProgramLanguage.NQC -> nqcHelp(word, language)
+                ProgramLanguage.LASM -> null
             }
 
         /** The words of a programming language that have an entry, in the order of their file. */
         fun words(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<String> = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.words
             ProgramLanguage.JAVA -> javaWords(brick).words
+            ProgramLanguage.NQC -> nqcWords
+            ProgramLanguage.LASM -> emptyList()
         }
     }
 }
@@ -56,7 +60,9 @@ fun helpOn(
 ): WordHelp? {
     val range = wordRange(text, offset) ?: return null
     return when (code) {
-        ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+        ProgramLanguage.ROBOLANG, ProgramLanguage.NQC, ProgramLanguage.LASM ->
+            WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+
         ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)
     }
 }

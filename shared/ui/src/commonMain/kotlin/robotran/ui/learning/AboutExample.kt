@@ -14,9 +14,10 @@ import robotran.ui.resources.allStringResources
 @OptIn(ExperimentalResourceApi::class)
 internal fun aboutExample(set: ExampleSet, name: String): StringResource {
     val stem = name.removeSuffix(set.language.extension)
-    val words = when (set.language) {
-        ProgramLanguage.ROBOLANG -> stem.replace('-', '_')
-        ProgramLanguage.JAVA -> stem.replace(CAPITAL_INSIDE) { "_${it.value}" }
+    val words = if (set.language == ProgramLanguage.JAVA) {
+        stem.replace(CAPITAL_INSIDE) { "_${it.value}" }
+    } else {
+        stem.replace('-', '_')
     }
     val key = "example_${words.lowercase()}"
     val own = when (set) {

@@ -74,7 +74,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
                         if (brick == BrickKind.NXT) Res.string.learning_help_nxj else Res.string.learning_help_java,
                     )
                 } else {
-                    ROBOLANG
+                    language.ownName
                 }
                 Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
             }
@@ -98,6 +98,3 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
         Text(help.sentence, color = colours.quiet, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
     }
 }
-
-/** A name, the same in every language. */
-private const val ROBOLANG = "Robolang"

@@ -325,5 +325,5 @@ private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>):
 
 private fun hintFor(language: ProgramLanguage): StringResource = when (language) {
     ProgramLanguage.ROBOLANG -> Res.string.program_hint
-    ProgramLanguage.JAVA -> Res.string.program_hint_java
+    ProgramLanguage.JAVA, ProgramLanguage.NQC, ProgramLanguage.LASM -> Res.string.program_hint_java
 }

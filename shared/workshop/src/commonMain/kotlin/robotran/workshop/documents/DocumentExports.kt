@@ -81,7 +81,7 @@ internal class DocumentExports(
 
     suspend fun saveProgram() {
         val program = current.shownProgram
-        val kind = if (program.language == ProgramLanguage.JAVA) FileKind.JAVA else FileKind.ROBOLANG
+        val kind = program.language.fileKind
         val single = program.files.singleOrNull()
         if (single != null) {
             save(program.name, kind, single.text.encodeToByteArray())

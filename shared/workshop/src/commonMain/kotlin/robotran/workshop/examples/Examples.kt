@@ -20,6 +20,8 @@ fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (t
         BrickKind.RCX -> lejosExampleTexts
         BrickKind.NXT -> nxjExampleTexts
     }
+
+    ProgramLanguage.NQC, ProgramLanguage.LASM -> emptyMap()
 }
 
 /**

@@ -43,8 +43,8 @@ internal class HelpFinder(
     fun tryExample(help: HelpState): Boolean {
         val example = help.found?.example ?: return false
         val program = when (help.code) {
-            ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
             ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example, help.brick))
+            else -> PupilProgram("try${help.code.extension}", example)
         }
         return newTabs.add(program, replacing = true)
     }

@@ -15,6 +15,10 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>, b
         ProgramLanguage.JAVA -> uniqueName("Program", language, taken).let {
             PupilProgram(it, firstJava(it.removeSuffix(language.extension), brick))
         }
+
+        ProgramLanguage.NQC -> PupilProgram(uniqueName("program", language, taken), FIRST_NQC)
+
+        ProgramLanguage.LASM -> PupilProgram(uniqueName("program", language, taken), FIRST_LASM)
     }
 }
 
@@ -35,6 +39,26 @@ internal fun uniqueName(name: String, language: ProgramLanguage, taken: List<Str
             "$name$it${language.extension}"
         }
     }.first { it !in taken }
+
+/** Drives for two seconds. */
+private val FIRST_NQC = """
+    task main()
+    {
+        OnFwd(OUT_A + OUT_C);
+        Wait(200);
+        Off(OUT_A + OUT_C);
+    }
+    """.trimIndent()
+
+/** The same in the commands that the firmware runs. */
+private val FIRST_LASM = listOf(
+    "\ttask\t0",
+    "\tdir\t2, 5 ",
+    "\tout\t5, 2 ",
+    "\twait\t2, 200 ",
+    "\tout\t5, 1 ",
+    "\tendt",
+).joinToString("\n", postfix = "\n")
 
 private fun packageOf(brick: BrickKind) = when (brick) {
     BrickKind.RCX -> "josx.platform.rcx"

@@ -133,6 +133,7 @@ internal class ProgramEditing(
         val text = when (robot.entry.program.language) {
             ProgramLanguage.JAVA -> formatJava(draft.text)
             ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
+            ProgramLanguage.NQC, ProgramLanguage.LASM -> return
         }
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = Draft(text)

@@ -15,7 +15,6 @@ import robotran.blockediting.messages.BlockMessages
 import robotran.language.ProgramLanguage
 import robotran.projects.Assignment
 import robotran.ui.assignment.Quiet
-import robotran.ui.assignment.ownName
 import robotran.ui.documents.Explanation
 import robotran.ui.language.LocalLanguage
 import robotran.ui.parts.QuietButton
