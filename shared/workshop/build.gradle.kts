@@ -11,6 +11,7 @@ texts {
     constant("commonMain", "robotran.workshop.examples.exampleTexts", "examples", "*.robo")
     constant("commonMain", "robotran.workshop.examples.lejosExampleTexts", "examples/lejos", "*.java")
     constant("commonMain", "robotran.workshop.examples.nxjExampleTexts", "examples/nxj", "*.java")
+    constant("commonMain", "robotran.workshop.examples.nqcExampleTexts", "examples/nqc", "*.nqc")
 }
 
 kotlin {

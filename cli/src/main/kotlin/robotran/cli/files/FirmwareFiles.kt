@@ -1,5 +1,6 @@
 package robotran.cli.files
 
+import robotran.cli.messages.FileMessages
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile

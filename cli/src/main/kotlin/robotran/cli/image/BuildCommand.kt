@@ -69,7 +69,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
 
     private fun build(programs: List<NamedProgram>): ExitCode {
         val version = lejos ?: LejosVersion.DEFAULT
-        return when (val built = buildImage(programs, spoken.language, version)) {
+        return when (val built = buildImageOf(programs, spoken.language, version)) {
             is ImageOfFiles.Built -> {
                 built.warnings.forEach(console::say)
                 write(built.image, version)

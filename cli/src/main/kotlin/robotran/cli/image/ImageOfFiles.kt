@@ -27,13 +27,13 @@ internal sealed interface ImageOfFiles {
 internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles {
     val messages = CommandMessages.of(language)
     return when (val read = readProgramFiles(files, messages)) {
-        is ProgramFiles.Read -> buildImage(read.programs, language, version)
+        is ProgramFiles.Read -> buildImageOf(read.programs, language, version)
         is ProgramFiles.Rejected -> ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
     }
 }
 
 /** Builds one image of [programs] for leJOS [version]. */
-internal fun buildImage(programs: List<NamedProgram>, language: Language, version: LejosVersion): ImageOfFiles {
+internal fun buildImageOf(programs: List<NamedProgram>, language: Language, version: LejosVersion): ImageOfFiles {
     val messages = CommandMessages.of(language)
     val compiler = ProgramCompiler(PENBOT_TARGET, language = language)
     return when (val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }) {

@@ -21,7 +21,12 @@ fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (t
         BrickKind.NXT -> nxjExampleTexts
     }
 
-    ProgramLanguage.NQC, ProgramLanguage.LASM -> emptyMap()
+    ProgramLanguage.NQC -> when (brick) {
+        BrickKind.RCX -> nqcExampleTexts
+        BrickKind.NXT -> emptyMap()
+    }
+
+    ProgramLanguage.LASM -> emptyMap()
 }
 
 /**
