@@ -237,7 +237,8 @@ private object EnglishCodeMessages : NqcCodeMessages {
         "The brick has no room for this variable. It has 32 for all tasks, and 16 more for each with firmware 2.0."
 
     override fun noStorageInSharedSub() =
-        "Several tasks call this sub, so its variables need places of their own in each: 16 with firmware 2.0, none with 1.0."
+        "Several tasks call this sub, so its variables need places of their own in each: 16 with firmware 2.0, none " +
+            "with 1.0."
 
     override fun noStorageForSub(name: String) =
         "The variables of ${quoted(name)} and of this task together do not fit into the brick. Use fewer of them."
