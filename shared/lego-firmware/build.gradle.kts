@@ -16,6 +16,8 @@ texts {
         "shared/lego-firmware/src/commonTest/resources/programs",
         "**/*.lasm",
     )
+    constant("commonTest", "robotran.legofirmware.documents", "docs", "lego-firmware.md")
+    blocks("commonTest", "robotran.legofirmware.documentedPrograms", "docs", "lego-firmware.md", "lasm")
 }
 
 kotlin {

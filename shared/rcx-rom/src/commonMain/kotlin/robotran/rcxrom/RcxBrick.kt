@@ -135,7 +135,6 @@ class RcxBrick(
 
     override fun runNow(program: BrickProgram) {
         if (program !is RcxProgram) return
-        if (program.firmware != firmware) shell.stopProgram()
         loadFirmwareOf(program)
         shell.runNow(program)
     }
@@ -150,6 +149,8 @@ class RcxBrick(
 
     private fun loadFirmwareOf(program: RcxProgram) {
         if (program.firmware == firmware) return
+        shell.stopProgram()
+        hardware.reset()
         firmware = program.firmware
         shell = load(shell.selectedSlot)
         shell.begin()

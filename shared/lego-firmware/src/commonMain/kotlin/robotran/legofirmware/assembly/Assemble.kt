@@ -14,4 +14,4 @@ fun assemble(
     source: String,
     language: Language = Language.ENGLISH,
     target: FirmwareTarget = FirmwareTarget.RCX2,
-): AssemblyResult = Assembler(FirmwareMessages.of(language).assembly, target).assemble(source)
+): AssemblyResult = Assembler(FirmwareMessages.of(language), target).assemble(source)

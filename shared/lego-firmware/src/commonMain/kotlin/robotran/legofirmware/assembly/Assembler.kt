@@ -4,13 +4,15 @@ import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.image.CodeLine
+import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
-import robotran.legofirmware.messages.AssemblyMessages
+import robotran.legofirmware.messages.FirmwareMessages
 
 /** Gives each command its address, then encodes all. */
-internal class Assembler(private val messages: AssemblyMessages, private val target: FirmwareTarget) {
+internal class Assembler(private val texts: FirmwareMessages, private val target: FirmwareTarget) {
+    private val messages = texts.assembly
     private val sink = AssemblySink()
     private val names = Names()
 
@@ -29,10 +31,20 @@ internal class Assembler(private val messages: AssemblyMessages, private val tar
         val chunks = placer.finish()
         val encoder = CommandEncoder(sink, messages, target, chunks)
         val image = chunks.map { Chunk(it.id, encoder.encode(it)) }
-        if (chunks.none { it.id == ChunkId.MAIN }) {
-            sink.warn(AssemblyProblem.NO_MAIN_TASK, Token("", 1, 1), messages.noMainTask())
-        }
+        warnAbout(image)
         return if (sink.hasErrors) rejected() else assembled(image, chunks)
+    }
+
+    private fun warnAbout(chunks: List<Chunk>) {
+        val start = Token("", 1, 1)
+        if (chunks.none { it.id == ChunkId.MAIN }) {
+            sink.warn(AssemblyProblem.NO_MAIN_TASK, start, texts.assembly.noMainTask())
+        }
+        val size = chunks.sumOf { it.code.size }
+        if (size > FirmwareLimits.PROGRAM_MEMORY) {
+            val message = texts.image.largeProgram(size, FirmwareLimits.PROGRAM_MEMORY)
+            sink.warn(AssemblyProblem.LARGE_PROGRAM, start, message)
+        }
     }
 
     private fun rejected() = AssemblyResult.Rejected(sink.inSourceOrder(isError = true))

@@ -66,6 +66,9 @@ enum class AssemblyProblem(val id: String) {
     /** A warning: a command that does nothing in a program. */
     REQUEST_ONLY("request-only"),
 
+    /** A warning: more code than fits into a real brick. */
+    LARGE_PROGRAM("large-program"),
+
     /** A warning: no task 0. */
     NO_MAIN_TASK("no-main-task"),
 }

@@ -15,7 +15,7 @@ internal class CheckedNumbers(private val sink: AssemblySink, private val messag
             }
 
             number !in range.range -> {
-                val message = messages.numberOutOfRange(range.name, number, range.range)
+                val message = messages.numberOutOfRange(range.name, number, range.range.first, range.range.last)
                 sink.error(AssemblyProblem.NUMBER_OUT_OF_RANGE, token, message)
             }
 

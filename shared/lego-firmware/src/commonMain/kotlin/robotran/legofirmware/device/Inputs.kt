@@ -18,14 +18,14 @@ internal class Inputs(private val calls: RomCalls) {
     /** Sets the type, 0..4, with the mode that belongs to it; types 3 and 4 power the port. */
     fun setType(port: Int, type: Int) {
         set(port, type, USUAL_MODES.getOrElse(type) { 0 })
-        val routine = if (type >= FIRST_POWERED) RomAddress.ACTIVATE_SENSOR else RomAddress.PASSIVATE_SENSOR
+        val routine = if (type in POWERED) RomAddress.ACTIVATE_SENSOR else RomAddress.PASSIVATE_SENSOR
         calls.call(routine, SensorCode.FIRST_PORT + port)
     }
 
     /** Powers the ports again whose types need it, after the brick was off. */
     fun resume() {
         for (port in 0 until SensorCode.PORTS) {
-            if (types[port] >= FIRST_POWERED) calls.call(RomAddress.ACTIVATE_SENSOR, SensorCode.FIRST_PORT + port)
+            if (types[port] in POWERED) calls.call(RomAddress.ACTIVATE_SENSOR, SensorCode.FIRST_PORT + port)
         }
     }
 
@@ -55,6 +55,6 @@ internal class Inputs(private val calls: RomCalls) {
     private companion object {
         /** The modes of the types none, touch, temperature, light, rotation: raw, boolean, Celsius, percent, angle. */
         val USUAL_MODES = listOf(0x00, 0x20, 0xA0, 0x80, 0xE0)
-        const val FIRST_POWERED = 3
+        val POWERED = 3..4
     }
 }

@@ -2,12 +2,17 @@ package robotran.legofirmware.device
 
 import robotran.legofirmware.model.Assumptions
 
-/** The random numbers of the firmware; the same after each [seed]. */
+/** The random numbers of the firmware; the same after each [seed] and the same [stir]. */
 internal class RandomNumbers {
     private var state = Assumptions.RANDOM_SEED
 
     fun seed(seed: Int) {
         state = seed
+    }
+
+    /** Makes the numbers of a run depend on the moment at which it starts. */
+    fun stir(milliseconds: Long) {
+        state += milliseconds.toInt()
     }
 
     /** 0..[greatest], both inclusive; 0 for a negative one. */

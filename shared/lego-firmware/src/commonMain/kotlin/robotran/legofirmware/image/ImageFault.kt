@@ -41,6 +41,9 @@ sealed interface ImageFault {
     /** A warning: [bytes] follow the end of the image. */
     data class ExtraBytes(val bytes: Int) : ImageFault
 
+    /** A warning: the code has more bytes than fit into a brick, see [FirmwareLimits.PROGRAM_MEMORY]. */
+    data class LargeProgram(val bytes: Int) : ImageFault
+
     /** A warning: there is no task 0, so Run starts nothing. */
     data object NoMainTask : ImageFault
 }
@@ -61,6 +64,7 @@ fun ImageFault.message(language: Language): String {
         is ImageFault.NamesCut -> messages.namesCut(missing)
         is ImageFault.NameWithoutChunk -> messages.nameWithoutChunk(name)
         is ImageFault.ExtraBytes -> messages.extraBytes(bytes)
+        is ImageFault.LargeProgram -> messages.largeProgram(bytes, FirmwareLimits.PROGRAM_MEMORY)
         ImageFault.NoMainTask -> messages.noMainTask()
     }
 }

@@ -30,7 +30,9 @@ private class RcxImageReader(private val bytes: ByteArray) {
         if (symbolCount > FirmwareLimits.SYMBOLS) refuse(ImageFault.TooManySymbols(symbolCount))
         val symbols = readSymbols(symbolCount, chunks.keys)
         if (ChunkId.MAIN !in chunks) warnings += ImageFault.NoMainTask
-        return RcxImageResult.Read(RcxImage(target, chunks.values.toList(), symbols), warnings)
+        val image = RcxImage(target, chunks.values.toList(), symbols)
+        if (image.codeSize > FirmwareLimits.PROGRAM_MEMORY) warnings += ImageFault.LargeProgram(image.codeSize)
+        return RcxImageResult.Read(image, warnings)
     }
 
     /** Numbers above the limits and second chunks are refused, so the loop is short whatever [count] is. */

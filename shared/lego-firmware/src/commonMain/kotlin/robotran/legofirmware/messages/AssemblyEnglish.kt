@@ -22,8 +22,8 @@ internal object AssemblyEnglish : AssemblyMessages {
         "${quoted(text)} is no number. The form is ${quoted(form)}."
     }
 
-    override fun numberOutOfRange(name: String, number: Int, range: IntRange) =
-        "The $name is $number, but it must be from ${range.first} to ${range.last}."
+    override fun numberOutOfRange(name: String, number: Int, least: Int, greatest: Int) =
+        "The $name is $number, but it must be from $least to $greatest."
 
     override fun labelNeeded(text: String, form: String) = if (text.isEmpty()) {
         "The label is missing. The form is ${quoted(form)}."

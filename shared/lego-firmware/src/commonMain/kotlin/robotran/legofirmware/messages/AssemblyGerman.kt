@@ -23,8 +23,8 @@ internal object AssemblyGerman : AssemblyMessages {
         "${quoted(text)} ist keine Zahl. Die Form ist ${quoted(form)}."
     }
 
-    override fun numberOutOfRange(name: String, number: Int, range: IntRange) =
-        "Hier steht $number (${quoted(name)}). Erlaubt ist ${range.first} bis ${range.last}."
+    override fun numberOutOfRange(name: String, number: Int, least: Int, greatest: Int) =
+        "Hier steht $number (${quoted(name)}). Erlaubt ist $least bis $greatest."
 
     override fun labelNeeded(text: String, form: String) = if (text.isEmpty()) {
         "Hier fehlt die Marke. Die Form ist ${quoted(form)}."

@@ -19,7 +19,7 @@ interface AssemblyMessages {
     /** @param name of the number in the [form] of the command. */
     fun numberNeeded(text: String, name: String, form: String): String
 
-    fun numberOutOfRange(name: String, number: Int, range: IntRange): String
+    fun numberOutOfRange(name: String, number: Int, least: Int, greatest: Int): String
 
     fun labelNeeded(text: String, form: String): String
 

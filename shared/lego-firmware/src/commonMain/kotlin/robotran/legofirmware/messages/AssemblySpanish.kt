@@ -23,8 +23,8 @@ internal object AssemblySpanish : AssemblyMessages {
         "${quoted(text)} no es un número. La forma es ${quoted(form)}."
     }
 
-    override fun numberOutOfRange(name: String, number: Int, range: IntRange) =
-        "Aquí está $number (${quoted(name)}). Se permite de ${range.first} a ${range.last}."
+    override fun numberOutOfRange(name: String, number: Int, least: Int, greatest: Int) =
+        "Aquí está $number (${quoted(name)}). Se permite de $least a $greatest."
 
     override fun labelNeeded(text: String, form: String) = if (text.isEmpty()) {
         "Aquí falta la etiqueta. La forma es ${quoted(form)}."

@@ -38,6 +38,9 @@ internal object ImageEnglish : ImageMessages {
 
     override fun extraBytes(bytes: Int) = "The file has $bytes extra bytes at its end. They are ignored."
 
+    override fun largeProgram(bytes: Int, limit: Int) =
+        "The program has $bytes bytes. A real brick has room for about $limit, for all its programs together."
+
     override fun noMainTask() = "The program has no task 0, so the Run button starts nothing."
 
     override fun chunk(isTask: Boolean, number: Int) = if (isTask) "task $number" else "subroutine $number"

@@ -41,6 +41,9 @@ internal object ImageGerman : ImageMessages {
 
     override fun extraBytes(bytes: Int) = "Am Ende der Datei stehen $bytes Bytes zu viel. Sie werden übergangen."
 
+    override fun largeProgram(bytes: Int, limit: Int) =
+        "Das Programm hat $bytes Bytes. Ein echter RCX hat Platz für etwa $limit, für alle Programme zusammen."
+
     override fun noMainTask() = "Das Programm hat keinen Task 0. Deshalb startet die Taste Run nichts."
 
     override fun chunk(isTask: Boolean, number: Int) = if (isTask) "Task $number" else "Unterprogramm $number"

@@ -30,6 +30,9 @@ interface ImageMessages {
 
     fun extraBytes(bytes: Int): String
 
+    /** A program of [bytes] does not fit into a real brick. */
+    fun largeProgram(bytes: Int, limit: Int): String
+
     fun noMainTask(): String
 
     /** A task or subroutine at the end of a sentence: `task 3`. */

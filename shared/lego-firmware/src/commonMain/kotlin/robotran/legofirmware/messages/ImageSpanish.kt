@@ -42,6 +42,9 @@ internal object ImageSpanish : ImageMessages {
 
     override fun extraBytes(bytes: Int) = "Al final del archivo sobran $bytes bytes. No se usan."
 
+    override fun largeProgram(bytes: Int, limit: Int) =
+        "El programa tiene $bytes bytes. Un RCX real tiene sitio para unos $limit, para todos los programas juntos."
+
     override fun noMainTask() = "El programa no tiene la tarea 0. Por eso el botón Run no inicia nada."
 
     override fun chunk(isTask: Boolean, number: Int) = if (isTask) "tarea $number" else "subrutina $number"

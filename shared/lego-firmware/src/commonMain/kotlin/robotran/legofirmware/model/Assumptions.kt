@@ -35,7 +35,7 @@ internal object Assumptions {
     /** The value that a source has that an RCX does not know. */
     const val UNKNOWN_VALUE = 0
 
-    /** The seed that firmware has until a program sets one; the random numbers of a run are always the same. */
+    /** The seed that the firmware begins with; each start of a program adds the milliseconds of the brick's clock. */
     const val RANDOM_SEED = 1
 
     /** Greatest number of remarks that a run keeps. */

@@ -18,59 +18,19 @@ internal class DeviceCommands(private val core: Core) {
     fun execute(instruction: Instruction, task: Task): Boolean {
         if (toMotors(instruction, task) || toSensors(instruction) || toLoudspeaker(instruction, task)) return true
         when (instruction.opcode) {
-            Opcode.VIEW -> {
-                devices.viewing.show(core.values.read(instruction.value(0), task), core.model.isSecond)
-            }
-
-            Opcode.DISP -> {
-                show(instruction.number(0), instruction.value(1))
-            }
-
-            Opcode.SETW -> {
-                devices.clocks.setWatch(instruction.number(0) * Clocks.MINUTES_IN_HOUR + instruction.number(1))
-            }
-
-            Opcode.TMRZ -> {
-                if (core.has(instruction.number(0), Clocks.TIMERS)) {
-                    devices.clocks.setTimer(instruction.number(0), 0)
-                }
-            }
-
-            Opcode.TXS -> {
-                devices.infrared.setRange(isLong = instruction.number(0) != 0)
-            }
-
-            Opcode.MSGZ -> {
-                devices.infrared.message = 0
-            }
-
-            Opcode.MSGS -> {
-                core.setMessage(instruction.number(0))
-            }
-
-            Opcode.TOUT -> {
-                devices.power.offMinutes = instruction.number(0)
-            }
-
-            Opcode.OFFP -> {
-                devices.power.requestOff()
-            }
-
-            Opcode.LOGZ -> {
-                devices.datalog.create(instruction.number(0))
-            }
-
-            Opcode.LOG -> {
-                log.add(instruction.value(0), task)
-            }
-
-            Opcode.PING, Opcode.POLLD, Opcode.REMOTE -> {
-                Unit
-            }
-
-            else -> {
-                return false
-            }
+            Opcode.VIEW -> devices.viewing.show(core.values.read(instruction.value(0), task), core.model.isSecond)
+            Opcode.DISP -> show(instruction.number(0), instruction.value(1))
+            Opcode.SETW -> setWatch(instruction.number(0), instruction.number(1))
+            Opcode.TMRZ -> resetTimer(instruction.number(0))
+            Opcode.TXS -> devices.infrared.setRange(isLong = instruction.number(0) != 0)
+            Opcode.MSGZ -> devices.infrared.message = 0
+            Opcode.MSGS -> core.setMessage(instruction.number(0))
+            Opcode.TOUT -> devices.power.offMinutes = instruction.number(0)
+            Opcode.OFFP -> devices.power.requestOff()
+            Opcode.LOGZ -> devices.datalog.create(instruction.number(0))
+            Opcode.LOG -> log.add(instruction.value(0), task)
+            Opcode.PING, Opcode.POLLD, Opcode.REMOTE -> Unit
+            else -> return false
         }
         return true
     }
@@ -89,6 +49,12 @@ internal class DeviceCommands(private val core: Core) {
             devices.infrared.sendSerial(instruction.number(0), instruction.number(1))
         }
         return true
+    }
+
+    private fun setWatch(hours: Int, minutes: Int) = devices.clocks.setWatch(hours * Clocks.MINUTES_IN_HOUR + minutes)
+
+    private fun resetTimer(number: Int) {
+        if (core.has(number, Clocks.TIMERS)) devices.clocks.setTimer(number, 0)
     }
 
     private fun toMotors(instruction: Instruction, task: Task): Boolean {

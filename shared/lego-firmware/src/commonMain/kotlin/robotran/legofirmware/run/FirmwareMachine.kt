@@ -69,6 +69,7 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
         core.begin(code.image.target)
         core.devices.outputs.resetGlobalLayer()
         core.devices.sounds.isMuted = false
+        core.devices.random.stir(core.now)
         core.devices.viewing.forgetUserValue()
         core.tasks.load(code.image)
         core.tasks.start(0)
@@ -90,8 +91,9 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
     fun tick() {
         if (core.now == lastTick) return
         lastTick = core.now
-        if (requests.tick()) wasActive = true
+        if (requests.tick(isRunning)) wasActive = true
         core.devices.infrared.tick()
+        if (isRunning && !core.tasks.anyAlive) finish()
         if (isRunning) core.events.tick(core.now)
         core.at(null)
         display.tick(isRunning)

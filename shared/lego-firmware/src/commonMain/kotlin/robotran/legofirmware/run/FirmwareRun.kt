@@ -73,7 +73,8 @@ internal class FirmwareRun(private val machine: FirmwareMachine, code: ProgramCo
     }
 
     private fun pausesBefore(task: Task): Boolean {
-        val line = machine.beginningOf(task) ?: return false
+        val line = machine.beginningOf(task)
+        if (line == null || task.isRepeating) return false
         val isPassed = passed === task
         passed = task
         val statement = Statement(line.line, if (task.returnTo == null) 0 else 1, task.number, line.file)

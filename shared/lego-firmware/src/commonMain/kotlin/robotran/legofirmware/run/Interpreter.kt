@@ -36,7 +36,8 @@ internal class Interpreter(private val core: Core) {
             return task.stop()
         }
         task.location = Location(chunk, placed.end)
-        if (!execute(placed.instruction, task, chunk)) task.location = location
+        task.isRepeating = !execute(placed.instruction, task, chunk)
+        if (task.isRepeating) task.location = location
     }
 
     /** Executes a request over infrared light, as far as it is also a command of programs. */

@@ -18,6 +18,11 @@ internal class RemoteControl(private val core: Core) {
 
     fun takeCommand(): RemoteCommand? = command.also { command = null }
 
+    /** Starts the selected program, as another device asks for. */
+    fun startSelected() {
+        command = RemoteCommand.Start(core.devices.slot)
+    }
+
     /** Takes what the remote control sends over and over while keys are held down, and once when they are released. */
     fun press(word: Int) {
         val keys = (word shr Byte.SIZE_BITS and BYTE) or (word and BYTE shl Byte.SIZE_BITS)

@@ -20,7 +20,7 @@ internal class Requests(private val core: Core, private val interpreter: Interpr
     fun takeCommand(): RemoteCommand? = remote.takeCommand()
 
     /** Takes a request, if one waits; returns whether one did. */
-    fun tick(): Boolean {
+    fun tick(isRunning: Boolean): Boolean {
         if (infrared.isFree) {
             answers.removeFirstOrNull()?.let {
                 core.calls.asFirmware { infrared.send(*it.toIntArray()) }
@@ -28,11 +28,11 @@ internal class Requests(private val core: Core, private val interpreter: Interpr
         }
         val bytes = core.calls.asFirmware { infrared.receive() } ?: return false
         val placed = CodeBytes.of(*bytes.toIntArray()).instructionAt(0) ?: return false
-        handle(bytes.first(), placed.instruction)
+        handle(bytes.first(), placed.instruction, isRunning)
         return true
     }
 
-    private fun handle(code: Int, instruction: Instruction) {
+    private fun handle(code: Int, instruction: Instruction, isRunning: Boolean) {
         val isRepeated = code == lastCode && instruction.opcode != Opcode.MSGS && instruction.opcode != Opcode.REMOTE
         lastCode = code
         core.at(null)
@@ -50,10 +50,17 @@ internal class Requests(private val core: Core, private val interpreter: Interpr
             Opcode.POLLD -> Unit
 
             else -> if (instruction.opcode.use == OpcodeUse.ANYWHERE) {
-                if (!isRepeated) interpreter.request(instruction)
+                if (!isRepeated) execute(instruction, isRunning)
                 answer(code)
             }
         }
+    }
+
+    /** While no program runs, a start of its main task is one of the selected program, and other tasks do not start. */
+    private fun execute(instruction: Instruction, isRunning: Boolean) = when {
+        isRunning || instruction.opcode != Opcode.START -> interpreter.request(instruction)
+        instruction.number(0) == 0 -> remote.startSelected()
+        else -> Unit
     }
 
     private fun answerValue(code: Int, value: Int) = answer(

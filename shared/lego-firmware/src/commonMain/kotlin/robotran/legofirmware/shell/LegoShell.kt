@@ -6,7 +6,6 @@ import robotran.brick.program.DebuggableRun
 import robotran.brick.program.ProgramStatus
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
-import robotran.legofirmware.device.PowerRoutines
 import robotran.legofirmware.messages.RunMessages
 import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
@@ -33,21 +32,18 @@ internal class LegoShell(
 ) : RcxShell {
     private val machine = FirmwareMachine(hardware.rom, messages)
     private val devices = machine.core.devices
-    private val power = PowerRoutines(machine.core.calls)
+    private val power = PowerSwitch(machine, hardware)
     private var run: FirmwareRun? = null
     private var pausedSteps = 0
     private var lastState: RunState = RunState.Idle
     private var lastRemarks: List<RuntimeWarning> = emptyList()
     private var emptySlot: Int? = null
-    private var isSwitchingOff = false
-    private var idleSince = 0L
 
     init {
         devices.slot = firstSlot
     }
 
-    override var poweredOn = false
-        private set
+    override val poweredOn: Boolean get() = power.isOn
 
     override var isImmediate = false
         private set
@@ -76,14 +72,13 @@ internal class LegoShell(
     override val isPaused: Boolean get() = pausedSteps > 0
 
     override fun begin() {
-        switchOn()
-        machine.begin()
+        power.begin()
     }
 
     override fun pressed(button: BrickButton) {
         if (button == BrickButton.ON_OFF) hardware.wake()
         if (!poweredOn) return
-        idleSince = hardware.rom.milliseconds
+        power.noteUse()
         when (button) {
             BrickButton.RUN -> if (run == null) startSelected() else stopProgram()
             BrickButton.VIEW -> machine.viewNext()
@@ -94,7 +89,7 @@ internal class LegoShell(
 
     override fun released(button: BrickButton) {
         if (button != BrickButton.ON_OFF) return
-        if (poweredOn) powerDown() else powerUp()
+        if (poweredOn) powerDown() else power.switchOn()
     }
 
     override fun stopProgram() {
@@ -108,16 +103,13 @@ internal class LegoShell(
         val code = codeOf(program) ?: return
         hardware.wake()
         if (run != null) stopProgram()
-        if (!poweredOn) powerUp()
+        if (!poweredOn) power.switchOn()
         start(code, isImmediate = true)
     }
 
     override fun tick() {
-        when {
-            isSwitchingOff -> if (hardware.isSilent) finishSwitchingOff()
-            !poweredOn || hardware.isAsleep -> return
-            else -> runFirmware()
-        }
+        power.tick()
+        if (poweredOn && !hardware.isAsleep) runFirmware()
     }
 
     override fun resumeProgram(steps: Int) {
@@ -140,10 +132,8 @@ internal class LegoShell(
             RemoteCommand.Stop -> stopProgram()
             null -> Unit
         }
-        if (machine.takeActivity()) idleSince = hardware.rom.milliseconds
-        val minutes = devices.power.offMinutes
-        val isIdle = minutes != 0 && hardware.rom.milliseconds - idleSince >= minutes * MINUTE
-        if (isIdle || devices.power.isOffRequested) powerDown()
+        if (machine.takeActivity()) power.noteUse()
+        if (power.isOffDue) powerDown()
     }
 
     private fun startFromAfar(slot: Int) {
@@ -158,7 +148,7 @@ internal class LegoShell(
             start(code, isImmediate = false)
         } else {
             emptySlot = devices.slot
-            hardware.asFirmware { power.play(BUZZ) }
+            power.play(BUZZ)
         }
     }
 
@@ -179,58 +169,25 @@ internal class LegoShell(
 
     private fun selectNextSlot() {
         emptySlot = null
-        hardware.asFirmware { power.play(CLICK) }
+        power.play(CLICK)
         machine.select((devices.slot + 1) % BrickProgram.MAX_PROGRAMS)
     }
 
-    private fun switchOn() {
-        machine.core.at(null)
-        if (!hardware.timerRuns) power.initialize()
-        power.clearDisplay()
-        hardware.asFirmware { power.play(TWO_BEEPS) }
-        poweredOn = true
-        idleSince = hardware.rom.milliseconds
-    }
-
-    private fun powerUp() {
-        if (isSwitchingOff) finishSwitchingOff()
-        hardware.wake()
-        switchOn()
-        devices.inputs.resume()
-        machine.redraw()
-    }
-
     private fun powerDown() {
-        machine.core.at(null)
         if (run != null) {
             machine.stop()
             endRun(stopped = true)
         }
         lastState = RunState.Idle
         emptySlot = null
-        poweredOn = false
-        isSwitchingOff = true
-        devices.power.isOffRequested = false
-        devices.outputs.float()
-        hardware.asFirmware { power.playNow(CLICK) }
-        power.clearDisplay()
-        power.refreshDisplay()
-    }
-
-    /** Shuts the firmware down after the last sound. */
-    private fun finishSwitchingOff() {
-        isSwitchingOff = false
-        machine.core.at(null)
-        power.shutDown()
+        power.switchOff()
     }
 
     private companion object {
         const val MOTORS = 3
-        const val MINUTE = 60_000L
 
         /** System sounds of the ROM. */
         const val CLICK = 0
-        const val TWO_BEEPS = 1
         const val BUZZ = 4
     }
 }

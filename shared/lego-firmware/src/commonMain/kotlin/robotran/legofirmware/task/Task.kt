@@ -40,6 +40,9 @@ internal class Task(val number: Int) {
 
     val loops = LoopCounters()
 
+    /** Whether it must execute its last instruction again, because the brick was busy. */
+    var isRepeating = false
+
     val isAlive: Boolean get() = state != TaskState.STOPPED
 
     /** Whether it can execute an instruction at [now]. */
@@ -54,6 +57,7 @@ internal class Task(val number: Int) {
         access = null
         activeEvents = 0
         loops.unwind(0)
+        isRepeating = false
         state = TaskState.READY
     }
 
@@ -73,6 +77,7 @@ internal class Task(val number: Int) {
         location = monitor.handler
         returnTo = monitor.returnTo
         loops.unwind(monitor.loopDepth)
+        isRepeating = false
         state = TaskState.READY
     }
 

@@ -36,7 +36,13 @@ internal class Tasks {
     fun sub(number: Int): LoadedChunk? = chunks[ChunkId(ChunkKind.SUB, number)]
 
     /** The task whose turn it is at [now]; null if all wait. The turn passes on only with [took]. */
-    fun next(now: Long): Task? = (1..all.size).map { all[(last + it) % all.size] }.find { it.isReady(now) }
+    fun next(now: Long): Task? {
+        for (distance in 1..all.size) {
+            val task = all[(last + distance) % all.size]
+            if (task.isReady(now)) return task
+        }
+        return null
+    }
 
     fun took(task: Task) {
         last = task.number

@@ -135,6 +135,8 @@ class AssembleTest {
     fun `warnings and limits`() {
         val empty = assertIs<AssemblyResult.Assembled>(assemble("; nothing\n"))
         assertEquals(listOf(AssemblyProblem.NO_MAIN_TASK), empty.warnings.map { it.code })
+        val full = assertIs<AssemblyResult.Assembled>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt"))
+        assertEquals(listOf(AssemblyProblem.LARGE_PROGRAM), full.warnings.map { it.code })
         val long = assertIs<AssemblyResult.Rejected>(assemble(" ".repeat(1_000_001)))
         assertEquals(AssemblyProblem.SOURCE_TOO_LONG, long.diagnostics.single().code)
         val many = assertIs<AssemblyResult.Rejected>(assemble("x\n".repeat(5000)))

@@ -70,6 +70,11 @@ class RcxImageTest {
         assertEquals(listOf(ImageFault.NamesCut(2)), warnings(header(1, 2) + TASK + "00 00"))
         assertEquals(listOf(ImageFault.ExtraBytes(2)), warnings("$ONE_TASK 00 01"))
         assertEquals(listOf(ImageFault.NameWithoutChunk("A")), warnings(header(1, 1) + TASK + "01 00 02 00 41 00"))
+        val large = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes(ByteArray(6145)))))
+        assertEquals(
+            ImageFault.LargeProgram(6145),
+            assertIs<RcxImageResult.Read>(readRcxImage(large.toBytes())).warnings.single(),
+        )
         assertEquals(listOf(ImageFault.NoMainTask), warnings(header(1, 0) + "00 01 02 00 51 01 00 00"))
     }
 
@@ -91,6 +96,7 @@ class RcxImageTest {
             ImageFault.NamesCut(2),
             ImageFault.NameWithoutChunk("A"),
             ImageFault.ExtraBytes(2),
+            ImageFault.LargeProgram(9999),
             ImageFault.NoMainTask,
         )
         for (fault in faults) {

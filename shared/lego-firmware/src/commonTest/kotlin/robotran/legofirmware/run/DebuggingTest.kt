@@ -40,6 +40,18 @@ class DebuggingTest {
     }
 
     @Test
+    fun `a message that waits for another is one statement`() {
+        val brick = started(programOf("task 0\n msg 2, 1\n msg 2, 2\n plays 0\nendt"))
+        val seen = mutableListOf<Int>()
+        run(brick).watch = StatementWatch {
+            seen += it.sourceLine
+            false
+        }
+        repeat(200) { brick.tick() }
+        assertEquals(listOf(2, 3, 4), seen)
+    }
+
+    @Test
     fun `a watch that never pauses changes nothing`() {
         val histories = listOf(null, StatementWatch { false }).map { watch ->
             val brick = started(programOf(DRIVER))

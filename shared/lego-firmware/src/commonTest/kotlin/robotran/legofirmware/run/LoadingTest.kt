@@ -30,7 +30,9 @@ class LoadingTest {
         brick.tick(20)
         assertEquals(1, (brick.firmwareState as FirmwareState).variables[0])
         assertEquals(RunState.Ended(stopped = false), brick.state.run)
+        assertEquals(MotorMode.FORWARD, brick.motor(MotorPort.A).mode)
         repeat(4) { click(brick, BrickButton.PRGM) }
+        assertEquals(MotorMode.FLOAT, brick.motor(MotorPort.A).mode)
         assertEquals("9.0 0", brick.state.screen.text)
         click(brick, BrickButton.RUN)
         brick.tick(20)

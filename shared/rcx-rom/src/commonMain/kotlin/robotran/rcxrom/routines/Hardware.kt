@@ -96,6 +96,14 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
         asleep = false
     }
 
+    /** Stops what the timer drives, so that the firmware that begins then initializes the brick. */
+    fun reset() {
+        motors.shutdown()
+        speaker.silence()
+        timerRuns = false
+        asleep = false
+    }
+
     override val isAsleep: Boolean get() = asleep
 
     override val pressedButtons: Set<BrickButton> get() = buttons.pressed
