@@ -306,7 +306,7 @@ private object EnglishCodeMessages : NqcCodeMessages {
         ParameterLimit.OUTPUTS -> "A sum of OUT_A, OUT_B and OUT_C"
         ParameterLimit.POWER -> "Power"
         ParameterLimit.SOUND -> "The number of a sound"
-        ParameterLimit.FREQUENCY -> "A frequency that one can hear"
+        ParameterLimit.FREQUENCY -> "A frequency"
         ParameterLimit.TONE_TIME -> "The length of a tone"
         ParameterLimit.TIMER -> "The number of a timer"
         ParameterLimit.COUNTER -> "The number of a counter"

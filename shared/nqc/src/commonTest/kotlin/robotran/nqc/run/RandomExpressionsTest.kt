@@ -17,14 +17,14 @@ class RandomExpressionsTest {
         val random = Random(seed)
         repeat(PROGRAMS) {
             val values = listOf("a", "b", "c", "d").associateWith { valueOf(random) }
-            val expressions = RandomExpressions(random, values)
+            val expressions = RandomExpressions(random, values.keys.toList())
             val results = List(RESULTS) { expressions.next(DEPTH) }
             val assignments = results.mapIndexed { index, result -> "    r$index = ${result.text};" }
             val declarations = values.map { "int ${it.key} = ${it.value};" } + results.indices.map { "int r$it;" }
             val source = declarations.joinToString("\n") + "\ntask main()\n{\n${assignments.joinToString("\n")}\n}\n"
             val found = variablesAfter(source, target)
             for ((index, result) in results.withIndex()) {
-                assertEquals(result.value, found["r$index"], "r$index in $source")
+                assertEquals(result.valueIn(values), found["r$index"], "r$index in $source")
             }
         }
     }
