@@ -18,6 +18,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
+            api(project(":shared:lego-firmware"))
             api(project(":shared:robolang"))
             api(project(":shared:programs"))
             api(project(":shared:simulation"))
@@ -33,6 +34,7 @@ kotlin {
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
             api(libs.compose.runtime)
+            implementation(project(":shared:nqc"))
             implementation(project(":shared:nxj-library"))
             implementation(libs.coroutines.core)
         }

@@ -3,12 +3,15 @@ package robotran.learning
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.api.NqcApi
+import robotran.nqc.edit.nqcHelpWords
+import robotran.nqc.edit.nqcHelp as sentenceOn
 
 private val API = NqcApi.of(FirmwareTarget.RCX2)
 
-/** The names of NQC's functions, values and constants, by what they are about. */
-internal val nqcWords: List<String> get() = API.keys.toList()
+/** The words of NQC, then the names of its functions, values and constants, by what they are about. */
+internal val nqcWords: List<String> get() = nqcHelpWords + (API.keys - nqcHelpWords.toSet())
 
-internal fun nqcHelp(word: String, language: Language): WordHelp? = API[word]?.let { entry ->
-    WordHelp(entry.name, entry.help(language), language, listOf(entry.signature), example = null)
+internal fun nqcHelp(word: String, language: Language): WordHelp? = sentenceOn(word, language)?.let { sentence ->
+    val known = API[word]
+    WordHelp(known?.name ?: word, sentence, language, listOf(known?.signature ?: word), example = null)
 }

@@ -12,6 +12,7 @@ import robotran.brick.sound.SoundTrack
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.state.RcxFirmwareState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
@@ -106,6 +107,9 @@ class Session(
      */
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
+
+    /** What the firmware of the [watched] robot's RCX knows; null for leJOS and for other bricks. */
+    val firmwareState: RcxFirmwareState? get() = (brick as? RcxBrick)?.firmwareState
 
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
     val remarks: List<RuntimeWarning> get() = running.robots[watched].remarks

@@ -79,9 +79,15 @@ class TypingTest {
     @Test
     fun `lines become comments and code again`() {
         val draft = at("repeat forever\n|  beep\n\n    buzz|\nend")
-        val commented = draft.withCommentToggled()
+        val commented = draft.withCommentToggled(ProgramLanguage.ROBOLANG)
         assertEquals("repeat forever\n  // beep\n\n  //   buzz\nend", commented.text)
-        assertEquals(draft.text, commented.withCommentToggled().text)
+        assertEquals(draft.text, commented.withCommentToggled(ProgramLanguage.ROBOLANG).text)
+        val assembly = at("\tplays\t|3\n")
+        assertEquals("\t; plays\t3\n", assembly.withCommentToggled(ProgramLanguage.LASM).text)
+        assertEquals(
+            assembly.text,
+            assembly.withCommentToggled(ProgramLanguage.LASM).withCommentToggled(ProgramLanguage.LASM).text,
+        )
     }
 
     @Test

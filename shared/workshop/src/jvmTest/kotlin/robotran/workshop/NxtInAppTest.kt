@@ -196,9 +196,9 @@ class NxtInAppTest {
         workshop.use(BrickKind.NXT)
         workshop.compilePrograms()
         workshop.handle(ProgramEvent.TranslationShown(true))
-        assertContains(assertNotNull(workshop.state.programs.translation).java, "import lejos.nxt.")
+        assertContains(assertNotNull(workshop.state.programs.translation).text, "import lejos.nxt.")
         workshop.use(BrickKind.RCX)
         workshop.compilePrograms()
-        assertContains(assertNotNull(workshop.state.programs.translation).java, "import josx.")
+        assertContains(assertNotNull(workshop.state.programs.translation).text, "import josx.")
     }
 }

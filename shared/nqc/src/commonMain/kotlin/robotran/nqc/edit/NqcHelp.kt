@@ -17,6 +17,9 @@ fun nqcHelp(
     isOld: Boolean = false,
 ): String? = NqcApi.of(target, isOld)[word]?.help(language) ?: WORDS[word]?.of(language)
 
+/** The words of the language that have help, by name. */
+val nqcHelpWords: List<String> get() = WORDS.keys.toList()
+
 private class WordHelp(private val english: String, private val german: String, private val spanish: String) {
     fun of(language: Language) = language.choose(english, spanish, german)
 }

@@ -39,7 +39,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
-/** All words of one of the two languages with their explanations, to choose from. */
+/** All words of one of the languages with their explanations, to choose from. */
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.code
@@ -57,7 +57,7 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (ProgramLanguage) -> Unit) {
     val colours = LocalRobotranColours.current
     FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
-        for (language in ProgramLanguage.entries) {
+        for (language in remember { ProgramLanguage.entries.filter { WordHelp.words(it).isNotEmpty() } }) {
             val selected = language == chosen
             Row(
                 Modifier

@@ -112,7 +112,7 @@ class ExamplesPageTest {
     fun `every example says what it does in every language, in English as its note does`() {
         val tables = Language.entries.map { language ->
             val file = stringsFile(language)
-            val text = file.readText() + file.resolveSibling("nxt.xml").readText()
+            val text = file.readText() + listOf("nxt.xml", "nqc.xml").joinToString("") { file.resolveSibling(it).readText() }
             Regex("<string name=\"(example_.*?)\">(.*?)</string>").findAll(text).associate {
                 it.groupValues[1] to
                     it.groupValues[2]

@@ -5,6 +5,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.TranslationKind
 
 /** A user action on the programs. */
 sealed interface ProgramEvent : WorkshopEvent {
@@ -34,8 +35,8 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** Applies the fix of [diagnostic]. */
     data class FixApplied(val diagnostic: ProgramDiagnostic) : ProgramEvent
 
-    /** Shows or hides the Java translation of a Robolang program. */
-    data class TranslationShown(val shown: Boolean) : ProgramEvent
+    /** Shows or hides the current program as another text; of several, [kind], or the one shown last for null. */
+    data class TranslationShown(val shown: Boolean, val kind: TranslationKind? = null) : ProgramEvent
 
     /** Shows the programs of the robot [name]. */
     data class RobotChosen(val name: String) : ProgramEvent

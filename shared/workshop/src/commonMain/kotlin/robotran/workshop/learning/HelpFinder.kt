@@ -20,14 +20,18 @@ internal class HelpFinder(
     private val newTabs: NewTabs,
 ) {
     /** The language of the current program. */
-    val shownCode: ProgramLanguage get() = current.shownProgram.language
+    val shownCode: ProgramLanguage get() = current.shownProgram.language.withHelp
 
     /** The brick of the shown robot. */
     val shownBrick: BrickKind get() = current.shownRobot.description.brick
 
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
-        val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+        val code = when {
+            JAVA_CLASS.containsMatchIn(text) -> ProgramLanguage.JAVA
+            shownCode == ProgramLanguage.NQC -> ProgramLanguage.NQC
+            else -> ProgramLanguage.ROBOLANG
+        }
         val brick = brickOfImports(text) ?: shownBrick
         return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset, brick), brick)
     }
@@ -61,7 +65,10 @@ internal class HelpFinder(
     }
 
     private companion object {
-        /** Matches Java only; Robolang has no braces. */
+        /** Assembly has no help; NQC has the same things with names. */
+        val ProgramLanguage.withHelp get() = if (this == ProgramLanguage.LASM) ProgramLanguage.NQC else this
+
+        /** Matches Java only; Robolang has no braces, and NQC no classes. */
         val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
     }
 }

@@ -2,6 +2,7 @@ package robotran.workshop.programs
 
 import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
+import robotran.nqc.edit.formatNqc
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
 import robotran.robolang.format.FormatResult
@@ -133,7 +134,8 @@ internal class ProgramEditing(
         val text = when (robot.entry.program.language) {
             ProgramLanguage.JAVA -> formatJava(draft.text)
             ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
-            ProgramLanguage.NQC, ProgramLanguage.LASM -> return
+            ProgramLanguage.NQC -> formatNqc(draft.text)
+            ProgramLanguage.LASM -> return
         }
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = Draft(text)
@@ -203,7 +205,10 @@ internal class ProgramEditing(
         if (nameProblem(robot.list.programs, robot.shownProgram, event.index, event.name) != null) return
         robot.list.change(
             robot.shownProgram,
-            entry.withFileRenamed(event.index, fileNameFor(event.name, entry.program.language)),
+            entry.withFileRenamed(
+                event.index,
+                fileNameFor(event.name, entry.program.files[event.index].name, entry.program.language),
+            ),
         )
     }
 
