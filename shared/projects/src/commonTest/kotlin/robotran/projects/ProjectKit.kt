@@ -47,6 +47,12 @@ internal val FULL_PROJECT = Project(
                     ProgramLanguage.JAVA,
                     listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")),
                 ),
+                ProjectProgram(
+                    "d.nqc",
+                    ProgramLanguage.NQC,
+                    listOf(SourceFile("d.nqc", "#include \"e.nqh\"\ntask main() { }"), SourceFile("e.nqh", "")),
+                ),
+                ProjectProgram("f.lasm", ProgramLanguage.LASM, listOf(SourceFile("f.lasm", "\ttask 0\n\tendt\n"))),
             ),
             firstProgram = 1,
             lightFacing = LightFacing.FORWARD,
