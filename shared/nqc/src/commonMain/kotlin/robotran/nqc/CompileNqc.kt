@@ -9,7 +9,7 @@ import robotran.nqc.messages.EnglishNqcMessages
 import robotran.nqc.messages.NqcMessages
 
 /**
- * Compiles an NQC program to the same image as NQC 4.1, but for what `docs/nqc.md` lists. Never throws for any [source].
+ * Compiles an NQC program to the same image as NQC 4.1, but for what `docs/nqc.md` lists. Never throws.
  *
  * @param name the name of the file, also in the ranges of diagnostics.
  * @param source the text of the program, with any line ends.

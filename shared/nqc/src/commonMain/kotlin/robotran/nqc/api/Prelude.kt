@@ -74,7 +74,16 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
         private const val VERSION = "401"
 
         private fun marks(target: FirmwareTarget, isOld: Boolean): Map<String, String> {
-            val marks = mapOf("__RCX" to if (target == FirmwareTarget.RCX) "1" else "2", "__NQC__" to VERSION)
+            val isFirst = target == FirmwareTarget.RCX
+            val marks = mapOf(
+                "__RCX" to if (isFirst) "1" else "2",
+                "__NQC__" to VERSION,
+                "__ASM_SMALL_VALUE" to "0x1000000",
+                "__ASM_NO_TYPE" to "0x2000000",
+                "__ASM_NO_LOCAL" to "0x4000000",
+                "__ASM_SRC_BASIC" to if (isFirst) BASIC else ALL,
+                "__ASM_SRC_EXT" to if (isFirst) RANDOM else ALL,
+            )
             return if (isOld) marks + ("__NQC1" to "1") else marks
         }
 

@@ -9,8 +9,8 @@ enum class ParameterLimit(val values: IntRange) {
     /** A system sound. */
     SOUND(0..5),
 
-    /** Hz. The brick plays nothing that one can hear outside of it. */
-    FREQUENCY(31..20_000),
+    /** Hz; 0 is a rest. Above, nobody hears anything. */
+    FREQUENCY(0..20_000),
 
     /** In 10 ms, in one byte. */
     TONE_TIME(0..255),

@@ -85,8 +85,8 @@ private class Candidates(
         return NqcCompletion(entry.signature, kind, inserted, caret, entry.help(language))
     }
 
-    private fun words(group: KeywordGroup) =
-        Keyword.entries.filter { it.group == group }.map { NqcCompletion(it.text, NqcCompletionKind.WORD) }
+    private fun words(group: KeywordGroup) = Keyword.entries.filter { it.group == group }
+        .map { NqcCompletion(it.text, NqcCompletionKind.WORD, help = nqcHelp(it.text, language)) }
 
     private companion object {
         const val UNTIL = "until"

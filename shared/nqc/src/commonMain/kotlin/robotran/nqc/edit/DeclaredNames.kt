@@ -18,7 +18,7 @@ enum class NqcNameKind { VARIABLE, TASK, SUB, FUNCTION, MACRO }
  */
 data class NqcName(val name: String, val kind: NqcNameKind, val line: Int, val column: Int)
 
-/** The names that [source] declares, in its order; a program that is being written may have any mistakes. Never throws. */
+/** The names that [source] declares, in its order; the program may have mistakes. Never throws. */
 fun nqcNamesIn(source: String): List<NqcName> {
     val lexer = Lexer("", source.take(MOST_CHARACTERS), DiagnosticSink(EnglishNqcMessages))
     val tokens = generateSequence { lexer.next() }.takeWhile { it.kind != TokenKind.END }.toList()

@@ -7,7 +7,7 @@ import robotran.nqc.diagnostic.SourceRange
  *
  * @property lines in the order of their addresses.
  */
-internal class Code(val bytes: ByteArray, val lines: List<CodeLine>)
+internal class Code(val bytes: ByteArray, val lines: List<NqcCodeLine>)
 
 /**
  * Code from [address] to the next line comes from a statement.
@@ -15,4 +15,4 @@ internal class Code(val bytes: ByteArray, val lines: List<CodeLine>)
  * @property address in bytes from the beginning of the task or subroutine.
  * @property range the statement's place in the source; of a function of the API, the place of its call.
  */
-data class CodeLine(val address: Int, val range: SourceRange)
+data class NqcCodeLine(val address: Int, val range: SourceRange)

@@ -100,9 +100,9 @@ internal class CodeBuffer {
         return bytes
     }
 
-    private fun lines(addresses: IntArray): List<CodeLine> {
+    private fun lines(addresses: IntArray): List<NqcCodeLine> {
         val lines = marks.filter { (index, _) -> index < items.size }
-            .map { (index, range) -> CodeLine(addresses[index], range) }
+            .map { (index, range) -> NqcCodeLine(addresses[index], range) }
         return lines.filterIndexed { index, line -> lines.getOrNull(index + 1)?.address != line.address }
     }
 

@@ -9,6 +9,6 @@ import robotran.legofirmware.image.RcxImage
  */
 internal class GeneratedProgram(
     val image: RcxImage,
-    val lines: Map<ChunkId, List<CodeLine>>,
+    val lines: Map<ChunkId, List<NqcCodeLine>>,
     val isOutOfVariables: Boolean,
 )

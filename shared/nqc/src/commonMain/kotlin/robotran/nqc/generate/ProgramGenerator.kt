@@ -46,7 +46,7 @@ internal class ProgramGenerator(
     private val units = ProgramUnits(taskNumbers, subs, program.functions)
     private val chunks = mutableListOf<Chunk>()
     private val symbols = mutableListOf<Symbol>()
-    private val lines = HashMap<ChunkId, List<CodeLine>>()
+    private val lines = HashMap<ChunkId, List<NqcCodeLine>>()
 
     fun generate(): GeneratedProgram {
         reserve()

@@ -70,7 +70,7 @@ internal class ValueEmitter(private val emitter: Emitter) {
         emitter.release(place)
     }
 
-    /** Computes [expression] to a place whose source is [allowed]; to a temporary variable if it is at no such place. */
+    /** Computes [expression] to a place whose source is [allowed]; to a temporary variable if it is at none. */
     fun constrained(expression: Expression, allowsLocals: Boolean = true, allowed: (Int) -> Boolean): Place {
         val place = any(expression)
         if (allowed(place.type) && (allowsLocals || !isLocal(place))) return place

@@ -237,7 +237,8 @@ private object EnglishCodeMessages : NqcCodeMessages {
         "The brick has no room for this variable. It has 32 for all tasks, and 16 more for each with firmware 2.0."
 
     override fun noStorageInSharedSub() =
-        "Several tasks call this sub, so its variables need places of their own in each: 16 with firmware 2.0, none with 1.0."
+        "Several tasks call this sub, so its variables need places of their own in each: 16 with firmware 2.0, none " +
+            "with 1.0."
 
     override fun noStorageForSub(name: String) =
         "The variables of ${quoted(name)} and of this task together do not fit into the brick. Use fewer of them."
@@ -305,7 +306,7 @@ private object EnglishCodeMessages : NqcCodeMessages {
         ParameterLimit.OUTPUTS -> "A sum of OUT_A, OUT_B and OUT_C"
         ParameterLimit.POWER -> "Power"
         ParameterLimit.SOUND -> "The number of a sound"
-        ParameterLimit.FREQUENCY -> "A frequency that one can hear"
+        ParameterLimit.FREQUENCY -> "A frequency"
         ParameterLimit.TONE_TIME -> "The length of a tone"
         ParameterLimit.TIMER -> "The number of a timer"
         ParameterLimit.COUNTER -> "The number of a counter"

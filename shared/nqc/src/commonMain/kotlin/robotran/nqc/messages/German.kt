@@ -322,7 +322,7 @@ private object GermanCodeMessages : NqcCodeMessages {
         ParameterLimit.OUTPUTS -> "Eine Summe aus OUT_A, OUT_B und OUT_C"
         ParameterLimit.POWER -> "Die Leistung"
         ParameterLimit.SOUND -> "Die Nummer eines Klangs"
-        ParameterLimit.FREQUENCY -> "Eine hörbare Frequenz"
+        ParameterLimit.FREQUENCY -> "Eine Frequenz"
         ParameterLimit.TONE_TIME -> "Die Länge eines Tons"
         ParameterLimit.TIMER -> "Die Nummer eines Timers"
         ParameterLimit.COUNTER -> "Die Nummer eines Zählers"

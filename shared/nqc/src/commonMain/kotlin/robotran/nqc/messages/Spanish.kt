@@ -320,7 +320,7 @@ private object SpanishCodeMessages : NqcCodeMessages {
         ParameterLimit.OUTPUTS -> "Una suma de OUT_A, OUT_B y OUT_C"
         ParameterLimit.POWER -> "La potencia"
         ParameterLimit.SOUND -> "El número de un sonido"
-        ParameterLimit.FREQUENCY -> "Una frecuencia que se puede oír"
+        ParameterLimit.FREQUENCY -> "Una frecuencia"
         ParameterLimit.TONE_TIME -> "La duración de un tono"
         ParameterLimit.TIMER -> "El número de un temporizador"
         ParameterLimit.COUNTER -> "El número de un contador"

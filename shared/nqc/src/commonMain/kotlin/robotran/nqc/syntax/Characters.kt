@@ -21,7 +21,7 @@ internal fun endOfNumber(text: String, start: Int): Int {
     return end
 }
 
-/** The value of a number as typed; null if it has more than 32 bits. Decimal numbers have a sign bit, hexadecimal not. */
+/** The value of a number as typed; null if it has more than 32 bits. Only decimal ones have a sign. */
 internal fun numberOf(text: String): Int? = if (text.length > 2 && text[1] in "xX") {
     text.substring(2).toUIntOrNull(radix = 16)?.toInt()
 } else {
