@@ -140,7 +140,7 @@ class NqcRunTest : CommandTest() {
     fun `a remark about the run names its line`() {
         val divide = program("int zero = 0;\ntask main()\n{\n  int x = 5;\n  x = x / zero;\n}\n", "divide.nqc")
         assertEquals(0, run(divide))
-        assertContains(console.complaints.single(), "line 5")
+        assertContains(console.complaints.single(), "Line 5: ")
     }
 
     @Test

@@ -33,7 +33,7 @@ class TalkingRobotsTest {
             SendMessage(5);
             until (Message() == 6);
             PlayTone(660, 10);
-            SetSerialPacket(SERIAL_PACKET_RCX);
+            SetSerialPacket(SERIAL_PACKET_RCX + SERIAL_PACKET_CHECKSUM);
             SetSerialData(0, 0xd2);
             SetSerialData(1, 0x02);  // its button P1
             SetSerialData(2, 0x00);
