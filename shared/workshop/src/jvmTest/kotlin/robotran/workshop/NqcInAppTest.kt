@@ -95,7 +95,7 @@ class NqcInAppTest {
         workshop.handle(ProgramEvent.BreakpointToggled(line))
         workshop.handle(RunEvent.RunPressed)
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
-        workshop.advance(1_000)
+        workshop.advance(1_500)
         assertEquals(WorkshopStatus.Paused(line), workshop.state.status)
         assertEquals(line, workshop.state.shownProgramRun.runningLine)
         val shown = workshop.state.run.drawer.variables

@@ -37,6 +37,7 @@ import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_calls
 import robotran.ui.resources.run_frame
+import robotran.ui.resources.run_tasks
 import robotran.ui.resources.run_thread
 import robotran.ui.resources.run_thread_asleep
 import robotran.ui.resources.run_thread_running
@@ -99,7 +100,7 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
 private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier) {
     Column(modifier.padding(12.dp)) {
         if (state.threads.size > 1) {
-            SectionName(stringResource(Res.string.run_threads))
+            SectionName(stringResource(if (state.hasTasks) Res.string.run_tasks else Res.string.run_threads))
             for (thread in state.threads) {
                 Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") {
                     onEvent(RunEvent.FrameChosen(thread.number, 0))

@@ -109,7 +109,6 @@ class NqcOnScreenTest {
         pass(300)
         onNodeWithTag("translation-text").assertTextContains("task main()", substring = true)
         onNodeWithTag("translation-remarks").assertIsDisplayed()
-        onNodeWithText("Show NQC").assertExists()
         onNodeWithTag("translation-keep").performClick()
         pass(300)
         assertEquals(ProgramLanguage.NQC, workshop.state.program.language)

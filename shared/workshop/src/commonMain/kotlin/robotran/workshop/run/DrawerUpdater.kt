@@ -1,7 +1,6 @@
 package robotran.workshop.run
 
 import robotran.brick.log.CallLogFilter
-import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.run.FirmwareState
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
@@ -80,17 +79,15 @@ internal class DrawerUpdater {
 
     private fun updateVariables(player: RunPlayer): VariablesState {
         val threads = player.session.threads
-        val datalog = datalogOf(player)
+        // The datalog stays when the program has ended.
+        val firmware = player.session.firmwareState as? FirmwareState
+        val datalog = firmware?.datalog.orEmpty()
         val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState(datalog = datalog)
         val thread = threads.find { it.number == chosen?.first } ?: current
         val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
         val scopes = variables.update(player.session, thread.number, frame)
-        return VariablesState(threads, thread.number, frame, scopes, datalog)
+        return VariablesState(threads, thread.number, frame, scopes, hasTasks = firmware != null, datalog = datalog)
     }
-
-    /** It stays when the program has ended. */
-    private fun datalogOf(player: RunPlayer): List<DatalogEntry> =
-        (player.session.firmwareState as? FirmwareState)?.datalog.orEmpty()
 
     private fun updateLog(player: RunPlayer): LogState {
         val now = player.romCalls

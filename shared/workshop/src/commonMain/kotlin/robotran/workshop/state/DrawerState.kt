@@ -55,6 +55,7 @@ data class DrawerState(
  * @property thread the index of the selected thread.
  * @property frame the index of the selected frame in its call stack, 0 for the innermost.
  * @property scopes the variables of that frame.
+ * @property hasTasks whether the threads are called tasks, as those of LEGO's firmware are.
  * @property datalog what programs have written to the datalog of LEGO's firmware.
  */
 @Immutable
@@ -63,6 +64,7 @@ data class VariablesState(
     val thread: Int = 0,
     val frame: Int = 0,
     val scopes: List<ShownScope> = emptyList(),
+    val hasTasks: Boolean = false,
     val datalog: List<DatalogEntry> = emptyList(),
 )
 
