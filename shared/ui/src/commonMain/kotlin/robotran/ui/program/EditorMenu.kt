@@ -89,7 +89,8 @@ internal fun EditorMenu(
                     onTranslation(kind)
                 }
             }
-            if (onSend != null || translations.isNotEmpty()) HorizontalDivider(color = LocalRobotranColours.current.line)
+            val isSecond = onSend != null || translations.isNotEmpty()
+            if (isSecond) HorizontalDivider(color = LocalRobotranColours.current.line)
             for ((index, group) in toolsFor(hasText, hasFind, hasLayout).withIndex()) {
                 if (index > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
                 for (tool in group) {

@@ -19,8 +19,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.course_list
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
-import robotran.ui.resources.documents_first_page
 import robotran.ui.resources.documents_firmware_image
+import robotran.ui.resources.documents_first_page
 import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_menu_edit
 import robotran.ui.resources.documents_menu_file

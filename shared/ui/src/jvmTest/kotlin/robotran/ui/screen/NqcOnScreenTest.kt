@@ -157,8 +157,7 @@ class NqcOnScreenTest {
         workshop.handle(DocumentEvent.DialogClosed)
     }
 
-    private fun Workshop.write(text: String) =
-        handle(ProgramEvent.DraftChanged(Draft(text), EditKind.OTHER))
+    private fun Workshop.write(text: String) = handle(ProgramEvent.DraftChanged(Draft(text), EditKind.OTHER))
 
     private companion object {
         val COUNTING = """

@@ -5,6 +5,10 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.textediting.EditKind
+import robotran.ui.learning.ExamplePictures
+import robotran.ui.sheet.PictureBounds
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -29,18 +33,14 @@ class NqcPictures {
     fun `work with NQC can be photographed in every size`() = inEverySize { settings, keep ->
         val workshop = open("patrol.nqc", settings)
         val text = workshop.state.programText
-        workshop.handle(ProgramEvent.TranslationShown(true))
         workshop.handle(ProgramEvent.BreakpointToggled(text.lines().indexOfFirst { "Wait(160)" in it } + 1))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1_000)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-        keep(workshop, "assembly")
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         keep(workshop, "variables")
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
         keep(workshop, "log")
         workshop.handle(RunEvent.DrawerChosen(null))
-        workshop.handle(ProgramEvent.TranslationShown(false))
         workshop.handle(ProgramEvent.ProgramEdited(text.replace("OnFwd", "OnForward").replace("rounds++;", "rounds++")))
         workshop.handle(RunEvent.RunPressed)
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
@@ -73,6 +73,20 @@ class NqcPictures {
     }
 
     @Test
+    fun `the command that runs can be photographed`() = inEverySize { settings, keep ->
+        val workshop = open(PupilProgram("turn.nqc", TURNING), settings)
+        workshop.handle(ProgramEvent.TranslationShown(true))
+        val draft = workshop.state.programs.draft
+        workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("OnRev")), EditKind.OTHER))
+        workshop.handle(ProgramEvent.BreakpointToggled(TURNING.lines().indexOfFirst { "Wait" in it } + 1))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(500)
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        keep(workshop, "assembly")
+        workshop.close()
+    }
+
+    @Test
     fun `assembly, Robolang as NQC and the examples can be photographed`() = inEverySize { settings, keep ->
         val workshop = open("patrol.nqc", settings)
         workshop.handle(ProgramEvent.TranslationShown(true))
@@ -90,6 +104,9 @@ class NqcPictures {
         keep(workshop, "translation")
         workshop.handle(ProgramEvent.ProgramChosen(0))
         workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+        val isDark = settings.theme == AppTheme.DARK
+        val colours = SheetColours.of(if (isDark) RobotranColours.DARK else RobotranColours.LIGHT)
+        runBlocking { ProgramLanguage.NQC.examples.keys.forEach { ExamplePictures.of(it, colours, ROOM) } }
         keep(workshop, "examples")
         workshop.handle(LearningEvent.PageClosed)
         workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
@@ -109,8 +126,10 @@ class NqcPictures {
         }
     }
 
-    private fun open(program: String, settings: Settings): Workshop {
-        val workshop = runBlocking { openWorkshop(listOf(example(program))) }
+    private fun open(program: String, settings: Settings) = open(example(program), settings)
+
+    private fun open(program: PupilProgram, settings: Settings): Workshop {
+        val workshop = runBlocking { openWorkshop(listOf(program)) }
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         compile(workshop)
         return workshop
@@ -126,7 +145,17 @@ class NqcPictures {
             Triple("tablet", 1280, 800),
             Triple("laptop", 1440, 900),
         )
+        val ROOM = PictureBounds.of(320, 240, density = 1f)
         val LOOKS = listOf(Language.GERMAN to AppTheme.LIGHT, Language.ENGLISH to AppTheme.DARK)
+        val TURNING = """
+            task main()
+            {
+                OnFwd(OUT_C);
+                OnRev(OUT_A);
+                Wait(50);
+                Off(OUT_A + OUT_C);
+            }
+        """.trimIndent()
         val ROBOLANG = """
             show "hello"
             repeat 4 times

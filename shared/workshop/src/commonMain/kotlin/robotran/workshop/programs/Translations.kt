@@ -1,11 +1,11 @@
 package robotran.workshop.programs
 
+import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.listing.assemblyListing
-import robotran.language.Language
-import robotran.language.ProgramLanguage
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.nqc.translateToNqc
