@@ -129,6 +129,21 @@ class NqcInAppTest {
     }
 
     @Test
+    fun `one more file is included, and can be closed and come back`() = workshop(counting) { workshop ->
+        workshop.handle(ProgramEvent.FileAdded)
+        assertEquals(listOf("counting.nqc", "helper.nqh"), workshop.state.program.files.map { it.name })
+        assertEquals("helper.nqh", workshop.state.file.name)
+        workshop.handle(ProgramEvent.ProgramEdited("void help()\n{\n    PlaySound(3);\n}\n"))
+        workshop.handle(ProgramEvent.FileChosen(0))
+        workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("start music;", "help();")))
+        assertEquals(emptyList(), workshop.state.diagnostics)
+        workshop.handle(ProgramEvent.FileClosed(1))
+        assertTrue(workshop.state.diagnostics.isNotEmpty())
+        workshop.handle(ProgramEvent.ProgramReopened)
+        assertEquals(emptyList(), workshop.state.diagnostics)
+    }
+
+    @Test
     fun `it is shown in assembly, line for line, and never in blocks or in Java`() = workshop(counting) { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         assertEquals(ProgramView.TEXT, workshop.state.programs.view)

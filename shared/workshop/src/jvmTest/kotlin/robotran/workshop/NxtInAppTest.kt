@@ -69,7 +69,7 @@ class NxtInAppTest {
         workshop.use(BrickKind.NXT)
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         assertContains(workshop.state.programText, "import lejos.nxt.*;")
-        workshop.handle(ProgramEvent.ClassAdded)
+        workshop.handle(ProgramEvent.FileAdded)
         assertContains(workshop.state.programText, "import lejos.nxt.*;")
         workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)

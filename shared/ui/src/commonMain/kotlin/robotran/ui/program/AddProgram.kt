@@ -26,6 +26,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
 import robotran.ui.resources.program_examples
 import robotran.ui.resources.program_new_class
+import robotran.ui.resources.program_new_file
 import robotran.ui.resources.program_new_java
 import robotran.ui.resources.program_new_lasm
 import robotran.ui.resources.program_new_more
@@ -42,7 +43,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.ProgramsState
 
-/** The plus button: a new program in any language, an example, or another class of a Java program. */
+/** The plus button: a new program in any language, an example, or another file of a program. */
 @Composable
 internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
@@ -58,9 +59,11 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
             modifier = Modifier.widthIn(min = 300.dp),
         ) {
             if (state.hasRoom) NewPrograms(state.brick, choose) else Note(stringResource(Res.string.program_no_room))
-            if (state.program.language == ProgramLanguage.JAVA) {
-                Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
-            }
+            when (state.program.language) {
+                ProgramLanguage.JAVA -> Res.string.program_new_class
+                ProgramLanguage.NQC -> Res.string.program_new_file
+                ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> null
+            }?.let { words -> Choice(stringResource(words), "new-class") { choose(ProgramEvent.FileAdded) } }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
                 Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") {
                     choose(ProgramEvent.ProgramReopened)

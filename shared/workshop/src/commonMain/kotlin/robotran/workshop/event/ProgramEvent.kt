@@ -53,8 +53,8 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** Creates an empty program in [language]. */
     data class NewProgramRequested(val language: ProgramLanguage) : ProgramEvent
 
-    /** Adds a class to the current Java program. */
-    data object ClassAdded : ProgramEvent
+    /** Adds a class to the current Java program, or a file to the current one in NQC, which then includes it. */
+    data object FileAdded : ProgramEvent
 
     /**
      * Renames the file with the index [index] of the current program to [name], which must be valid, see [nameProblem].

@@ -3,6 +3,7 @@ package robotran.workshop.programs
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.brickOf
+import robotran.workshop.platform.FileKind
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 
@@ -30,15 +31,18 @@ internal fun newClass(program: PupilProgram, brick: BrickKind): ProgramFile {
     return ProgramFile(name, "import $library.*;\n\nclass $className {\n\n}\n")
 }
 
+/** A file with functions for the NQC program [program]. */
+internal fun newHeader(program: PupilProgram): ProgramFile = ProgramFile(
+    uniqueName("helper", FileKind.NQC_HEADER.extension, program.files.map { it.name }),
+    "void help()\n{\n\n}\n",
+)
+
 /** The file name [name], with a number if it is one of [taken]. */
 internal fun uniqueName(name: String, language: ProgramLanguage, taken: List<String>): String =
-    generateSequence(1) { it + 1 }.map {
-        if (it == 1) {
-            "$name${language.extension}"
-        } else {
-            "$name$it${language.extension}"
-        }
-    }.first { it !in taken }
+    uniqueName(name, language.extension, taken)
+
+private fun uniqueName(name: String, ending: String, taken: List<String>): String =
+    generateSequence(1) { it + 1 }.map { if (it == 1) "$name$ending" else "$name$it$ending" }.first { it !in taken }
 
 /** Drives for two seconds. */
 private val FIRST_NQC = """

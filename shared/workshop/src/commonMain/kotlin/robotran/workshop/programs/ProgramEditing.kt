@@ -66,7 +66,7 @@ internal class ProgramEditing(
                 opened(newProgram(event.language, robot.list.programs, robot.brick)),
             )
 
-            ProgramEvent.ClassAdded -> addClass(robot)
+            ProgramEvent.FileAdded -> addFile(robot)
 
             is ProgramEvent.FileRenamed -> rename(robot, event)
 
@@ -190,13 +190,23 @@ internal class ProgramEditing(
         choose(robot, 0)
     }
 
-    private fun addClass(robot: RobotPrograms) {
+    private fun addFile(robot: RobotPrograms) {
+        val file = when (robot.entry.program.language) {
+            ProgramLanguage.JAVA -> newClass(robot.entry.program, robot.brick)
+            ProgramLanguage.NQC -> newHeader(robot.entry.program).also { include(robot, it.name) }
+            ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> return
+        }
         val entry = robot.entry
-        if (entry.program.language != ProgramLanguage.JAVA) return
-        val file = newClass(entry.program, robot.brick)
         val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex
+    }
+
+    /** What NQC does not include, it does not see. */
+    private fun include(robot: RobotPrograms, name: String) {
+        val main = robot.entry.memories.first()
+        val draft = main.draft.changedTo("#include \"$name\"\n${main.draft.text}")
+        robot.list.change(robot.shownProgram, robot.entry.with(0, main.written(draft, EditKind.OTHER)))
     }
 
     private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
