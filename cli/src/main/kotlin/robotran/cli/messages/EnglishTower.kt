@@ -30,6 +30,12 @@ internal object EnglishTowerMessages : TowerMessages {
 
     override fun programSent(bytes: Int) = "The brick has the program, $bytes bytes. Press Run."
 
+    override fun programInSlot(slot: Int, bytes: Int) =
+        "The brick has program $slot, $bytes bytes. Choose it with Prgm, and press Run."
+
+    override fun tooFewSlots(slots: Int) =
+        "A brick has $slots slots for programs. Name fewer programs, or a lower --slot."
+
     override fun firmwareSent(bytes: Int) = "The brick has its firmware, $bytes bytes. Now you can send programs."
 
     override fun firmwareIs(name: String, firmware: String) = "$name is $firmware."

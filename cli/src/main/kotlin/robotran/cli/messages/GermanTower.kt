@@ -32,6 +32,12 @@ internal object GermanTowerMessages : TowerMessages {
 
     override fun programSent(bytes: Int) = "Der Stein hat das Programm, $bytes Bytes. Drücke Run."
 
+    override fun programInSlot(slot: Int, bytes: Int) =
+        "Der Stein hat Programm $slot, $bytes Bytes. Wähle es mit Prgm und drücke Run."
+
+    override fun tooFewSlots(slots: Int) =
+        "Ein Stein hat $slots Programmplätze. Nenne weniger Programme, oder einen kleineren --slot."
+
     override fun firmwareSent(bytes: Int) =
         "Der Stein hat seine Firmware, $bytes Bytes. Jetzt kannst du Programme senden."
 

@@ -29,6 +29,12 @@ internal object SpanishTowerMessages : TowerMessages {
 
     override fun programSent(bytes: Int) = "El ladrillo tiene el programa, $bytes bytes. Pulsa Run."
 
+    override fun programInSlot(slot: Int, bytes: Int) =
+        "El ladrillo tiene el programa $slot, $bytes bytes. Elígelo con Prgm y pulsa Run."
+
+    override fun tooFewSlots(slots: Int) =
+        "Un ladrillo tiene $slots espacios para programas. Nombra menos programas, o un --slot menor."
+
     override fun firmwareSent(bytes: Int) = "El ladrillo tiene su firmware, $bytes bytes. Ya puedes enviar programas."
 
     override fun firmwareIs(name: String, firmware: String) = "$name es $firmware."

@@ -24,6 +24,12 @@ internal interface TowerMessages {
 
     fun programSent(bytes: Int): String
 
+    /** A program of LEGO's firmware got into a slot, 1 to 5. */
+    fun programInSlot(slot: Int, bytes: Int): String
+
+    /** The programs need more slots than there are. */
+    fun tooFewSlots(slots: Int): String
+
     fun firmwareSent(bytes: Int): String
 
     /** @param firmware its name and version. */

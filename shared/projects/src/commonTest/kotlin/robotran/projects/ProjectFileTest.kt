@@ -187,7 +187,7 @@ class ProjectFileTest {
             refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"),
         )
         assertEquals(
-            "robots[0].programs[1].language must be \"robolang\" or \"java\".",
+            "robots[0].programs[1].language must be \"robolang\", \"java\", \"nqc\" or \"lasm\".",
             refusalWith("\"java\"", "\"basic\""),
         )
         assertEquals(

@@ -32,7 +32,7 @@ class TalkingRobotsTest {
             Wait(300);
             SendMessage(5);
             until (Message() == 6);
-            PlayTone(660, 10);
+            Wait(200);  // the remote control wakes every brick, so others drive first
             SetSerialPacket(SERIAL_PACKET_RCX + SERIAL_PACKET_CHECKSUM);
             SetSerialData(0, 0xd2);
             SetSerialData(1, 0x02);  // its button P1
