@@ -232,6 +232,18 @@ class NqcInAppTest {
         workshop.close()
     }
 
+    @Test
+    fun `what the firmware does in silence is told, at its line if it has one`() =
+        workshop(PupilProgram("lost.nqc", LOSING)) { workshop ->
+            workshop.handle(RunEvent.RunPressed)
+            workshop.advance(1_000)
+            val remarks = workshop.state.shownProgramRun.remarks
+            assertContains(remarks.single { it.sourceLine == 4 }.message, "There is no datalog")
+            workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
+            val lines = workshop.state.run.drawer.log.entries.filter { it.meaning == "motor A forward 7" }
+            assertEquals(listOf(5), lines.map { it.sourceLine }.distinct())
+        }
+
     private fun Machine.written() = files.disk.getValue("out").decodeToString()
 
     @Test
@@ -309,6 +321,15 @@ class NqcInAppTest {
                     PlayTone(440, 10);
                     Wait(50);
                 }
+            }
+        """.trimIndent() + "\n"
+
+        val LOSING = """
+            int x = 7;
+            task main()
+            {
+                AddToDatalog(x);
+                OnFwd(OUT_A);
             }
         """.trimIndent() + "\n"
 

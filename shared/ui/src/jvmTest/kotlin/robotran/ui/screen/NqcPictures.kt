@@ -87,6 +87,17 @@ class NqcPictures {
     }
 
     @Test
+    fun `what the firmware does in silence can be photographed`() = inEverySize { settings, keep ->
+        val workshop = open(PupilProgram("lost.nqc", LOSING), settings)
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(1_000)
+        keep(workshop, "ended")
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        keep(workshop, "remarks")
+        workshop.close()
+    }
+
+    @Test
     fun `assembly, Robolang as NQC and the examples can be photographed`() = inEverySize { settings, keep ->
         val workshop = open("patrol.nqc", settings)
         workshop.handle(ProgramEvent.TranslationShown(true))
@@ -147,6 +158,14 @@ class NqcPictures {
         )
         val ROOM = PictureBounds.of(320, 240, density = 1f)
         val LOOKS = listOf(Language.GERMAN to AppTheme.LIGHT, Language.ENGLISH to AppTheme.DARK)
+        val LOSING = """
+            int x = 7;
+            task main()
+            {
+                AddToDatalog(x);
+                OnFwd(OUT_A);
+            }
+        """.trimIndent()
         val TURNING = """
             task main()
             {

@@ -20,7 +20,7 @@ data class PupilProgram(val files: List<ProgramFile>) {
     val language: ProgramLanguage get() = ProgramLanguage.ofFile(name) ?: ProgramLanguage.ROBOLANG
 
     /** Whether it is for LEGO's own firmware, not for leJOS. */
-    val isForLegoFirmware: Boolean get() = language == ProgramLanguage.NQC || language == ProgramLanguage.LASM
+    val isForLegoFirmware: Boolean get() = source() is ProgramSource.ForLegoFirmware
 
     /** Whether there is no code. */
     val isBlank: Boolean get() = files.all { it.text.isBlank() }
