@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.legofirmware.assembly.CommandHelp
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.api.NqcApi
 import robotran.nqc.edit.nqcHelpWords
@@ -14,4 +15,9 @@ internal val nqcWords: List<String> get() = nqcHelpWords + (API.keys - nqcHelpWo
 internal fun nqcHelp(word: String, language: Language): WordHelp? = sentenceOn(word, language)?.let { sentence ->
     val known = API[word]
     WordHelp(known?.name ?: word, sentence, language, listOf(known?.signature ?: word), example = null)
+}
+
+/** The help on a command of LEGO's assembly. */
+internal fun lasmHelp(word: String, language: Language): WordHelp? = CommandHelp.of(word, language)?.let { help ->
+    WordHelp(help.mnemonic, help.sentence, language, help.forms, example = null)
 }

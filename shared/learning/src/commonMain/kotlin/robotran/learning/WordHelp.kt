@@ -3,6 +3,7 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.legofirmware.assembly.CommandHelp
 
 /**
  * The help on one word of a program.
@@ -30,7 +31,7 @@ data class WordHelp(
                 ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
                 ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
                 ProgramLanguage.NQC -> nqcHelp(word, language)
-                ProgramLanguage.LASM -> null
+                ProgramLanguage.LASM -> lasmHelp(word, language)
             }
 
         /** The words of a programming language that have an entry, in the order of their file. */
@@ -38,7 +39,7 @@ data class WordHelp(
             ProgramLanguage.ROBOLANG -> robolangWords.words
             ProgramLanguage.JAVA -> javaWords(brick).words
             ProgramLanguage.NQC -> nqcWords
-            ProgramLanguage.LASM -> emptyList()
+            ProgramLanguage.LASM -> CommandHelp.mnemonics
         }
     }
 }

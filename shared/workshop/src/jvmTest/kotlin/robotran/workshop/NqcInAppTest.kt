@@ -264,6 +264,12 @@ class NqcInAppTest {
             workshop.handle(LearningEvent.HelpRequested(COUNTING, COUNTING.indexOf(word) + 1))
             assertEquals(word, workshop.state.learning.help.found?.word)
         }
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("wait.lasm", "\ttask\t0\n\twait\t2, 100\n\tendt\n")))
+        workshop.handle(
+            LearningEvent.HelpRequested(workshop.state.programText, workshop.state.programText.indexOf("wait")),
+        )
+        assertEquals(listOf("wait source, argument"), workshop.state.learning.help.found?.forms)
+        workshop.handle(ProgramEvent.ProgramChosen(0))
         workshop.handle(ProgramEvent.ProgramEdited(COUNTING.replace("    ", "")))
         workshop.handle(ProgramEvent.Formatted)
         assertEquals(COUNTING, workshop.state.programText)

@@ -57,7 +57,8 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (ProgramLanguage) -> Unit) {
     val colours = LocalRobotranColours.current
     FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
-        for (language in remember { ProgramLanguage.entries.filter { WordHelp.words(it).isNotEmpty() } }) {
+        // Nobody else asks for assembly.
+        for (language in ProgramLanguage.entries.filter { it != ProgramLanguage.LASM || it == chosen }) {
             val selected = language == chosen
             Row(
                 Modifier

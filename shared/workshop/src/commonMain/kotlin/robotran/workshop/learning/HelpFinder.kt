@@ -20,7 +20,7 @@ internal class HelpFinder(
     private val newTabs: NewTabs,
 ) {
     /** The language of the current program. */
-    val shownCode: ProgramLanguage get() = current.shownProgram.language.withHelp
+    val shownCode: ProgramLanguage get() = current.shownProgram.language
 
     /** The brick of the shown robot. */
     val shownBrick: BrickKind get() = current.shownRobot.description.brick
@@ -29,7 +29,7 @@ internal class HelpFinder(
     fun at(text: String, offset: Int): HelpState {
         val code = when {
             JAVA_CLASS.containsMatchIn(text) -> ProgramLanguage.JAVA
-            shownCode == ProgramLanguage.NQC -> ProgramLanguage.NQC
+            current.shownProgram.isForLegoFirmware -> shownCode
             else -> ProgramLanguage.ROBOLANG
         }
         val brick = brickOfImports(text) ?: shownBrick
@@ -65,9 +65,6 @@ internal class HelpFinder(
     }
 
     private companion object {
-        /** Assembly has no help; NQC has the same things with names. */
-        val ProgramLanguage.withHelp get() = if (this == ProgramLanguage.LASM) ProgramLanguage.NQC else this
-
         /** Matches Java only; Robolang has no braces, and NQC no classes. */
         val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
     }
