@@ -51,7 +51,13 @@ class CompletionTest {
     }
 
     @Test
-    fun `assembly text offers nothing`() = assertNull(offered("\twa|", ProgramLanguage.LASM, isExplicit = true))
+    fun `a line of assembly text begins with a command`() {
+        assertEquals(listOf("wait"), labels("\ttask 0\n\twa|", ProgramLanguage.LASM))
+        assertEquals("task", labels("|", ProgramLanguage.LASM, isExplicit = true).first())
+        assertNull(offered("\twait|", ProgramLanguage.LASM), "It is written.")
+        assertNull(offered("\twait 2, s|", ProgramLanguage.LASM, isExplicit = true))
+        assertNull(offered("; wa|", ProgramLanguage.LASM, isExplicit = true))
+    }
 
     @Test
     fun `behind some words only a little makes sense`() {

@@ -24,6 +24,6 @@ fun completionsAt(
         ProgramLanguage.ROBOLANG -> completeRobolang(draft, help, isExplicit, brick)
         ProgramLanguage.JAVA -> completeJava(draft, help, isExplicit, brickOfJava(draft.lines, brick))
         ProgramLanguage.NQC -> completeNqc(draft, help, isExplicit)
-        ProgramLanguage.LASM -> null
+        ProgramLanguage.LASM -> completeLasm(draft, help, isExplicit)
     }
 }
