@@ -7,7 +7,7 @@ import { isKept } from './kept.mjs';
 import { assertRecordedRun, photograph, reload } from './page.mjs';
 import { browserOptions, onPage, PHONE, TABLET } from './set-up.mjs';
 import { test } from './tried-again.mjs';
-import { choose, enterProgram, press, programText, reports, says, tap, tapFor } from './words.mjs';
+import { choose, disappears, enterProgram, isSaid, press, programText, reports, says, tap, tapFor } from './words.mjs';
 
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;
@@ -81,12 +81,10 @@ test('a tablet writes NQC, mends a mistake, stops at a line and sees tasks and v
     await choose(page, 'add-program', 'new-nqc');
     await says(page, 'program', /task main/);
     await replace(page, COUNTING.replace('rounds = rounds', 'round = rounds'));
-    await says(page, 'error', new RegExp(`Line ${lineWith('rounds + 1')}: `));
+    await isSaid(page, new RegExp(`Line ${lineWith('rounds + 1')}: `));
     await photograph(page, 'nqc-mistake');
     await press(page, 'fix');
-    await page.waitForFunction(
-      () => document.querySelector('#robotran-words [data-tag="error"]') === null,
-    );
+    await disappears(page, 'fix');
     assert.equal((await programText(page)).trimEnd(), COUNTING.trimEnd());
     await enterProgram(page);
     await goToLine(page, lineWith('rounds + 1'));
