@@ -3,8 +3,6 @@ package robotran.cli.image
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.ExitCode
 import robotran.cli.files.NamedProgram
-import robotran.cli.files.ProgramFiles
-import robotran.cli.files.readProgramFiles
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
@@ -21,15 +19,6 @@ internal sealed interface ImageOfFiles {
 
     /** @property lines what is wrong, one line each. */
     class Failed(val lines: List<String>, val code: ExitCode) : ImageOfFiles
-}
-
-/** Builds one image of the programs in [files] for leJOS [version]. */
-internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles {
-    val messages = CommandMessages.of(language)
-    return when (val read = readProgramFiles(files, messages)) {
-        is ProgramFiles.Read -> buildImageOf(read.programs, language, version)
-        is ProgramFiles.Rejected -> ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
-    }
 }
 
 /** Builds one image of [programs] for leJOS [version]. */

@@ -30,9 +30,9 @@ internal class Versions(val rom: RcxVersion, val firmware: RcxVersion) {
     val hasFirmware get() = firmware != NO_VERSION
 }
 
-internal suspend fun readVersions(requests: Requests): TowerResult<Versions> {
+internal suspend fun readVersions(requests: Requests, tries: Int = Tries.REQUEST): TowerResult<Versions> {
     val message = byteArrayOf(Opcode.VERSIONS.toByte()) + Key.PRIMES
-    return when (val reply = requests.request(message, VERSIONS_BYTES)) {
+    return when (val reply = requests.request(message, VERSIONS_BYTES, tries)) {
         is Reply.Failed -> TowerResult.Failed(reply.error)
         is Reply.Answered -> TowerResult.Success(Versions(versionAt(reply.payload, 0), versionAt(reply.payload, 4)))
     }

@@ -21,6 +21,7 @@ import robotran.ui.resources.send_again
 import robotran.ui.resources.send_again_after
 import robotran.ui.resources.send_cancel
 import robotran.ui.resources.send_close
+import robotran.ui.resources.send_empty_slots
 import robotran.ui.resources.send_firmware_choose
 import robotran.ui.resources.send_firmware_other
 import robotran.ui.resources.send_firmware_send
@@ -66,14 +67,14 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
 private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
     SendStep.Building, SendStep.Checking, SendStep.NoTowers, SendStep.CompilerFailed -> emptyList()
 
-    is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.Watching -> emptyList()
+    is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.ChoosingSlot, is SendStep.Watching -> emptyList()
 
     is SendStep.HasErrors -> listOf(SendAction.SHOW_MISTAKE)
 
     SendStep.NoCompiler -> listOf(SendAction.AGAIN)
 
     is SendStep.NeedsFirmware -> when {
-        step.file?.usable != null -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
+        step.usable != null -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
         else -> listOf(SendAction.CHOOSE_FILE)
     }
 
@@ -90,12 +91,15 @@ private fun actionsOf(error: SendError): List<SendAction> = when (error) {
         if (error.failure == OpenFailure.NOT_ALLOWED) it else it.asReversed()
     }
 
-    is SendError.OfTower -> when (error.error) {
-        is TowerError.TooLarge -> emptyList()
+    is SendError.OfTower -> when (val cause = error.error) {
+        is TowerError.TooLarge -> if (cause.isOfSlots) listOf(SendAction.EMPTY_SLOTS) else emptyList()
         TowerError.FirmwareRefused -> listOf(SendAction.CHOOSE_FILE)
         else -> listOf(SendAction.OTHER_TOWER, SendAction.AGAIN)
     }
 }
+
+/** LEGO's firmware does not tell its room, which all slots share. */
+private val TowerError.TooLarge.isOfSlots get() = maxBytes == null
 
 private enum class SendAction(val words: StringResource, val tag: String, val event: SendEvent) {
     AGAIN(Res.string.send_again, "send-again", SendEvent.Retried),
@@ -105,5 +109,6 @@ private enum class SendAction(val words: StringResource, val tag: String, val ev
     CHOOSE_FILE(Res.string.send_firmware_choose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
     OTHER_FILE(Res.string.send_firmware_other, "send-choose-firmware", SendEvent.FirmwareFileRequested),
     SEND_FIRMWARE(Res.string.send_firmware_send, "send-firmware", SendEvent.FirmwareConfirmed),
+    EMPTY_SLOTS(Res.string.send_empty_slots, "send-empty-slots", SendEvent.SlotsEmptied),
     WATCH(Res.string.send_watch, "send-watch", SendEvent.WatchingRequested),
 }

@@ -58,7 +58,7 @@ internal fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier
 }
 
 internal fun pictureOf(step: SendStep): SendPicture = when (step) {
-    SendStep.Building -> SendPicture.PROGRAM
+    SendStep.Building, is SendStep.ChoosingSlot -> SendPicture.PROGRAM
     is SendStep.HasErrors -> SendPicture.MISTAKE
     SendStep.NoCompiler, SendStep.CompilerFailed -> SendPicture.MISTAKE
     SendStep.NoTowers -> SendPicture.NO_TOWER
@@ -80,6 +80,7 @@ private fun pictureOf(error: SendError): SendPicture = when (error) {
         TowerError.BadConnection -> SendPicture.OUT_OF_SIGHT
         is TowerError.BatteryLow -> SendPicture.BATTERIES_LOW
         is TowerError.TooLarge -> SendPicture.NO_ROOM
-        TowerError.NoLejos, TowerError.NoLegoFirmware, TowerError.FirmwareRefused -> SendPicture.WRONG_FIRMWARE
+        is TowerError.NoLejos, TowerError.NoLegoFirmware -> SendPicture.WRONG_FIRMWARE
+        is TowerError.LegoFirmwareTooOld, TowerError.FirmwareRefused -> SendPicture.WRONG_FIRMWARE
     }
 }

@@ -59,6 +59,7 @@ private fun StepWords(step: SendStep, onEvent: (SendEvent) -> Unit) {
     adviceOf(step)?.let { Explanation(it) }
     when (step) {
         is SendStep.ChoosingTower -> TowerChoice(step, onEvent)
+        is SendStep.ChoosingSlot -> SlotChoice(step, onEvent)
         is SendStep.Sending -> TransferView(step.progress)
         is SendStep.Watching -> MessageLog(step.messages)
         else -> Unit

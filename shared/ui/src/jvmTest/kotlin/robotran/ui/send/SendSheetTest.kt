@@ -14,9 +14,12 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.language.Language
+import robotran.tower.Remains
+import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.port.TowerKind
 import robotran.ui.language.InLanguage
+import robotran.ui.program.blocks.scrollAndTouch
 import robotran.ui.program.pressTool
 import robotran.ui.screen.Undrawn
 import robotran.ui.screen.assertWhole
@@ -32,6 +35,7 @@ import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.send.USB_TOWER
 import robotran.workshop.state.Pane
+import robotran.workshop.state.SendError
 import robotran.workshop.state.SendState
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Settings
@@ -84,6 +88,7 @@ class SendSheetTest {
             SendEvent.FirmwareFileRequested,
             SendEvent.FirmwareConfirmed,
             SendEvent.WatchingRequested,
+            SendEvent.SlotsEmptied,
         )
         assertEquals(expected, pressed)
     }
@@ -102,6 +107,22 @@ class SendSheetTest {
             ),
             events,
         )
+    }
+
+    @Test
+    fun `a slot is chosen by a touch, and the last one is named`() = onSheet(411, 891) {
+        show(SendStep.ChoosingSlot(last = 2))
+        onNodeWithText("Slot 2, as last time").assertExists()
+        for (slot in 1..5) scrollAndTouch("send-slot-$slot")
+        assertEquals((1..5).map { SendEvent.SlotChosen(it) }, events.toList<SendEvent>())
+    }
+
+    @Test
+    fun `what the brick has after a fault is told`() = onSheet(411, 891) {
+        show(SendStep.Failed(SendError.OfTower(TowerError.TowerGone), Remains.NO_PROGRAM, slot = 5))
+        onNodeWithText("Slot 5 of the robot is empty now. The other slots are as before.").assertExists()
+        show(SendStep.Failed(SendError.OfTower(TowerError.TowerGone), Remains.NO_FIRMWARE))
+        onNodeWithText("The brick has no firmware now. Nothing is broken: send it again.").assertExists()
     }
 
     @Test
@@ -227,6 +248,7 @@ class SendSheetTest {
             "send-choose-firmware",
             "send-firmware",
             "send-watch",
+            "send-empty-slots",
         )
     }
 }

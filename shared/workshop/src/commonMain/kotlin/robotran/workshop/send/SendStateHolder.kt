@@ -8,6 +8,7 @@ import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
@@ -42,8 +43,17 @@ class SendStateHolder(
         private set
 
     private var work: Job? = null
-    private var image: ProgramImageResult.Ready? = null
+    private var program: BuiltProgram? = null
+
+    /** The slot of LEGO's firmware that the pupil has chosen for this program; null for none yet. */
+    private var slot: Int? = null
+
+    /** The slot that was chosen for the program before. */
+    private var lastSlot: Int? = null
     private var firmware: ChosenFirmware? = null
+
+    /** Why the brick needs another firmware, when it was asked last. */
+    private var why: TowerError = TowerError.NoLejos()
     private var device: TowerDevice? = null
     private var port: TowerPort? = null
     private var link: RobotLink? = null
@@ -56,6 +66,8 @@ class SendStateHolder(
             is SendEvent.TowerChosen -> run { use(event.device) }
             SendEvent.OtherTowerRequested -> run { lookForTowers(findsAlone = false) }
             SendEvent.Retried -> run { retry() }
+            is SendEvent.SlotChosen -> run { sendInto(event.slot, emptiesOthers = false) }
+            SendEvent.SlotsEmptied -> run { slot?.let { sendInto(it, emptiesOthers = true) } }
             SendEvent.FirmwareFileRequested -> run { chooseFirmware() }
             SendEvent.FirmwareConfirmed -> run { sendFirmware() }
             SendEvent.MistakeShown -> showMistake()
@@ -85,7 +97,8 @@ class SendStateHolder(
     private suspend fun build() {
         show(SendStep.Building)
         // Until it is built, no try may send what was built before.
-        image = null
+        program = null
+        slot = null
         when (val result = images.build(current.shownProgram)) {
             is ProgramImageResult.HasErrors -> {
                 show(SendStep.HasErrors(result.diagnostics.first()))
@@ -100,7 +113,7 @@ class SendStateHolder(
             }
 
             is ProgramImageResult.Ready -> {
-                image = result
+                program = result.program
                 lookForTowers(findsAlone = true)
             }
         }
@@ -139,23 +152,41 @@ class SendStateHolder(
                 is OpenedTower.Open -> use(opened.port)
             }
         }
-        val error = link().check()
+        val error = link().check(checkNotNull(program) { "The program was not built." })
         if (error == null) sendProgram() else fail(error)
     }
 
-    private suspend fun sendProgram() {
-        val image = checkNotNull(image) { "The program was not built." }
-        when (val result = transfer(Transfer.PROGRAM) { link().sendProgram(image, it) }) {
-            is TransferResult.Complete -> show(SendStep.Done(result.bytes))
-            is TransferResult.Failed -> fail(result.error)
+    private suspend fun sendProgram() = when (val program = checkNotNull(program) { "The program was not built." }) {
+        is BuiltProgram.Lejos -> {
+            end(transfer(Transfer.PROGRAM) { link().sendProgram(program, it) })
+        }
+
+        is BuiltProgram.Lego -> {
+            slot?.let { sendInto(it, emptiesOthers = false) } ?: show(SendStep.ChoosingSlot(lastSlot))
         }
     }
 
+    private suspend fun sendInto(slot: Int, emptiesOthers: Boolean) {
+        val program = program as? BuiltProgram.Lego ?: return
+        this.slot = slot
+        lastSlot = slot
+        // The tower may have been unplugged while the pupil was choosing.
+        val link = link ?: return check()
+        val result = transfer(Transfer.PROGRAM) { link.sendProgram(program, slot, emptiesOthers, it) }
+        end(result, failedSlot = slot.takeUnless { emptiesOthers })
+    }
+
+    /** @param failedSlot the only slot that may be changed if it has failed; null for leJOS, and if all are. */
+    private suspend fun end(result: TransferResult, failedSlot: Int? = null) = when (result) {
+        is TransferResult.Complete -> show(SendStep.Done(result.bytes, slot))
+        is TransferResult.Failed -> fail(result.error, result.remains, failedSlot)
+    }
+
     private suspend fun sendFirmware() {
-        val image = firmware?.usable ?: return
+        val image = (state?.step as? SendStep.NeedsFirmware)?.usable ?: return
         when (val result = transfer(Transfer.FIRMWARE) { link().sendFirmware(image, it) }) {
             is TransferResult.Complete -> check()
-            is TransferResult.Failed -> fail(result.error)
+            is TransferResult.Failed -> fail(result.error, result.remains)
         }
     }
 
@@ -164,7 +195,7 @@ class SendStateHolder(
 
     private suspend fun chooseFirmware() {
         firmware = platform.files.chooseFirmware() ?: return
-        show(SendStep.NeedsFirmware(firmware))
+        show(SendStep.NeedsFirmware(firmware, why))
     }
 
     private suspend fun watch() {
@@ -175,15 +206,19 @@ class SendStateHolder(
         show(SendStep.Watching(messages.messages, isOver = true))
     }
 
-    private suspend fun fail(error: TowerError) {
+    private suspend fun fail(error: TowerError, remains: Remains = Remains.AS_BEFORE, slot: Int? = null) {
         // The port of a tower that was unplugged is of no use any more.
         if (error == TowerError.TowerGone) closePort()
-        val needsFirmware = error == TowerError.NoLejos
-        show(if (needsFirmware) SendStep.NeedsFirmware(firmware) else SendStep.Failed(SendError.OfTower(error)))
+        if (error.asksForFirmware) {
+            why = error
+            show(SendStep.NeedsFirmware(firmware, error))
+        } else {
+            show(SendStep.Failed(SendError.OfTower(error), remains, slot))
+        }
     }
 
     private suspend fun retry() = when {
-        image == null -> build()
+        program == null -> build()
         device == null -> lookForTowers(findsAlone = true)
         else -> check()
     }
@@ -197,7 +232,7 @@ class SendStateHolder(
     private fun cancel() {
         val step = state?.step
         if (step !is SendStep.Sending) return close()
-        run { show(SendStep.Cancelled(step.what)) }
+        run { show(SendStep.Cancelled(step.what, slot.takeIf { step.what == Transfer.PROGRAM })) }
     }
 
     private suspend fun closePort() {
@@ -233,3 +268,7 @@ class SendStateHolder(
         }
     }
 }
+
+/** Whether another firmware mends it. */
+private val TowerError.asksForFirmware
+    get() = this is TowerError.NoLejos || this == TowerError.NoLegoFirmware || this is TowerError.LegoFirmwareTooOld

@@ -73,20 +73,33 @@ internal class ScriptedRobot : RobotLinks {
     /** If not null, transfers wait for it before they end. */
     var hold: CompletableDeferred<Unit>? = null
     val programs = mutableListOf<ByteArray>()
+
+    /** The slots of LEGO's firmware that programs were sent to, and whether all were emptied before. */
+    val slots = mutableListOf<Pair<Int, Boolean>>()
     val firmwares = mutableListOf<FirmwareImage>()
 
     /** What the robot sends while it is watched; then the tower is gone. */
     var messages: List<ReceivedMessage> = emptyList()
 
     override fun over(port: TowerPort): RobotLink = object : RobotLink {
-        override suspend fun check(): TowerError? = checks.removeFirstOrNull()
+        override suspend fun check(program: BuiltProgram): TowerError? = checks.removeFirstOrNull()
 
         override suspend fun sendProgram(
-            image: ProgramImageResult.Ready,
+            program: BuiltProgram.Lejos,
             progress: (TransferProgress) -> Unit,
         ): TransferResult {
-            programs += image.image
-            return transfer(image.image, progress)
+            programs += program.image
+            return transfer(program.image, progress)
+        }
+
+        override suspend fun sendProgram(
+            program: BuiltProgram.Lego,
+            slot: Int,
+            emptiesOthers: Boolean,
+            progress: (TransferProgress) -> Unit,
+        ): TransferResult {
+            slots += slot to emptiesOthers
+            return transfer(ByteArray(program.image.codeSize), progress)
         }
 
         override suspend fun sendFirmware(
@@ -112,7 +125,9 @@ internal class TextImages : ImageBuilder {
     var result: ProgramImageResult? = null
 
     override suspend fun build(program: PupilProgram): ProgramImageResult =
-        result ?: ProgramImageResult.Ready(program.files.first().text.encodeToByteArray(), maxBytes = 10_000)
+        result ?: ProgramImageResult.Ready(
+            BuiltProgram.Lejos(program.files.first().text.encodeToByteArray(), maxBytes = 10_000),
+        )
 }
 
 /** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */
