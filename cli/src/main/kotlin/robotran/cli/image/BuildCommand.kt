@@ -14,11 +14,13 @@ import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
-import robotran.cli.files.NamedProgram
-import robotran.cli.files.ProgramFiles
-import robotran.cli.files.readProgramFiles
+import robotran.cli.files.FIRMWARE_ENDINGS
+import robotran.cli.files.RCX_IMAGE
+import robotran.cli.files.ROBOLANG
 import robotran.cli.files.writeFile
 import robotran.cli.messages.CommandMessages
+import robotran.cli.legofirmware.FirmwareImageOfFile
+import robotran.cli.legofirmware.firmwareImageOf
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.toBytes
@@ -27,7 +29,6 @@ import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.listing.listingOf
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.programs.FirmwareSettings
-import robotran.programs.ProgramSource
 import robotran.tinyvm.config.LejosVersion
 
 /** `robotran build FILE..`: makes of programs the image that leJOS's firmware runs, or of one that of LEGO's own. */
@@ -54,22 +55,17 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     override fun help(context: Context) = "Builds programs for a real brick with the firmware of leJOS or LEGO."
 
     override fun run() {
-        val code = when (val read = readProgramFiles(files, sentences)) {
-            is ProgramFiles.Rejected -> {
-                refuse(read.reason)
-            }
-
-            is ProgramFiles.Read -> {
-                val alone = read.programs.singleOrNull()
-                if (alone?.source is ProgramSource.ForLegoFirmware) buildForFirmware(alone) else build(read.programs)
-            }
-        }
-        throw ProgramResult(code.status)
+        throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
     }
 
-    private fun build(programs: List<NamedProgram>): ExitCode {
+    /** A program in Robolang is for whichever firmware the name of the image tells. */
+    private fun isForFirmware(name: String): Boolean = FIRMWARE_ENDINGS.any(name::endsWith) ||
+        (name.endsWith(ROBOLANG) && output?.endsWith(RCX_IMAGE) == true)
+
+    /** For leJOS. */
+    private fun build(): ExitCode {
         val version = lejos ?: LejosVersion.DEFAULT
-        return when (val built = buildImageOf(programs, spoken.language, version)) {
+        return when (val built = buildImage(files, spoken.language, version)) {
             is ImageOfFiles.Built -> {
                 built.warnings.forEach(console::say)
                 write(built.image, version)
@@ -82,7 +78,8 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         }
     }
 
-    private fun buildForFirmware(program: NamedProgram): ExitCode =
+    /** For LEGO's own firmware. */
+    private fun build(program: String): ExitCode =
         when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
             is FirmwareImageOfFile.Built -> {
                 built.warnings.forEach(console::say)

@@ -3,6 +3,8 @@ package robotran.cli.image
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.ExitCode
 import robotran.cli.files.NamedProgram
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readProgramFiles
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
@@ -20,6 +22,13 @@ internal sealed interface ImageOfFiles {
     /** @property lines what is wrong, one line each. */
     class Failed(val lines: List<String>, val code: ExitCode) : ImageOfFiles
 }
+
+/** Builds one image of the programs in [files] for leJOS [version]. */
+internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles =
+    when (val read = readProgramFiles(files, CommandMessages.of(language))) {
+        is ProgramFiles.Read -> buildImageOf(read.programs, language, version)
+        is ProgramFiles.Rejected -> ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
+    }
 
 /** Builds one image of [programs] for leJOS [version]. */
 internal fun buildImageOf(programs: List<NamedProgram>, language: Language, version: LejosVersion): ImageOfFiles {

@@ -25,6 +25,7 @@ class DiagnosticsTest {
             "task main() { } }",
             "#defien A 1\ntask main() { Wait(1); }",
             "int x; task main() { if (x); x = 1; }",
+            "int x; task main() { while (x < 3); { x++; } }",
             "int x; task main() { switch (x) { case 1 x = 2; } }",
             "int x; task main() { switch (x) { case 1: } }",
             "int x; task main() { x = (1 + 2; }",
@@ -56,6 +57,8 @@ class DiagnosticsTest {
         check("task main() { PlayTone(440, 300); }", NqcDiagnosticCode.ARGUMENT_RANGE)
         check("task main() { SendMessage(300); }", NqcDiagnosticCode.ARGUMENT_RANGE)
         check("task main() { Wait(-1); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { } task other() { }", NqcDiagnosticCode.TASK_NEVER_STARTED)
+        check("int x; task main() { for (x = 0; x < 3; x++); { Wait(1); } }", NqcDiagnosticCode.EMPTY_BODY)
         check("int x; task main() { ${"x = x + 1;\n".repeat(1300)} }", NqcDiagnosticCode.MEMORY_FULL)
     }
 

@@ -84,8 +84,8 @@ internal class Mutants(seed: Int) {
 
         val WORDS = (
             "{ } ( ) [ ] ; , : ? = += ||= +-= << >> ++ -- && || ! ~ ^ % @ @@ & * # ## $ \\ \" /* */ // 0 1 32768 " +
-                "65536 0xFFFFFFFF 9999999999 abs acquire asm break case catch const continue default do else for goto " +
-                "if int monitor repeat return sign start stop sub switch task while void true __sensor __type " +
+                "65536 0xFFFFFFFF 9999999999 abs acquire asm break case catch const continue default do else for " +
+                "goto if int monitor repeat return sign start stop sub switch task while void true __sensor __type " +
                 "__event_src __taskid __nolist __res main a b x SENSOR_1 Timer(0) Random(3) Wait until #define #if " +
                 "#else #endif #include #pragma #undef defined OUT_A EVENT_MASK(1) Set Indirect(0)"
         ).split(' ') + listOf("\n", "\n#define A A A\n", "\n#define F(x) x x\n", "é", "\uFEFF", "\u0000")

@@ -32,8 +32,7 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
 
     private fun readNqc(source: ProgramSource.Nqc): ProgramResult {
         val main = source.files.first()
-        val others = source.files.drop(1).associate { simpleName(it.name) to it.text }
-        val options = NqcOptions(settings.target, settings.isOldNqc, others)
+        val options = NqcOptions(settings.target, settings.isOldNqc, includedFiles(source.files))
         val messages = NqcMessages.of(language)
         return when (val result = compileNqc(simpleName(main.name), main.text, options, messages)) {
             is NqcResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source, it) })
@@ -41,22 +40,29 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
             is NqcResult.Ready -> ready(
                 source,
                 result.program.image,
-                linesOf(result.program, isOneFile = others.isEmpty()),
+                linesOf(result.program, isOneFile = source.files.size == 1),
                 result.warnings.map { diagnosticOf(source, it) },
             )
         }
+    }
+
+    /** The texts by the names that `#include` gives them, whose folders may be others than in [files]. */
+    private fun includedFiles(files: List<SourceFile>): Map<String, String> {
+        val texts = files.drop(1).associate { simpleName(it.name) to it.text }
+        val included = files.flatMap { nqcIncludes(it.text) }
+        return texts + included.mapNotNull { name -> texts[simpleName(name)]?.let { name to it } }
     }
 
     /** What the API does belongs to no line of the pupil's. */
     private fun linesOf(program: NqcProgram, isOneFile: Boolean) = LineTable(
         program.lines.mapValues { (_, lines) ->
             lines.filter { it.range.line > 0 }
-                .map { CodeLine(it.address, it.range.line, it.range.file.takeUnless { isOneFile }) }
+                .map { CodeLine(it.address, it.range.line, simpleName(it.range.file).takeUnless { isOneFile }) }
         },
     )
 
     private fun diagnosticOf(source: ProgramSource.Nqc, diagnostic: NqcDiagnostic): ProgramDiagnostic {
-        val file = source.files.find { simpleName(it.name) == diagnostic.range.file } ?: source.files.first()
+        val file = source.files.find { simpleName(it.name) == simpleName(diagnostic.range.file) } ?: source.files.first()
         val fix = diagnostic.fix?.takeIf { it.range.file == diagnostic.range.file }?.let { fix ->
             rangeOf(fix.range)?.let { SourceFix(it, fix.replacement) }
         }

@@ -47,12 +47,6 @@ internal val FULL_PROJECT = Project(
                     ProgramLanguage.JAVA,
                     listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")),
                 ),
-                ProjectProgram(
-                    "d.nqc",
-                    ProgramLanguage.NQC,
-                    listOf(SourceFile("d.nqc", "#include \"e.nqh\"\ntask main() { }"), SourceFile("e.nqh", "")),
-                ),
-                ProjectProgram("f.lasm", ProgramLanguage.LASM, listOf(SourceFile("f.lasm", "\ttask 0\n\tendt\n"))),
             ),
             firstProgram = 1,
             lightFacing = LightFacing.FORWARD,
@@ -75,6 +69,24 @@ internal val FULL_PROJECT = Project(
         RecordedInput(60, SessionInput.ChangeTemperature(30.0)),
         RecordedInput(70, SessionInput.PlaceBlock(1, Pose(80.25, 1.0, -30.0))),
         RecordedInput(5_000_000, SessionInput.TouchSensor(1, 2, true)),
+    ),
+)
+
+/** A project with programs for LEGO's own firmware. */
+internal val FIRMWARE_PROJECT = Project(
+    world = BuiltInWorlds.plain,
+    robots = listOf(
+        ProjectRobot(
+            BuiltInWorlds.plain.robots.first().name,
+            listOf(
+                ProjectProgram(
+                    "d.nqc",
+                    ProgramLanguage.NQC,
+                    listOf(SourceFile("d.nqc", "#include \"e.nqh\"\ntask main() { }"), SourceFile("e.nqh", "")),
+                ),
+                ProjectProgram("f.lasm", ProgramLanguage.LASM, listOf(SourceFile("f.lasm", "\ttask 0\n\tendt\n"))),
+            ),
+        ),
     ),
 )
 

@@ -22,9 +22,9 @@ internal val TIME_API = api(NqcApiGroup.TIME) {
         "until(condition)",
         "while (!(condition))",
         ApiHelp(
-            "Waits until a condition is true: until (SENSOR_1 == 1);",
-            "Wartet, bis eine Bedingung wahr ist: until (SENSOR_1 == 1);",
-            "Espera hasta que una condición sea cierta: until (SENSOR_1 == 1);",
+            "Waits until a condition is true, for example SENSOR_1 == 1.",
+            "Wartet, bis eine Bedingung wahr ist, zum Beispiel SENSOR_1 == 1.",
+            "Espera hasta que una condición sea cierta, por ejemplo SENSOR_1 == 1.",
         ),
     )
     function(

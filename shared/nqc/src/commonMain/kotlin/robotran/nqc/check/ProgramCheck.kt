@@ -8,6 +8,7 @@ import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.preprocess.InitFunction
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.ParsedProgram
+import robotran.nqc.tree.Statement
 
 /** Checks what a program must have, and what it has too much of. */
 internal class ProgramCheck(private val program: ParsedProgram, private val sink: DiagnosticSink) {
@@ -17,6 +18,7 @@ internal class ProgramCheck(private val program: ParsedProgram, private val sink
         if (init != null && init.name !in program.functions) {
             sink.report(NqcDiagnosticCode.INIT_UNDEFINED, init.range, sink.messages.initUndefined(init.name))
         }
+        warnOfTasksThatNeverStart()
         program.tasks.getOrNull(FirmwareLimits.TASKS)?.let {
             val message = sink.messages.tooManyTasks(FirmwareLimits.TASKS)
             sink.report(NqcDiagnosticCode.TOO_MANY_TASKS, it.range, message)
@@ -25,6 +27,20 @@ internal class ProgramCheck(private val program: ParsedProgram, private val sink
             val message = sink.messages.tooManySubs(FirmwareLimits.SUBROUTINES)
             sink.report(NqcDiagnosticCode.TOO_MANY_SUBS, it.range, message)
         }
+    }
+
+    private fun warnOfTasksThatNeverStart() {
+        val bodies = program.tasks.map { it.body } + program.subs.map { it.body } +
+            program.functions.values.filter { !it.isOfApi }.map { it.body }
+        val started = bodies.flatMap { startsIn(it) }.toSet()
+        for (task in program.tasks.filter { it.name != MAIN && it.name !in started }) {
+            sink.report(NqcDiagnosticCode.TASK_NEVER_STARTED, task.range, sink.messages.taskNeverStarted(task.name))
+        }
+    }
+
+    private fun startsIn(statement: Statement): List<String> {
+        val own = (statement as? Statement.TaskCommand)?.takeIf { it.isStart }?.task
+        return listOfNotNull(own) + statement.parts.flatMap { startsIn(it) }
     }
 
     private fun reportMissingMain(file: String) {

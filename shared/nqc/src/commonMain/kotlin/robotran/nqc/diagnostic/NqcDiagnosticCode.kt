@@ -124,6 +124,8 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
     NO_EFFECT(null, Severity.WARNING),
     MEMORY_FULL(null, Severity.WARNING),
 
+    TASK_NEVER_STARTED(null, Severity.WARNING),
+
     /** `if (x);` */
     EMPTY_BODY(null, Severity.WARNING),
     ;

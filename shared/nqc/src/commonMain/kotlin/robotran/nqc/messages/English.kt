@@ -147,7 +147,8 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun noEffect() = "This line does nothing. Did you mean to assign with = or to call a function?"
 
-    override fun emptyBody() = "This semicolon ends the if, so the condition decides nothing. Remove it."
+    override fun emptyBody(word: String) =
+        "This semicolon ends the $word, so what follows does not belong to it. Remove it."
 }
 
 private object EnglishNameMessages : NqcNameMessages {
@@ -176,6 +177,8 @@ private object EnglishNameMessages : NqcNameMessages {
 
     override fun needsSecondFirmware(name: String) =
         "${quoted(name)} needs firmware 2.0. This program is for firmware 1.0 (target RCX)."
+
+    override fun taskNeverStarted(name: String) = "Nothing starts the task ${quoted(name)}. Write: start $name;"
 
     override fun undefinedLabel(name: String) =
         "There is no label ${quoted(name)} here. It must be in the same task, sub or function: $name:"

@@ -156,7 +156,8 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun noEffect() = "Diese Zeile tut nichts. Wolltest du mit = etwas zuweisen oder eine Funktion aufrufen?"
 
-    override fun emptyBody() = "Dieser Strichpunkt beendet das if, also entscheidet die Bedingung nichts. Lösch ihn."
+    override fun emptyBody(word: String) =
+        "Dieser Strichpunkt beendet das $word, also gehört das Folgende nicht mehr dazu. Lösch ihn."
 }
 
 private object GermanNameMessages : NqcNameMessages {
@@ -185,6 +186,8 @@ private object GermanNameMessages : NqcNameMessages {
 
     override fun needsSecondFirmware(name: String) =
         "${quoted(name)} braucht Firmware 2.0. Dieses Programm ist für Firmware 1.0 (Ziel RCX)."
+
+    override fun taskNeverStarted(name: String) = "Nichts startet den Task ${quoted(name)}. Schreib: start $name;"
 
     override fun undefinedLabel(name: String) =
         "Hier gibt es keine Marke ${quoted(name)}. Sie muss im selben Task, Unterprogramm oder in derselben Funktion " +

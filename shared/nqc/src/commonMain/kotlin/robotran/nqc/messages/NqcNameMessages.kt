@@ -20,6 +20,8 @@ interface NqcNameMessages {
     /** [name] is part of the API for firmware 2.0, but the program is for firmware 1.0. */
     fun needsSecondFirmware(name: String): String
 
+    fun taskNeverStarted(name: String): String
+
     fun undefinedLabel(name: String): String
 
     fun labelRedefined(name: String): String

@@ -72,5 +72,6 @@ interface NqcSyntaxMessages {
 
     fun noEffect(): String
 
-    fun emptyBody(): String
+    /** @param word such as `if`. */
+    fun emptyBody(word: String): String
 }

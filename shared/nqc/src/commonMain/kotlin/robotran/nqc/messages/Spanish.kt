@@ -152,7 +152,8 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun noEffect() = "Esta línea no hace nada. ¿Querías asignar con = o llamar a una función?"
 
-    override fun emptyBody() = "Este punto y coma termina el if, así que la condición no decide nada. Quítalo."
+    override fun emptyBody(word: String) =
+        "Este punto y coma termina el $word, así que lo que sigue ya no pertenece a él. Quítalo."
 }
 
 private object SpanishNameMessages : NqcNameMessages {
@@ -181,6 +182,8 @@ private object SpanishNameMessages : NqcNameMessages {
 
     override fun needsSecondFirmware(name: String) =
         "${quoted(name)} necesita el firmware 2.0. Este programa es para el firmware 1.0 (destino RCX)."
+
+    override fun taskNeverStarted(name: String) = "Nada inicia la tarea ${quoted(name)}. Escribe: start $name;"
 
     override fun undefinedLabel(name: String) =
         "Aquí no hay ninguna etiqueta ${quoted(name)}. Tiene que estar en la misma tarea, subrutina o función: $name:"

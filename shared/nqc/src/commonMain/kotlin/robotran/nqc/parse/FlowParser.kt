@@ -4,6 +4,7 @@ import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
+import robotran.nqc.syntax.Token
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Handler
 import robotran.nqc.tree.Statement
@@ -34,19 +35,25 @@ internal class FlowParser(
     private fun withBody(make: (Expression, Statement, SourceRange) -> Statement): Statement {
         val word = reader.advance()
         val value = expressions.inBrackets()
+        if (reader.peek(1).isSign("{")) warnOfEmptyBody(word)
         return make(value, statement(), word.range.to(value.range))
     }
 
     private fun branch(): Statement {
         val word = reader.advance()
         val condition = expressions.inBrackets()
-        if (reader.isSign(";") && reader.token.macro == null && word.macro == null) {
-            val range = reader.token.range
-            sink.report(NqcDiagnosticCode.EMPTY_BODY, range, sink.messages.emptyBody(), SourceFix(range, ""))
-        }
+        warnOfEmptyBody(word)
         val then = statement()
         val otherwise = if (reader.accept(Keyword.ELSE)) statement() else null
         return Statement.If(condition, then, otherwise, word.range.to(condition.range))
+    }
+
+    /** Warns of a semicolon that ends the statement that begins with [word] before its body. */
+    private fun warnOfEmptyBody(word: Token) {
+        val semicolon = reader.token
+        if (!semicolon.isSign(";") || semicolon.macro != null || word.macro != null) return
+        val message = sink.messages.emptyBody(word.text)
+        sink.report(NqcDiagnosticCode.EMPTY_BODY, semicolon.range, message, SourceFix(semicolon.range, ""))
     }
 
     private fun doWhile(): Statement {
@@ -72,6 +79,7 @@ internal class FlowParser(
         reader.semicolon()
         val step = if (reader.isSign(")")) null else assignments.statement()
         reader.closing(")")
+        if (reader.peek(1).isSign("{")) warnOfEmptyBody(word)
         return Statement.For(first, condition, step, statement(), word.range)
     }
 

@@ -11,5 +11,5 @@ object EnglishProgramMessages : ProgramMessages {
 
     override fun noImageForFirmware() =
         "This program is for LEGO's own firmware, so it cannot be in an image for leJOS. Build it alone, to a file " +
-            "that ends in .rcx."
+            "such as program.rcx."
 }

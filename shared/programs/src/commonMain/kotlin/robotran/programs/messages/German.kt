@@ -12,5 +12,5 @@ object GermanProgramMessages : ProgramMessages {
 
     override fun noImageForFirmware() =
         "Dieses Programm ist für LEGOs eigene Firmware, also passt es in kein Abbild für leJOS. Baue es allein, in eine " +
-            "Datei, die auf .rcx endet."
+            "Datei wie programm.rcx."
 }

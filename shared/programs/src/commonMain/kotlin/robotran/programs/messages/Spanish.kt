@@ -11,5 +11,5 @@ object SpanishProgramMessages : ProgramMessages {
 
     override fun noImageForFirmware() =
         "Este programa es para el firmware propio de LEGO, así que no cabe en una imagen para leJOS. Prepáralo solo, en " +
-            "un archivo que termine en .rcx."
+            "un archivo como programa.rcx."
 }

@@ -3,6 +3,7 @@ package robotran.workshop.documents
 import kotlinx.coroutines.withContext
 import robotran.assignments.doing.pupilCopy
 import robotran.documents.ZipEntry
+import robotran.documents.fileKind
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf

@@ -4,6 +4,7 @@ import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
+import robotran.nqc.edit.formatNqc
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.textediting.EditKind
@@ -133,7 +134,8 @@ internal class ProgramEditing(
         val text = when (robot.entry.program.language) {
             ProgramLanguage.JAVA -> formatJava(draft.text)
             ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
-            ProgramLanguage.NQC, ProgramLanguage.LASM -> return
+            ProgramLanguage.NQC -> formatNqc(draft.text)
+            ProgramLanguage.LASM -> return
         }
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = Draft(text)

@@ -1,4 +1,4 @@
-package robotran.cli.image
+package robotran.cli.legofirmware
 
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.ExitCode
