@@ -23,7 +23,7 @@ class SendToLegoTest : TowerTest() {
     @Test
     fun `a program in NQC gets into its slot and runs there`() {
         assertEquals(0, execute(lego, "send", nqc, "--slot", "2"), console.complaints.joinToString("\n"))
-        assertEquals("The brick has the program in slot 2, 30 bytes. Press Run.", console.said.single())
+        assertEquals("The brick has the program in slot 2, 16 bytes. Press Run.", console.said.single())
         assertEquals(MotorMode.FORWARD, brickAfter(lego.programIn(slot = 2), 500).motor(MotorPort.C).mode)
         assertEquals(MotorMode.BRAKE, brickAfter(lego.programIn(slot = 2), 1_500).motor(MotorPort.C).mode)
         assertEquals(2, lego.slot)
