@@ -14,7 +14,10 @@ import java.time.format.DateTimeParseException
 
 /** `robotran brick clock`: sets the clock of LEGO's own firmware. */
 internal class BrickClockCommand(console: Console, towers: () -> Towers) : BrickSubcommand("clock", console, towers) {
-    private val time by argument("TIME", help = "hours and minutes, such as 13:37; the time of this machine if not given")
+    private val time by argument(
+        "TIME",
+        help = "hours and minutes, such as 13:37; the time of this machine if not given",
+    )
         .optional()
     private val moment by lazy { read(time) }
 
@@ -25,10 +28,14 @@ internal class BrickClockCommand(console: Console, towers: () -> Towers) : Brick
         super.run()
     }
 
-    override suspend fun use(tower: RcxTower): ExitCode = when (val set = tower.setLegoClock(moment.hour, moment.minute)) {
-        is TowerResult.Success -> ExitCode.DONE.also { console.say(console.messages.clockSet(WORDS.format(moment))) }
-        is TowerResult.Failed -> failed(set)
-    }
+    override suspend fun use(tower: RcxTower): ExitCode =
+        when (val set = tower.setLegoClock(moment.hour, moment.minute)) {
+            is TowerResult.Success -> ExitCode.DONE.also {
+                console.say(console.messages.clockSet(WORDS.format(moment)))
+            }
+
+            is TowerResult.Failed -> failed(set)
+        }
 
     private fun read(text: String?): LocalTime = try {
         text?.let { LocalTime.parse(it, GIVEN) } ?: LocalTime.now()

@@ -20,7 +20,8 @@ internal class BrickDatalogCommand(console: Console, towers: () -> Towers) :
         help = "where the entries go, as CSV; if not given, they are printed",
     )
 
-    override fun help(context: Context) = "Reads the datalog of a real brick with LEGO's own firmware. The brick keeps it."
+    override fun help(context: Context) =
+        "Reads the datalog of a real brick with LEGO's own firmware. The brick keeps it."
 
     override suspend fun use(tower: RcxTower): ExitCode {
         val report = TransferReport.on(console)

@@ -12,11 +12,8 @@ import robotran.tower.TowerResult
 import robotran.tower.rcx.RcxTower
 
 /** A command of `robotran brick`. */
-internal abstract class BrickSubcommand(
-    name: String,
-    private val process: Console,
-    private val towers: () -> Towers,
-) : CoreCliktCommand(name) {
+internal abstract class BrickSubcommand(name: String, private val process: Console, private val towers: () -> Towers) :
+    CoreCliktCommand(name) {
     private val port by portOption()
     private val spoken by LanguageOption()
     protected val console get() = process.speaking(spoken.language)

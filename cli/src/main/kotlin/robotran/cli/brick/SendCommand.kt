@@ -21,9 +21,9 @@ import robotran.cli.console.targetOption
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
-import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
+import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings

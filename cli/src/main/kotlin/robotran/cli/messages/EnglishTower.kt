@@ -8,11 +8,12 @@ internal object EnglishTowerMessages : TowerMessages {
             "Prgm button goes through them."
 
     override fun twoFirmwares() =
-        "These programs need two firmwares: .nqc, .lasm and .rcx need LEGO's own, the others leJOS. A brick has only " +
-            "one of them, so send them in two commands."
+        "These programs need two firmwares: .nqc, .lasm and .rcx need LEGO's own, the others leJOS. A brick has " +
+            "only one of them, so send them in two commands."
 
     override fun tooFewSlots(first: Int, programs: Int, last: Int) =
-        "There are no $programs slots from slot $first on: the last one is slot $last. Name fewer programs or another --slot."
+        "There are no $programs slots from slot $first on: the last one is slot $last. Name fewer programs or " +
+            "another --slot."
 
     override fun noTower() =
         "There is no tower. Plug it in, or name its port with --port. On Windows and macOS the USB tower works " +
@@ -82,21 +83,22 @@ internal object EnglishTowerMessages : TowerMessages {
         "Nothing answers at this port. Look whether it is the tower's port, and whether the tower's battery is good."
 
     override fun brickSilent() =
-        "The brick does not answer. Switch it on, stop its program, and put it in front of the tower, a hand's width away."
+        "The brick does not answer. Switch it on, stop its program, and put it in front of the tower, a hand's " +
+            "width away."
 
     override fun noLejos() = "The brick has no leJOS. Send leJOS's firmware first, with robotran firmware lejos.srec."
 
     override fun legoInsteadOfLejos(version: String) =
-        "This brick has LEGO's own firmware $version, and the program needs leJOS. Send leJOS's firmware first, with " +
-            "robotran firmware lejos.srec. For LEGO's firmware, write the program in NQC."
+        "This brick has LEGO's own firmware $version, and the program needs leJOS. Send leJOS's firmware first, " +
+            "with robotran firmware lejos.srec. For LEGO's firmware, write the program in NQC."
 
     override fun noLegoFirmware() =
         "This brick has leJOS, or no firmware, and this needs LEGO's own firmware. Send it first, with " +
             "robotran firmware firm0328.lgo. If the display shows a voltage, the brick has leJOS."
 
     override fun legoFirmwareTooOld(version: String) =
-        "This brick has LEGO's firmware $version, which is firmware 1.0, and the program is for 2.0. Send firmware 2.0 " +
-            "(firm0328.lgo or later), or build the program with --target rcx."
+        "This brick has LEGO's firmware $version, which is firmware 1.0, and the program is for 2.0. Send " +
+            "firmware 2.0 (firm0328.lgo or later), or build the program with --target rcx."
 
     override fun remainsAsBefore() = "The brick has the same as before."
 
@@ -122,7 +124,8 @@ internal object EnglishTowerMessages : TowerMessages {
         "The program is too large for the brick: it has $bytes bytes, and $limit are possible."
 
     override fun brickFull(bytes: Int) =
-        "The brick has no room for $bytes bytes more. Empty slots that you do not need any more, with robotran brick empty 2 3."
+        "The brick has no room for $bytes bytes more. Empty slots that you do not need any more, with robotran " +
+            "brick empty 2 3."
 
     override fun firmwareRefused() = "The brick does not start this firmware. Take another file, or send it again."
 

@@ -8,16 +8,16 @@ internal object GermanTowerMessages : TowerMessages {
             "einem Befehl: Die Taste Prgm geht sie durch."
 
     override fun twoFirmwares() =
-        "Diese Programme brauchen zwei Firmwares: .nqc, .lasm und .rcx die von LEGO, die anderen leJOS. Ein Stein hat " +
-            "nur eine davon, sende sie also mit zwei Befehlen."
+        "Diese Programme brauchen zwei Firmwares: .nqc, .lasm und .rcx die von LEGO, die anderen leJOS. Ein " +
+            "Stein hat nur eine davon, sende sie also mit zwei Befehlen."
 
     override fun tooFewSlots(first: Int, programs: Int, last: Int) =
-        "Ab Platz $first gibt es keine $programs Plätze: Der letzte ist Platz $last. Nenne weniger Programme oder einen " +
-            "anderen --slot."
+        "Ab Platz $first gibt es keine $programs Plätze: Der letzte ist Platz $last. Nenne weniger Programme " +
+            "oder einen anderen --slot."
 
     override fun noTower() =
-        "Es ist kein Infrarotturm da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und macOS " +
-            "geht der USB-Turm nur auf der Seite von Robotran, in Chrome."
+        "Es ist kein Infrarotturm da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und " +
+            "macOS geht der USB-Turm nur auf der Seite von Robotran, in Chrome."
 
     override fun noTowerAt(ports: List<String>) =
         "Kein Turm an ${listed(ports, "oder")}. Stecke den Turm ein und prüfe, ob seine Batterie gut ist."
@@ -87,22 +87,24 @@ internal object GermanTowerMessages : TowerMessages {
         "An diesem Anschluss antwortet nichts. Prüfe, ob es der des Turms ist und ob die Batterie des Turms gut ist."
 
     override fun brickSilent() =
-        "Der Stein antwortet nicht. Schalte ihn ein, halte sein Programm an und stelle ihn eine Handbreit vor den Turm."
+        "Der Stein antwortet nicht. Schalte ihn ein, halte sein Programm an und stelle ihn eine Handbreit vor " +
+            "den Turm."
 
     override fun noLejos() =
         "Auf dem Stein ist kein leJOS. Sende zuerst die Firmware von leJOS, mit robotran firmware lejos.srec."
 
     override fun legoInsteadOfLejos(version: String) =
-        "Dieser Stein hat LEGOs eigene Firmware $version, und das Programm braucht leJOS. Sende zuerst die Firmware von " +
-            "leJOS, mit robotran firmware lejos.srec. Für LEGOs Firmware schreibe das Programm in NQC."
+        "Dieser Stein hat LEGOs eigene Firmware $version, und das Programm braucht leJOS. Sende zuerst die " +
+            "Firmware von leJOS, mit robotran firmware lejos.srec. Für LEGOs Firmware schreibe das Programm in " +
+            "NQC."
 
     override fun noLegoFirmware() =
-        "Dieser Stein hat leJOS oder keine Firmware, und dafür ist LEGOs eigene Firmware nötig. Sende sie zuerst, mit " +
-            "robotran firmware firm0328.lgo. Zeigt die Anzeige eine Spannung, hat der Stein leJOS."
+        "Dieser Stein hat leJOS oder keine Firmware, und dafür ist LEGOs eigene Firmware nötig. Sende sie " +
+            "zuerst, mit robotran firmware firm0328.lgo. Zeigt die Anzeige eine Spannung, hat der Stein leJOS."
 
     override fun legoFirmwareTooOld(version: String) =
-        "Dieser Stein hat LEGOs Firmware $version, das ist Firmware 1.0, und das Programm ist für 2.0. Sende Firmware " +
-            "2.0 (firm0328.lgo oder neuer), oder übersetze das Programm mit --target rcx."
+        "Dieser Stein hat LEGOs Firmware $version, das ist Firmware 1.0, und das Programm ist für 2.0. Sende " +
+            "Firmware 2.0 (firm0328.lgo oder neuer), oder übersetze das Programm mit --target rcx."
 
     override fun remainsAsBefore() = "Der Stein hat dasselbe wie vorher."
 
@@ -111,8 +113,7 @@ internal object GermanTowerMessages : TowerMessages {
     override fun remainsEmptySlot(slot: Int) =
         "Platz $slot des Steins ist jetzt leer, die anderen Plätze sind wie vorher. Sende das Programm noch einmal."
 
-    override fun remainsNoFirmware() =
-        "Der Stein hat jetzt keine Firmware. Sende sie noch einmal: Nichts ist kaputt."
+    override fun remainsNoFirmware() = "Der Stein hat jetzt keine Firmware. Sende sie noch einmal: Nichts ist kaputt."
 
     override fun remainsUnknown() = "Niemand weiß, was der Stein jetzt hat. Sende es noch einmal."
 
@@ -129,7 +130,8 @@ internal object GermanTowerMessages : TowerMessages {
         "Das Programm ist zu groß für den Stein: Es hat $bytes Bytes, und $limit sind möglich."
 
     override fun brickFull(bytes: Int) =
-        "Der Stein hat keinen Platz für weitere $bytes Bytes. Leere Plätze, die du nicht mehr brauchst, mit robotran brick empty 2 3."
+        "Der Stein hat keinen Platz für weitere $bytes Bytes. Leere Plätze, die du nicht mehr brauchst, mit " +
+            "robotran brick empty 2 3."
 
     override fun firmwareRefused() =
         "Der Stein startet diese Firmware nicht. Nimm eine andere Datei oder sende sie noch einmal."

@@ -12,7 +12,8 @@ internal object SpanishTowerMessages : TowerMessages {
             "tiene uno de los dos: envíalos en dos órdenes."
 
     override fun tooFewSlots(first: Int, programs: Int, last: Int) =
-        "Desde el espacio $first no hay $programs espacios: el último es el $last. Nombra menos programas u otro --slot."
+        "Desde el espacio $first no hay $programs espacios: el último es el $last. Nombra menos programas u otro " +
+            "--slot."
 
     override fun noTower() =
         "No hay ninguna torre. Conéctala, o di su puerto con --port. En Windows y macOS la torre USB solo " +
@@ -26,7 +27,8 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun portBusy(port: String) = "Otro programa usa $port. Ciérralo y prueba otra vez."
 
     override fun portNotAllowed(port: String) =
-        "No puedes usar $port. En Linux, pide a alguien que pueda que te añada al grupo del archivo, muchas veces dialout."
+        "No puedes usar $port. En Linux, pide a alguien que pueda que te añada al grupo del archivo, muchas " +
+            "veces dialout."
 
     override fun portHeld(port: String) = "Un controlador del sistema ocupa $port, y Robotran no puede usarlo."
 
@@ -39,8 +41,7 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun programInSlot(bytes: Int, slot: Int) =
         "El ladrillo tiene el programa en el espacio $slot, $bytes bytes. Pulsa Run."
 
-    override fun entriesRead(read: Int, all: Int, secondsLeft: Int) =
-        "$read de $all entradas, quedan $secondsLeft s"
+    override fun entriesRead(read: Int, all: Int, secondsLeft: Int) = "$read de $all entradas, quedan $secondsLeft s"
 
     override fun noDatalog() = "El registro de datos no tiene entradas. Un programa en NQC las hace con AddToDatalog."
 
@@ -89,8 +90,9 @@ internal object SpanishTowerMessages : TowerMessages {
         "El ladrillo no tiene leJOS. Envía primero el firmware de leJOS, con robotran firmware lejos.srec."
 
     override fun legoInsteadOfLejos(version: String) =
-        "Este ladrillo tiene el firmware $version de LEGO, y el programa necesita leJOS. Envía primero el firmware de " +
-            "leJOS, con robotran firmware lejos.srec. Para el firmware de LEGO, escribe el programa en NQC."
+        "Este ladrillo tiene el firmware $version de LEGO, y el programa necesita leJOS. Envía primero el " +
+            "firmware de leJOS, con robotran firmware lejos.srec. Para el firmware de LEGO, escribe el programa " +
+            "en NQC."
 
     override fun noLegoFirmware() =
         "Este ladrillo tiene leJOS, o ningún firmware, y esto necesita el de LEGO. Envíalo primero, con " +
@@ -112,7 +114,8 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun remainsUnknown() = "Nadie sabe qué tiene ahora el ladrillo. Envíalo otra vez."
 
     override fun remainsUnknownSlot(slot: Int) =
-        "Nadie sabe qué tiene ahora el espacio $slot. Envía el programa otra vez. Los demás espacios siguen como antes."
+        "Nadie sabe qué tiene ahora el espacio $slot. Envía el programa otra vez. Los demás espacios siguen como " +
+            "antes."
 
     override fun badConnection() =
         "La torre y el ladrillo se entienden mal. Ponlos más cerca, sin luz fuerte, con buenas pilas y sin otro " +
@@ -124,7 +127,8 @@ internal object SpanishTowerMessages : TowerMessages {
         "El programa es demasiado grande para el ladrillo: tiene $bytes bytes y pueden ser $limit."
 
     override fun brickFull(bytes: Int) =
-        "El ladrillo no tiene sitio para $bytes bytes más. Vacía espacios que ya no necesites, con robotran brick empty 2 3."
+        "El ladrillo no tiene sitio para $bytes bytes más. Vacía espacios que ya no necesites, con robotran " +
+            "brick empty 2 3."
 
     override fun firmwareRefused() = "El ladrillo no inicia este firmware. Usa otro archivo o envíalo otra vez."
 

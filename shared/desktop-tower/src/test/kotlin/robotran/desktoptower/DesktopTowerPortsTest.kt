@@ -56,11 +56,7 @@ class DesktopTowerPortsTest {
         devices.toFile().deleteRecursively()
     }
 
-    private fun connect(
-        kind: TowerKind,
-        faults: LineFaults = LineFaults(),
-        firmware: SimulatedFirmware = lejos,
-    ) {
+    private fun connect(kind: TowerKind, faults: LineFaults = LineFaults(), firmware: SimulatedFirmware = lejos) {
         // One thread, as the simulation has no locks.
         val line = CoroutineScope(scope.coroutineContext + Dispatchers.Default.limitedParallelism(1))
         terminal.connect(SimulatedTower(line, SimulatedBrick(firmware), kind, faults, speed = 20), scope)

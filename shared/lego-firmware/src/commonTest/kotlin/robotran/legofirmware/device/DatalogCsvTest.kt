@@ -20,5 +20,6 @@ class DatalogCsvTest {
     }
 
     @Test
-    fun `an empty datalog has only the line of names`() = assertEquals("entry,source,number,value\n", csvOf(emptyList()))
+    fun `an empty datalog has only the line of names`() =
+        assertEquals("entry,source,number,value\n", csvOf(emptyList()))
 }

@@ -52,12 +52,20 @@ private suspend fun refusal(requests: Requests, program: RcxImage): TowerError? 
         is TowerResult.Failed -> return versions.error
         is TowerResult.Success -> versions.value.firmware
     }
-    if (program.target == FirmwareTarget.RCX2 && version < LegoLimits.VERSION_2) return TowerError.LegoFirmwareTooOld(version)
+    if (program.target == FirmwareTarget.RCX2 &&
+        version < LegoLimits.VERSION_2
+    ) {
+        return TowerError.LegoFirmwareTooOld(version)
+    }
     return when (val battery = readBattery(requests)) {
-        is TowerResult.Failed -> battery.error
+        is TowerResult.Failed -> {
+            battery.error
+        }
 
-        is TowerResult.Success -> battery.value.takeIf { it < LegoLimits.MIN_MILLIVOLTS }
-            ?.let { TowerError.BatteryLow(it) }
+        is TowerResult.Success -> {
+            battery.value.takeIf { it < LegoLimits.MIN_MILLIVOLTS }
+                ?.let { TowerError.BatteryLow(it) }
+        }
     }
 }
 

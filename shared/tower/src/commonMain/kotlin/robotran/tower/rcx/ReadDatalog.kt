@@ -32,7 +32,7 @@ private class DatalogReader(private val requests: Requests, private val report: 
     suspend fun read(): TowerResult<List<DatalogEntry>> {
         // The first entry counts all, itself included.
         val count = when (val first = readSome(0, 1)) {
-            is TowerResult.Failed -> return first
+            is TowerResult.Failed -> return withoutFirst(first)
             is TowerResult.Success -> first.value.single().let { if (it.type == COUNT) it.value and 0xFFFF else 0 }
         }
         if (count !in 1..LegoLimits.DATALOG_ENTRIES) return TowerResult.Success(emptyList())
@@ -47,9 +47,18 @@ private class DatalogReader(private val requests: Requests, private val report: 
         return TowerResult.Success(entries)
     }
 
+    /** Nobody knows whether a brick without datalog answers. One that is there otherwise has none. */
+    private suspend fun withoutFirst(failed: TowerResult.Failed): TowerResult<List<DatalogEntry>> =
+        if (failed.error == TowerError.BrickSilent && requests.reach() == null) {
+            TowerResult.Success(emptyList())
+        } else {
+            failed
+        }
+
     /** True if another try with fewer entries at once may succeed after [error]. */
     private fun becomesSmaller(error: TowerError): Boolean {
-        if (error != TowerError.BadConnection && error != TowerError.BrickSilent || size == SIZES.last()) return false
+        val isLost = error == TowerError.BadConnection || error == TowerError.BrickSilent
+        if (!isLost || size == SIZES.last()) return false
         size = SIZES.first { it < size }
         return true
     }

@@ -55,7 +55,9 @@ class FirmwareFileTest {
     @Test
     fun `a file of LEGO's tells its version in its header`() {
         fun version(header: String) =
-            firmware(record(0, 0, header.encodeToByteArray()), record(1, 0x8000, text), end).let { it.kind to it.version }
+            firmware(record(0, 0, header.encodeToByteArray()), record(1, 0x8000, text), end).let {
+                it.kind to it.version
+            }
         assertEquals(FirmwareKind.LEGO to RcxVersion(3, 28), version("FIRM0328.LGO"))
         assertEquals(FirmwareKind.LEGO to RcxVersion(3, 32), version("a:\\firm0332.lgo"))
         assertEquals(FirmwareKind.LEGO to RcxVersion(3, 9), version("?LIB_VERSION_L00"))

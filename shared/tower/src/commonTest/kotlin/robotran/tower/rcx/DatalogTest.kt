@@ -2,6 +2,7 @@ package robotran.tower.rcx
 
 import kotlinx.coroutines.test.runTest
 import robotran.legofirmware.device.DatalogEntry
+import robotran.tower.TowerError
 import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.simulated.LineFaults
@@ -33,6 +34,16 @@ class DatalogTest {
             val result: TowerResult<List<DatalogEntry>> = TowerResult.Success(emptyList())
             assertEquals(result, TestLine(this, lego).tower.readLegoDatalog())
         }
+    }
+
+    @Test
+    fun `a brick that answers everything but this has none, and one that is off is silent`() = runTest {
+        val line = TestLine(this, lego)
+        line.brick.isDeafTo = 0xA4
+        val none: TowerResult<List<DatalogEntry>> = TowerResult.Success(emptyList())
+        assertEquals(none, line.tower.readLegoDatalog())
+        line.brick.isOn = false
+        assertEquals(TowerResult.Failed(TowerError.BrickSilent), line.tower.readLegoDatalog())
     }
 
     @Test

@@ -43,7 +43,11 @@ class FirmwareFileFuzzTest {
             assertEquals(FirmwareKind.LEGO, (readFirmwareFile(file) as FirmwareFile.Read).firmware.kind)
             repeat(300) {
                 var damaged = mutated(file)
-                if (damaged.isNotEmpty() && random.nextBoolean()) damaged[random.nextInt(damaged.size)] = random.nextInt(256).toByte()
+                if (damaged.isNotEmpty() &&
+                    random.nextBoolean()
+                ) {
+                    damaged[random.nextInt(damaged.size)] = random.nextInt(256).toByte()
+                }
                 if (random.nextInt(4) == 0) damaged = mutated(damaged)
                 val result = readFirmwareFile(damaged)
                 if (result is FirmwareFile.Read) {

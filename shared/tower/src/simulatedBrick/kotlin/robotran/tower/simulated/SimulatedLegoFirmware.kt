@@ -7,11 +7,8 @@ package robotran.tower.simulated
  * @param room the bytes that all tasks and subroutines have together.
  * @param version behind the point: firmware 2.0 is 3.28 or 3.32, firmware 1.0 is 3.9.
  */
-class SimulatedLegoFirmware(
-    var millivolts: Int = 8700,
-    private val room: Int = 6000,
-    private val version: Int = 32,
-) : SimulatedFirmware {
+class SimulatedLegoFirmware(var millivolts: Int = 8700, private val room: Int = 6000, private val version: Int = 32) :
+    SimulatedFirmware {
     /** The code of each part: `task 0` in slot 1 is `1 task 0`. */
     val parts = mutableMapOf<String, ByteArray>()
     var slot = 1

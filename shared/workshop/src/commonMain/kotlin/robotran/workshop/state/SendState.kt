@@ -84,10 +84,7 @@ sealed interface SendStep {
      * @property file the chosen file; null for none yet.
      * @property why what the brick has.
      */
-    data class NeedsFirmware(
-        val file: ChosenFirmware? = null,
-        val why: TowerError = TowerError.NoLejos(),
-    ) : SendStep {
+    data class NeedsFirmware(val file: ChosenFirmware? = null, val why: TowerError = TowerError.NoLejos()) : SendStep {
         /** Whether it is LEGO's own that is needed, and not leJOS. */
         val needsLego get() = why !is TowerError.NoLejos
 
@@ -106,11 +103,7 @@ sealed interface SendStep {
      * @property remains what the brick has now.
      * @property slot as of [Cancelled].
      */
-    data class Failed(
-        val error: SendError,
-        val remains: Remains = Remains.AS_BEFORE,
-        val slot: Int? = null,
-    ) : SendStep
+    data class Failed(val error: SendError, val remains: Remains = Remains.AS_BEFORE, val slot: Int? = null) : SendStep
 
     /**
      * The program is in the brick.

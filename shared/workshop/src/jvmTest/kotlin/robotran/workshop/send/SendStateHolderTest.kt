@@ -285,7 +285,8 @@ class SendStateHolderTest {
             request()
             assertEquals(why, assertIs<SendStep.NeedsFirmware>(step).why)
             for (useless in listOf("?LIB_VERSION_L00", "")) {
-                files.chosen = listOf(OpenedFile("f.lgo", if (useless.isEmpty()) byteArrayOf(1) else firmwareFile(useless)))
+                files.chosen =
+                    listOf(OpenedFile("f.lgo", if (useless.isEmpty()) byteArrayOf(1) else firmwareFile(useless)))
                 holder.handle(SendEvent.FirmwareFileRequested)
                 assertNull(assertIs<SendStep.NeedsFirmware>(step).usable)
             }

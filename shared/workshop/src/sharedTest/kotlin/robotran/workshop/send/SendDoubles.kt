@@ -124,10 +124,9 @@ internal class ScriptedRobot : RobotLinks {
 internal class TextImages : ImageBuilder {
     var result: ProgramImageResult? = null
 
-    override suspend fun build(program: PupilProgram): ProgramImageResult =
-        result ?: ProgramImageResult.Ready(
-            BuiltProgram.Lejos(program.files.first().text.encodeToByteArray(), maxBytes = 10_000),
-        )
+    override suspend fun build(program: PupilProgram): ProgramImageResult = result ?: ProgramImageResult.Ready(
+        BuiltProgram.Lejos(program.files.first().text.encodeToByteArray(), maxBytes = 10_000),
+    )
 }
 
 /** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */
