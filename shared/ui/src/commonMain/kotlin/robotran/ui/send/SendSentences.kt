@@ -15,6 +15,11 @@ import robotran.ui.resources.send_checking
 import robotran.ui.resources.send_choose
 import robotran.ui.resources.send_choose_missing
 import robotran.ui.resources.send_compiler_failed
+import robotran.ui.resources.send_datalog
+import robotran.ui.resources.send_datalog_none
+import robotran.ui.resources.send_datalog_reading
+import robotran.ui.resources.send_datalog_refused
+import robotran.ui.resources.send_datalog_saved
 import robotran.ui.resources.send_done
 import robotran.ui.resources.send_done_help
 import robotran.ui.resources.send_done_slot
@@ -73,6 +78,14 @@ internal fun sentenceOf(step: SendStep): String = when (step) {
 
     is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot)
 
+    is SendStep.ReadingDatalog -> stringResource(Res.string.send_datalog_reading)
+
+    is SendStep.Datalog -> if (step.entries.isEmpty()) {
+        stringResource(Res.string.send_datalog_none)
+    } else {
+        stringResource(Res.string.send_datalog, step.entries.size)
+    }
+
     is SendStep.Sending -> stringResource(
         step.what.choose(Res.string.send_program, Res.string.send_firmware),
     )
@@ -104,7 +117,10 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
         else -> null
     }
 
-    is SendStep.Sending -> stringResource(Res.string.send_keep_still)
+    is SendStep.Sending, is SendStep.ReadingDatalog -> stringResource(Res.string.send_keep_still)
+
+    is SendStep.Datalog -> step.savedAs?.let { stringResource(Res.string.send_datalog_saved, it) }
+        ?: stringResource(Res.string.send_datalog_refused).takeIf { step.isRefused }
 
     is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot_help)
 

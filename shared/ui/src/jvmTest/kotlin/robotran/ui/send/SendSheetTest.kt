@@ -89,6 +89,8 @@ class SendSheetTest {
             SendEvent.FirmwareConfirmed,
             SendEvent.WatchingRequested,
             SendEvent.SlotsEmptied,
+            SendEvent.DatalogRequested,
+            SendEvent.DatalogSaved,
         )
         assertEquals(expected, pressed)
     }
@@ -115,6 +117,24 @@ class SendSheetTest {
         onNodeWithText("Slot 2, as last time").assertExists()
         for (slot in 1..5) scrollAndTouch("send-slot-$slot")
         assertEquals((1..5).map { SendEvent.SlotChosen(it) }, events.toList<SendEvent>())
+    }
+
+    @Test
+    fun `the first values of a datalog are listed with what they are from`() = onSheet(411, 891) {
+        show(SEND_STEPS.getValue("datalog"))
+        val lines = listOf(
+            "75 values from the datalog of your robot:",
+            "1: sensor 1 is 192",
+            "2: timer 1 is 96",
+            "3: variable 31 is 93",
+            "4: clock is 384",
+            "5: kind 153 is 459",
+            "6: sensor 2 is 40",
+            "and 25 more",
+        )
+        for (line in lines) onNodeWithText(line).assertExists()
+        show(SEND_STEPS.getValue("datalog-reading"))
+        onNodeWithTag("send-block").assertTextContains("50 of 123 values, about 5 s left")
     }
 
     @Test
@@ -249,6 +269,9 @@ class SendSheetTest {
             "send-firmware",
             "send-watch",
             "send-empty-slots",
+            "send-read-datalog",
+            "send-save-datalog",
+            "send-to-slots",
         )
     }
 }

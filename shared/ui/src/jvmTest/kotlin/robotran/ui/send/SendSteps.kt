@@ -1,5 +1,6 @@
 package robotran.ui.send
 
+import robotran.legofirmware.device.DatalogEntry
 import robotran.programs.ProgramDiagnostic
 import robotran.robolang.diagnostic.SourceRange
 import robotran.tower.RcxVersion
@@ -40,6 +41,10 @@ private val MESSAGES = listOf(
     RobotMessage(2, 12_030, ReceivedMessage.Packet(listOf(18, 5, 0, -1))),
 )
 
+/** An entry of each kind, and more than fit on the sheet. */
+private val DATALOG = listOf(0x40, 0x20, 0x1F, 0x80, 0x99).map { DatalogEntry(it, it * 3) } +
+    List(70) { DatalogEntry(0x41, 40 + it % 15) }
+
 /** One step of each kind, and each error, by a name for its picture. */
 internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("building", SendStep.Building)
@@ -61,6 +66,11 @@ internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("sending-firmware", SendStep.Sending(Transfer.FIRMWARE, TransferProgress(20, 87, 1, 131)))
     put("slot", SendStep.ChoosingSlot(last = null))
     put("slot-again", SendStep.ChoosingSlot(last = 4))
+    put("datalog-reading", SendStep.ReadingDatalog(TransferProgress(50, 123, 0, 3)))
+    put("datalog", SendStep.Datalog(DATALOG))
+    put("datalog-saved", SendStep.Datalog(DATALOG, savedAs = "datalog.csv"))
+    put("datalog-refused", SendStep.Datalog(DATALOG.take(2), isRefused = true))
+    put("datalog-none", SendStep.Datalog(emptyList()))
     put("needs-firmware", SendStep.NeedsFirmware())
     put("has-lego", SendStep.NeedsFirmware(why = TowerError.NoLejos(RcxVersion(3, 28))))
     put("needs-lego", SendStep.NeedsFirmware(why = TowerError.NoLegoFirmware))

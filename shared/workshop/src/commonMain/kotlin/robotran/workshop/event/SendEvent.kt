@@ -25,6 +25,12 @@ sealed interface SendEvent : WorkshopEvent {
     /** Deletes the programs in all slots of LEGO's own firmware, then sends the program. */
     data object SlotsEmptied : SendEvent
 
+    /** Reads the datalog of LEGO's own firmware. */
+    data object DatalogRequested : SendEvent
+
+    /** Saves the datalog that was read as CSV. */
+    data object DatalogSaved : SendEvent
+
     /** Lets the user choose a firmware file. */
     data object FirmwareFileRequested : SendEvent
 

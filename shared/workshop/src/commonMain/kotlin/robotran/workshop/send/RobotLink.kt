@@ -1,7 +1,9 @@
 package robotran.workshop.send
 
+import robotran.legofirmware.device.DatalogEntry
 import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.firmware.FirmwareImage
@@ -26,6 +28,9 @@ interface RobotLink {
         emptiesOthers: Boolean,
         progress: (TransferProgress) -> Unit,
     ): TransferResult
+
+    /** Reads the datalog of LEGO's firmware, which the brick keeps. */
+    suspend fun readDatalog(progress: (TransferProgress) -> Unit): TowerResult<List<DatalogEntry>>
 
     /** Replaces the brick's firmware. If cancelled, the brick is left without firmware. */
     suspend fun sendFirmware(firmware: FirmwareImage, progress: (TransferProgress) -> Unit): TransferResult

@@ -1,5 +1,6 @@
 package robotran.workshop.send
 
+import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.tower.BrickStatus
 import robotran.tower.LegoLimits
@@ -57,6 +58,9 @@ internal class TowerRobotLink(port: TowerPort) : RobotLink {
         }
         return tower.sendLegoProgram(slot, program.image, progress)
     }
+
+    override suspend fun readDatalog(progress: (TransferProgress) -> Unit): TowerResult<List<DatalogEntry>> =
+        tower.readLegoDatalog(progress)
 
     override suspend fun sendFirmware(firmware: FirmwareImage, progress: (TransferProgress) -> Unit): TransferResult =
         tower.sendFirmware(firmware, progress)

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.legofirmware.device.DatalogEntry
 import robotran.programs.ProgramDiagnostic
 import robotran.tower.LegoLimits
 import robotran.tower.ReceivedMessage
@@ -72,6 +73,21 @@ sealed interface SendStep {
      * @property last the slot of the last program; null if this is the first one.
      */
     data class ChoosingSlot(val last: Int?) : SendStep
+
+    /** @property progress with entries in place of blocks; null until some have come. */
+    data class ReadingDatalog(val progress: TransferProgress?) : SendStep {
+        override val isBusy get() = true
+    }
+
+    /**
+     * What a program has written into the datalog.
+     *
+     * @property entries empty if there is no datalog, too.
+     * @property savedAs the name of its file; null if it was not saved yet.
+     * @property isRefused whether the last try to save it has failed.
+     */
+    data class Datalog(val entries: List<DatalogEntry>, val savedAs: String? = null, val isRefused: Boolean = false) :
+        SendStep
 
     /** @property progress null until the first block is through. */
     data class Sending(val what: Transfer, val progress: TransferProgress?) : SendStep {

@@ -3,6 +3,7 @@ package robotran.workshop.send
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.CodeBytes
@@ -15,6 +16,7 @@ import robotran.tower.RcxVersion
 import robotran.tower.ReceivedMessage
 import robotran.tower.Remains
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.firmware.FirmwareKind
@@ -297,6 +299,33 @@ class SendStateHolderTest {
             holder.handle(SendEvent.Cancelled)
         }
         assertEquals(2, robot.firmwares.size)
+    }
+
+    @Test
+    fun `the datalog is read before a slot is chosen, saved, and a slot can be chosen afterwards`() {
+        images.result = ProgramImageResult.Ready(LEGO)
+        val entries = listOf(DatalogEntry(0x40, 55), DatalogEntry(3, -1))
+        robot.datalog = TowerResult.Success(entries)
+        request()
+        holder.handle(SendEvent.DatalogRequested)
+        assertEquals(SendStep.Datalog(entries), step)
+        holder.handle(SendEvent.DatalogSaved)
+        assertEquals(SendStep.Datalog(entries), step)
+        files.location = "/home/log.csv"
+        files.full = true
+        holder.handle(SendEvent.DatalogSaved)
+        assertEquals(SendStep.Datalog(entries, isRefused = true), step)
+        files.full = false
+        holder.handle(SendEvent.DatalogSaved)
+        assertEquals(SendStep.Datalog(entries, savedAs = "log.csv"), step)
+        val csv = "entry,source,number,value\n1,sensor,1,55\n2,variable,3,-1\n"
+        assertEquals(csv, files.disk.getValue("/home/log.csv").decodeToString())
+        holder.handle(SendEvent.Retried)
+        assertEquals(SendStep.ChoosingSlot(last = null), step)
+        robot.datalog = TowerResult.Failed(TowerError.BadConnection)
+        holder.handle(SendEvent.DatalogRequested)
+        assertEquals(SendStep.Failed(SendError.OfTower(TowerError.BadConnection)), step)
+        assertEquals(emptyList(), robot.slots)
     }
 
     @Test

@@ -2,8 +2,10 @@ package robotran.workshop.send
 
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.awaitCancellation
+import robotran.legofirmware.device.DatalogEntry
 import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.firmware.FirmwareImage
@@ -78,6 +80,8 @@ internal class ScriptedRobot : RobotLinks {
     val slots = mutableListOf<Pair<Int, Boolean>>()
     val firmwares = mutableListOf<FirmwareImage>()
 
+    var datalog: TowerResult<List<DatalogEntry>> = TowerResult.Success(emptyList())
+
     /** What the robot sends while it is watched; then the tower is gone. */
     var messages: List<ReceivedMessage> = emptyList()
 
@@ -100,6 +104,11 @@ internal class ScriptedRobot : RobotLinks {
         ): TransferResult {
             slots += slot to emptiesOthers
             return transfer(ByteArray(program.image.codeSize), progress)
+        }
+
+        override suspend fun readDatalog(progress: (TransferProgress) -> Unit): TowerResult<List<DatalogEntry>> {
+            progress(TransferProgress(confirmedBlocks = 1, totalBlocks = 2, repeats = 0, secondsLeft = 1))
+            return datalog
         }
 
         override suspend fun sendFirmware(
