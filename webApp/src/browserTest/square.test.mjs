@@ -51,6 +51,14 @@ test('every example that an NXT can run makes its recorded run on one, bit for b
     assert.deepEqual(troubles, []);
   }));
 
+test('every example in NQC makes its recorded run in the browser, bit for bit', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.nqc'));
+    assert.ok(examples.length >= 10, `${examples.length} examples`);
+    for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_NQC_RUNS);
+    assert.deepEqual(troubles, []);
+  }));
+
 test('the page fits a phone and a laptop, by day and by night', async () => {
   for (const [name, size] of Object.entries({
     phone: PHONE,

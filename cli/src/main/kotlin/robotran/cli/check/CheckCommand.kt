@@ -26,8 +26,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     private val files by argument(
         "FILE",
         help =
-            "programs in Robolang (.robo), NQC (.nqc) or assembly text (.lasm), the files of a Java program (.java), or " +
-                "compiled ones (.class, .jar, .rcx)",
+            "programs in Robolang (.robo), NQC (.nqc) or assembly text (.lasm), the files of a Java program (.java), " +
+                "or compiled ones (.class, .jar, .rcx)",
     )
         .multiple(required = true)
     private val brick by brickOption()

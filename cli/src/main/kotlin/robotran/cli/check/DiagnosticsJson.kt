@@ -57,21 +57,22 @@ private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> = when (file) {
 }
 
 /** @param checked the checked file, if others may be named that it includes. */
-private fun json(severity: String, diagnostic: ProgramDiagnostic, checked: String? = null): JsonObject = buildJsonObject {
-    put("severity", severity)
-    if (checked != null && nameOf(diagnostic.file) != nameOf(checked)) put("file", diagnostic.file)
-    diagnostic.range?.let { put(it) }
-    put("message", diagnostic.message)
-    diagnostic.fix?.let { fix ->
-        put(
-            "fix",
-            buildJsonObject {
-                put(fix.range)
-                put("replacement", fix.replacement)
-            },
-        )
+private fun json(severity: String, diagnostic: ProgramDiagnostic, checked: String? = null): JsonObject =
+    buildJsonObject {
+        put("severity", severity)
+        if (checked != null && nameOf(diagnostic.file) != nameOf(checked)) put("file", diagnostic.file)
+        diagnostic.range?.let { put(it) }
+        put("message", diagnostic.message)
+        diagnostic.fix?.let { fix ->
+            put(
+                "fix",
+                buildJsonObject {
+                    put(fix.range)
+                    put("replacement", fix.replacement)
+                },
+            )
+        }
     }
-}
 
 private fun json(diagnostic: Diagnostic): JsonObject = buildJsonObject {
     put("code", diagnostic.code.id)

@@ -125,7 +125,9 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
 private fun isHidden(path: Path): Boolean = path.any { it.name.startsWith('.') && it.name.trim('.').isNotEmpty() }
 
 private fun isUseful(file: String): Boolean =
-    (TEXTS + FIRMWARE_ENDINGS + listOf(ROBOLANG, JAVA, NQC_HEADER, PROJECT, ".json")).any { file.endsWith(it, ignoreCase = true) }
+    (TEXTS + FIRMWARE_ENDINGS + listOf(ROBOLANG, JAVA, NQC_HEADER, PROJECT, ".json")).any {
+        file.endsWith(it, ignoreCase = true)
+    }
 
 private const val HAND_IN_LINK = "#h="
 private const val ZIP = ".zip"

@@ -18,9 +18,9 @@ import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.RCX_IMAGE
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.writeFile
-import robotran.cli.messages.CommandMessages
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
+import robotran.cli.messages.CommandMessages
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.toBytes

@@ -80,8 +80,8 @@ private object SpanishRunMessages : RunMessages {
 
     override fun firmwareImageBuilt(name: String?, bytes: String, limit: String) =
         name?.let { "$it está escrito. " }.orEmpty() +
-            "El programa ocupa $bytes de los $limit bytes que un ladrillo tiene para todos los programas y el registro " +
-            "de datos."
+            "El programa ocupa $bytes de los $limit bytes que un ladrillo tiene para todos los programas y el " +
+            "registro de datos."
 
     override fun notFormatted(name: String) = "$name no está ordenado."
 

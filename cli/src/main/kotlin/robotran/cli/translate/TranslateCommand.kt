@@ -22,13 +22,13 @@ import robotran.cli.files.JAVA
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
+import robotran.cli.input.RobolangFile
+import robotran.cli.input.lineOf
+import robotran.cli.input.readRobolangFile
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.NqcOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.cli.legofirmware.nqcOf
-import robotran.cli.input.RobolangFile
-import robotran.cli.input.lineOf
-import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.legofirmware.listing.assemblyListing
 import robotran.programs.FirmwareSettings
@@ -49,8 +49,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private val programs by argument(
         "FILE",
         help =
-            "Robolang programs (.robo), or programs for LEGO's own firmware (.nqc, .lasm, .rcx), which become assembly " +
-                "text; for --kit also the files of one program in Java (.java)",
+            "Robolang programs (.robo), or programs for LEGO's own firmware (.nqc, .lasm, .rcx), which become " +
+                "assembly text; for --kit also the files of one program in Java (.java)",
     ).multiple(required = true)
     private val output by option(
         "-o",
@@ -64,8 +64,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         "--to",
         metavar = TargetLanguage.entries.joinToString("|") { it.word },
         help =
-            "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, or lasm, " +
-                "its assembly text (of other programs, if not given)",
+            "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, or " +
+                "lasm, its assembly text (of other programs, if not given)",
     ).convert { text -> TargetLanguage.of(text) ?: fail("$text is none of java, nqc and lasm") }
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
@@ -73,7 +73,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, or the assembly text of LEGO's firmware."
+    override fun help(context: Context) =
+        "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, or the assembly text of LEGO's firmware."
 
     override fun run() {
         val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }

@@ -44,6 +44,16 @@ class SendToLegoTest : TowerTest() {
     }
 
     @Test
+    fun `all tasks and subroutines of a program get into its slot`() {
+        val parts = program(
+            "task main() { start horn; Wait(100); }\ntask horn() { tone(); }\nsub tone() { PlaySound(1); }\n",
+            "parts.nqc",
+        )
+        assertEquals(0, execute(lego, "send", parts), console.complaints.joinToString("\n"))
+        assertEquals(setOf("1 task 0", "1 task 1", "1 sub 0"), lego.parts.keys)
+    }
+
+    @Test
     fun `a program with mistakes is not sent, nor are others that were named with it`() {
         val wrong = program("task main() { OnFwd(OUT_A) }\n", "wrong.nqc")
         assertEquals(1, execute(lego, "send", nqc, wrong))

@@ -62,8 +62,8 @@ class JavaCheckTest : CommandTest() {
         assertEquals(2, check("$folder/Main.txt"))
         assertEquals(
             listOf(
-                "$folder/Main.txt cannot be checked: its name does not end in .robo, .java, .class, .jar, .nqc, .lasm " +
-                    "or .rcx.",
+                "$folder/Main.txt cannot be checked: its name does not end in .robo, .java, .class, .jar, .nqc, " +
+                    ".lasm or .rcx.",
             ),
             console.complaints,
         )

@@ -1,8 +1,8 @@
 package robotran.documents
 
-import robotran.language.ProgramLanguage
 import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 
 /** [name] as a valid project name: one line, without surrounding blanks, not too long; null if nothing is left. */
 fun validProjectName(name: String): String? =

@@ -60,10 +60,13 @@ fun helpOn(
 ): WordHelp? {
     val range = wordRange(text, offset) ?: return null
     return when (code) {
-        ProgramLanguage.ROBOLANG, ProgramLanguage.NQC, ProgramLanguage.LASM ->
+        ProgramLanguage.ROBOLANG, ProgramLanguage.NQC, ProgramLanguage.LASM -> {
             WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+        }
 
-        ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)
+        ProgramLanguage.JAVA -> {
+            helpInJava(language, text, range, brickOfImports(text) ?: brick)
+        }
     }
 }
 

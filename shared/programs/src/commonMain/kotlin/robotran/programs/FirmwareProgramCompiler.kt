@@ -62,7 +62,8 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
     )
 
     private fun diagnosticOf(source: ProgramSource.Nqc, diagnostic: NqcDiagnostic): ProgramDiagnostic {
-        val file = source.files.find { simpleName(it.name) == simpleName(diagnostic.range.file) } ?: source.files.first()
+        val file =
+            source.files.find { simpleName(it.name) == simpleName(diagnostic.range.file) } ?: source.files.first()
         val fix = diagnostic.fix?.takeIf { it.range.file == diagnostic.range.file }?.let { fix ->
             rangeOf(fix.range)?.let { SourceFix(it, fix.replacement) }
         }
@@ -106,12 +107,8 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
             }
         }
 
-    private fun ready(
-        source: ProgramSource,
-        image: RcxImage,
-        lines: LineTable,
-        warnings: List<ProgramDiagnostic>,
-    ) = ProgramResult.Ready(FirmwareProgram(source.name, image, lines, language), warnings)
+    private fun ready(source: ProgramSource, image: RcxImage, lines: LineTable, warnings: List<ProgramDiagnostic>) =
+        ProgramResult.Ready(FirmwareProgram(source.name, image, lines, language), warnings)
 }
 
 /** What a brick with LEGO's own firmware runs; null for a program for another firmware. */

@@ -125,7 +125,11 @@ class FirmwareProgramsTest {
     @Test
     fun `a robot with an NXT gets none of them`() = runTest {
         val nxt = compiler.forTarget(nxtTestTarget)
-        for (source in listOf(drive, ProgramSource.Lasm("a.lasm", ""), ProgramSource.FirmwareImage("a.rcx", byteArrayOf()))) {
+        for (source in listOf(
+            drive,
+            ProgramSource.Lasm("a.lasm", ""),
+            ProgramSource.FirmwareImage("a.rcx", byteArrayOf()),
+        )) {
             assertEquals(BrickKind.RCX, likelyBrickOf(source))
             assertContains(mistakeIn(source, nxt).message, "for an RCX")
         }

@@ -42,6 +42,16 @@ class TypingTest {
         assertEquals("while (true) {\n    go();\n}|", typed("while (true) {|", "\ngo();\n}", ProgramLanguage.JAVA))
 
     @Test
+    fun `a curly bracket opens and closes a block of NQC`() = assertEquals(
+        "task main()\n{\n    go();\n}|",
+        typed("task main()|", "\n{\ngo();\n}", ProgramLanguage.NQC),
+    )
+
+    @Test
+    fun `a line of assembly text stands below the one above`() =
+        assertEquals("\twait 2, 1\n\t|", typed("\twait 2, 1|", "\n", ProgramLanguage.LASM))
+
+    @Test
     fun `a new line between two curly brackets makes room between them`() =
         assertEquals("    void go() {\n        |\n    }", typed("    void go() {|}", "\n", ProgramLanguage.JAVA))
 

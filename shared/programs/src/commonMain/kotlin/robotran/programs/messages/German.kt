@@ -11,6 +11,6 @@ object GermanProgramMessages : ProgramMessages {
         "Dieses Programm ist für einen $brick. Nur Programme für einen RCX lassen sich für einen echten Stein bauen."
 
     override fun noImageForFirmware() =
-        "Dieses Programm ist für LEGOs eigene Firmware, also passt es in kein Abbild für leJOS. Baue es allein, in eine " +
-            "Datei wie programm.rcx."
+        "Dieses Programm ist für LEGOs eigene Firmware, also passt es in kein Abbild für leJOS. Baue es allein, in " +
+            "eine Datei wie programm.rcx."
 }

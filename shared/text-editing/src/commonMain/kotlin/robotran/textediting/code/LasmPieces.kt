@@ -12,11 +12,11 @@ internal fun tokenizeLasmLine(line: String): List<CodeToken> = LASM_TOKEN.findAl
 
 private fun lasmKind(text: String): CodeTokenKind = when {
     text.startsWith(';') -> CodeTokenKind.COMMENT
-    text.last().isDigit() && !text.first().isLetter() -> CodeTokenKind.NUMBER
+    text.first().isDigit() || (text.first() == '-' && text.length > 1) -> CodeTokenKind.NUMBER
     text.lowercase() in LASM_KEYWORDS -> CodeTokenKind.KEYWORD
     Opcode.named(text).isNotEmpty() -> CodeTokenKind.BUILT_IN
     text.first().isLetter() || text.first() == '_' -> CodeTokenKind.NAME
     else -> CodeTokenKind.SIGN
 }
 
-private val LASM_TOKEN = Regex(";.*|[A-Za-z_]\\w*|-?\\d+|[^\\s\\w]")
+private val LASM_TOKEN = Regex(";.*|[A-Za-z_]\\w*|-?\\d\\w*|[^\\s\\w]")

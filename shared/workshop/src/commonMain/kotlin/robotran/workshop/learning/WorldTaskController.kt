@@ -92,6 +92,15 @@ internal class WorldTaskController(
 
     private fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
         val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
-        PupilProgram(if (language == ProgramLanguage.JAVA) "Solution.java" else "solution${language.extension}", it.text)
+        PupilProgram(
+            if (language ==
+                ProgramLanguage.JAVA
+            ) {
+                "Solution.java"
+            } else {
+                "solution${language.extension}"
+            },
+            it.text,
+        )
     }
 }

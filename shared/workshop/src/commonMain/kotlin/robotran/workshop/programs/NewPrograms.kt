@@ -48,7 +48,7 @@ private val FIRST_NQC = """
         Wait(200);
         Off(OUT_A + OUT_C);
     }
-    """.trimIndent()
+""".trimIndent()
 
 /** The same in the commands that the firmware runs. */
 private val FIRST_LASM = listOf(

@@ -2,9 +2,9 @@ package robotran.workshop.programs
 
 import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
+import robotran.nqc.edit.formatNqc
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
-import robotran.nqc.edit.formatNqc
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.textediting.EditKind

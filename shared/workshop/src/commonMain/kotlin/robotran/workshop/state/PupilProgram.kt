@@ -33,8 +33,7 @@ data class PupilProgram(val files: List<ProgramFile>) {
         return isShort && written.lines.count <= ProjectLimits.MAXIMUM_LINES
     }
 
-    internal fun source(): ProgramSource =
-        ProgramSource.of(language, name, files.map { SourceFile(it.name, it.text) })
+    internal fun source(): ProgramSource = ProgramSource.of(language, name, files.map { SourceFile(it.name, it.text) })
 
     internal fun withText(file: Int, text: String): PupilProgram =
         copy(files = files.mapIndexed { index, old -> if (index == file) old.copy(text = text) else old })
