@@ -63,9 +63,10 @@ internal fun pictureOf(step: SendStep): SendPicture = when (step) {
     SendStep.NoCompiler, SendStep.CompilerFailed -> SendPicture.MISTAKE
     SendStep.NoTowers -> SendPicture.NO_TOWER
     is SendStep.ChoosingTower -> SendPicture.PLUG_IN
-    SendStep.Checking, is SendStep.Sending, is SendStep.ReadingDatalog -> SendPicture.SENDING
+    SendStep.Checking, is SendStep.Sending -> SendPicture.SENDING
+    is SendStep.ReadingDatalog, is SendStep.Datalog -> SendPicture.SENDING
     is SendStep.NeedsFirmware, is SendStep.Cancelled -> SendPicture.WRONG_FIRMWARE
-    is SendStep.Done, is SendStep.Datalog -> SendPicture.DONE
+    is SendStep.Done -> SendPicture.DONE
     is SendStep.Watching -> if (step.isOver) SendPicture.UNPLUGGED else SendPicture.SENDING
     is SendStep.Failed -> pictureOf(step.error)
 }

@@ -131,10 +131,10 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
     is SendStep.Done -> stringResource(Res.string.send_done_help)
 
     is SendStep.Failed -> listOfNotNull(
-        remainsSentence(step.remains, step.slot),
         stringResource(Res.string.send_error_brick_silent_help).takeIf {
             step.error == SendError.OfTower(TowerError.BrickSilent)
         },
+        remainsSentence(step.remains, step.slot),
     ).joinToString(" ").ifEmpty { null }
 
     else -> null

@@ -33,19 +33,18 @@ import robotran.workshop.state.SendStep
 @Composable
 internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> Unit) {
     step.devices.forEachIndexed { index, device ->
-        ChoiceButton(nameOf(device), "send-tower-$index") { onEvent(SendEvent.TowerChosen(device)) }
+        TowerButton(nameOf(device), "send-tower-$index") { onEvent(SendEvent.TowerChosen(device)) }
     }
     // The USB tower first: it needs no adapter, so most pupils have one.
     for (kind in step.kinds.sortedByDescending { it == TowerKind.USB }) {
-        ChoiceButton(stringResource(lookingFor(kind)), "send-look-${kind.name.lowercase()}") {
+        TowerButton(stringResource(lookingFor(kind)), "send-look-${kind.name.lowercase()}") {
             onEvent(SendEvent.TowerRequested(kind))
         }
     }
 }
 
-/** A button as wide as the sheet, for one of several choices. */
 @Composable
-internal fun ChoiceButton(words: String, tag: String, onClick: () -> Unit) {
+private fun TowerButton(words: String, tag: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     OutlinedButton(
         onClick,

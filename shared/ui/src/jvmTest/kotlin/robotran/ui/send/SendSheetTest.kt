@@ -9,6 +9,7 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -19,7 +20,6 @@ import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.port.TowerKind
 import robotran.ui.language.InLanguage
-import robotran.ui.program.blocks.scrollAndTouch
 import robotran.ui.program.pressTool
 import robotran.ui.screen.Undrawn
 import robotran.ui.screen.assertWhole
@@ -114,8 +114,12 @@ class SendSheetTest {
     @Test
     fun `a slot is chosen by a touch, and the last one is named`() = onSheet(411, 891) {
         show(SendStep.ChoosingSlot(last = 2))
-        onNodeWithText("Slot 2, as last time").assertExists()
-        for (slot in 1..5) scrollAndTouch("send-slot-$slot")
+        onNodeWithContentDescription("Slot 2, as last time").assertExists()
+        onNodeWithContentDescription("Slot 5").assertExists()
+        for (slot in 1..5) {
+            assertWhole("send-slot-$slot", "a phone")
+            onNodeWithTag("send-slot-$slot").performClick()
+        }
         assertEquals((1..5).map { SendEvent.SlotChosen(it) }, events.toList<SendEvent>())
     }
 
