@@ -1,5 +1,8 @@
 package robotran.cli.legofirmware
 
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
 import robotran.cli.CommandTest
 import kotlin.io.path.readText
 import kotlin.test.Test
@@ -107,6 +110,18 @@ class NqcRunTest : CommandTest() {
         assertContains(on, "\"state\": \"running\"")
         val stopped = brickOf(forever, "--press", "run@2", "--press", "run@3", "--for", "5")
         assertContains(stopped, "\"state\": \"stopped\"")
+    }
+
+    @Test
+    fun `the report of the brick has variables and datalog`() {
+        val log = program(
+            "int n = 7;\ntask main()\n{\n  CreateDatalog(5);\n  AddToDatalog(n);\n  n = -2;\n  AddToDatalog(n);\n}\n",
+            "log.nqc",
+        )
+        val firmware = Json.parseToJsonElement(brickOf(log)).jsonObject.getValue("firmware").jsonObject
+        assertEquals("[7,-2]", firmware.getValue("datalog").toString())
+        assertEquals("-2", firmware.getValue("variables").jsonArray.first().toString())
+        assertTrue("firmware" !in Json.parseToJsonElement(brickOf(square)).jsonObject)
     }
 
     @Test

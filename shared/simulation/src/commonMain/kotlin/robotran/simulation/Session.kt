@@ -12,6 +12,7 @@ import robotran.brick.sound.SoundTrack
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.state.RcxFirmwareState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
@@ -158,6 +159,9 @@ class Session(
 
     /** A copy of the current memory of the [watched] robot's brick; null if it is no RCX. */
     fun memory(): MemorySnapshot? = (brick as? RcxBrick)?.memory()
+
+    /** What the firmware of the [watched] robot's brick knows now; null if it tells nothing, such as leJOS's. */
+    fun firmwareState(): RcxFirmwareState? = (brick as? RcxBrick)?.firmwareState
 
     /**
      * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.
