@@ -18,7 +18,7 @@ kotlin {
             // A brick and a tower for the tests of all modules that talk to one.
             kotlin.srcDir("src/simulatedBrick/kotlin")
             // What it received, on the virtual brick.
-            kotlin.srcDir("src/receivedPrograms/kotlin")
+            kotlin.srcDir("src/sharedTest/kotlin")
         }
     }
 }

@@ -43,7 +43,7 @@ kotlin {
             // The tests of shared/ui use them too.
             kotlin.srcDir("src/sharedTest/kotlin")
             kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
-            kotlin.srcDir("../tower/src/receivedPrograms/kotlin")
+            kotlin.srcDir("../tower/src/sharedTest/kotlin")
         }
     }
 }
