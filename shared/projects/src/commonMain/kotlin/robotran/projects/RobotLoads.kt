@@ -15,7 +15,7 @@ import robotran.world.LightFacing
 import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.messages.sentence
-import robotran.world.robot.robotErrors
+import robotran.world.robot.draftError
 
 /** The result of compiling the programs of all robots of a world. */
 sealed interface RobotLoads {
@@ -68,13 +68,9 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
  * null if there is none.
  */
 fun unfinishedRobot(world: World, language: Language): RobotLoads.HasErrors? {
-    val messages = ProjectMessages.of(language)
-    return world.robots.firstNotNullOfOrNull { robot ->
-        val draft = robot.draft ?: return@firstNotNullOfOrNull null
-        val error = robotErrors(draft).firstOrNull() ?: return@firstNotNullOfOrNull null
-        val message = messages.robotUnfinished(robot.name, draft.title, error.sentence(language))
-        RobotLoads.HasErrors(robot.name, listOf(ProgramDiagnostic("", null, message)))
-    }
+    val (_, robot, draft, error) = draftError(world) ?: return null
+    val message = ProjectMessages.of(language).robotUnfinished(robot, draft.title, error.sentence(language))
+    return RobotLoads.HasErrors(robot, listOf(ProgramDiagnostic("", null, message)))
 }
 
 /** As [readRobotLoads] of a world, for [project], in its [Project.worldToRun] and with the configurations of its robots. */

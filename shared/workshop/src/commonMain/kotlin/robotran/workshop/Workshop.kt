@@ -47,7 +47,6 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.robot.RobotEditStateHolder
-import robotran.workshop.robot.draftNotice
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
@@ -74,6 +73,7 @@ import robotran.workshop.worldedit.WorldEditStateHolder
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.robot.draftError
 import robotran.worldediting.ElementKind
 
 /**
@@ -203,78 +203,24 @@ class Workshop(
     /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
         when (event) {
-            is ProgramEvent -> {
-                handleProgram(event)
-            }
-
-            is RunEvent -> {
-                handleRun(event)
-            }
-
-            is SheetEvent -> {
-                sheet.handle(event)
-            }
-
-            is WorldEditEvent -> {
-                handleWorldEdit(event)
-            }
-
-            is RobotEditEvent -> {
-                if (event is RobotEditEvent.BenchOpened && notice?.action is NoticeAction.BuildOn) notice = null
-                robotEdit.handle(event)
-            }
-
-            is DocumentEvent -> {
-                document.handle(event)
-            }
-
-            is SettingsEvent -> {
-                handleSettings(event)
-            }
-
-            is LearningEvent -> {
-                learning.handle(event)
-            }
-
-            is SendEvent -> {
-                send.handle(event)
-            }
-
-            is ShowEvent -> {
-                show.handle(event)
-            }
-
-            is HandInsEvent -> {
-                handIns.handle(event)
-            }
-
-            is AssignmentEvent -> {
-                assignment.handle(event)
-            }
-
-            is CourseEvent -> {
-                course.handle(event)
-            }
-
-            is WorkshopEvent.PaneChosen -> {
-                pane = event.pane
-            }
-
-            is WorkshopEvent.PaneFilled -> {
-                fullPane = event.pane
-            }
-
-            is WorkshopEvent.TaskShown -> {
-                taskShown = event.shown
-            }
-
-            WorkshopEvent.NoticeDismissed -> {
-                notice = null
-            }
-
-            WorkshopEvent.NoticeTaken -> {
-                takeNotice()
-            }
+            is ProgramEvent -> handleProgram(event)
+            is RunEvent -> handleRun(event)
+            is SheetEvent -> sheet.handle(event)
+            is WorldEditEvent -> handleWorldEdit(event)
+            is RobotEditEvent -> handleRobotEdit(event)
+            is DocumentEvent -> document.handle(event)
+            is SettingsEvent -> handleSettings(event)
+            is LearningEvent -> learning.handle(event)
+            is SendEvent -> send.handle(event)
+            is ShowEvent -> show.handle(event)
+            is HandInsEvent -> handIns.handle(event)
+            is AssignmentEvent -> assignment.handle(event)
+            is CourseEvent -> course.handle(event)
+            is WorkshopEvent.PaneChosen -> pane = event.pane
+            is WorkshopEvent.PaneFilled -> fullPane = event.pane
+            is WorkshopEvent.TaskShown -> taskShown = event.shown
+            WorkshopEvent.NoticeDismissed -> notice = null
+            WorkshopEvent.NoticeTaken -> takeNotice()
         }
         document.projectMayHaveChanged()
     }
@@ -526,16 +472,21 @@ class Workshop(
         val wasOpen = worldEdit.state != null
         // Robots drive in the world itself, not in a variation of it.
         val isVariation = editedWorld.variation != null
-        val drafts = worldEdit.state?.world?.robots.orEmpty()
+        val edited = worldEdit.state?.world
         worldEdit.handle(if (isVariation && event == WorldEditEvent.TriedOut) WorldEditEvent.EditorClosed else event)
         if (!wasOpen || worldEdit.state != null) return
         if (isVariation) {
             if (notice is Notice.RobotKeptAsDraft) notice = null
         } else if (event == WorldEditEvent.EditorClosed) {
-            drafts.withIndex().firstNotNullOfOrNull { (number, place) -> place.draftNotice(number) }?.let(::show)
+            edited?.let(::draftError)?.let { show(Notice.RobotKeptAsDraft(it)) }
         }
         editedWorld.leave()
         assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
+    }
+
+    private fun handleRobotEdit(event: RobotEditEvent) {
+        if (event is RobotEditEvent.BenchOpened && notice?.action is NoticeAction.BuildOn) notice = null
+        robotEdit.handle(event)
     }
 
     /** Puts an opened robot into the workbench, or otherwise in the place of the robot that is chosen or shown. */
@@ -603,46 +554,21 @@ class Workshop(
         val taken = shownNotice ?: return
         notice = null
         when (val action = taken.action) {
-            NoticeAction.ShowProjects -> {
-                document.handle(DocumentEvent.ProjectListRequested)
-            }
-
-            is NoticeAction.GoBack -> {
-                document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            }
-
-            is NoticeAction.GoOn -> {
-                document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            }
-
-            NoticeAction.ChangeNumber -> {
-                show(Pane.PROGRAM)
-                programs.editFirstLength()
-            }
-
-            NoticeAction.BackToHandIns -> {
-                handIns.goBack()
-            }
-
-            NoticeAction.BeginningUndone -> {
-                assignment.handle(AssignmentEvent.BeginningUndone)
-            }
-
-            NoticeAction.UnplugSensors -> {
-                handleWorldEdit(WorldEditEvent.PlugUndone)
-            }
-
-            NoticeAction.BringRobotBack -> {
-                handleWorldEdit(WorldEditEvent.RobotBroughtBack)
-            }
-
-            is NoticeAction.BuildOn -> {
-                robotEdit.handle(RobotEditEvent.BenchOpened(action.robot))
-            }
-
-            null -> {
-                // Some notices only tell something.
-            }
+            NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
+            is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            is NoticeAction.GoOn -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            NoticeAction.ChangeNumber -> editFirstLength()
+            NoticeAction.BackToHandIns -> handIns.goBack()
+            NoticeAction.BeginningUndone -> assignment.handle(AssignmentEvent.BeginningUndone)
+            NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
+            NoticeAction.BringRobotBack -> handleWorldEdit(WorldEditEvent.RobotBroughtBack)
+            is NoticeAction.BuildOn -> robotEdit.handle(RobotEditEvent.BenchOpened(action.robot))
+            null -> Unit
         }
+    }
+
+    private fun editFirstLength() {
+        show(Pane.PROGRAM)
+        programs.editFirstLength()
     }
 }

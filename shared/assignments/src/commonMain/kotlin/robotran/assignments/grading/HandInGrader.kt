@@ -47,9 +47,8 @@ class HandInGrader(
     }
 
     private suspend fun prepareUnguarded(submission: Submission.Usable): Preparation {
-        for (graded in plan.worlds) {
-            val unfinished = unfinishedRobot(graded.world, language) ?: continue
-            // That is no mistake of the pupil's.
+        // That is no mistake of the pupil's.
+        plan.worlds.firstNotNullOfOrNull { unfinishedRobot(it.world, language) }?.let { unfinished ->
             return Preparation.Failed(submission, unfinished.diagnostics.map { it.message })
         }
         val first = assignment.world.robots.first().name

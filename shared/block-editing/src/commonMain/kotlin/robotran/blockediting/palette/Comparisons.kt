@@ -11,10 +11,11 @@ fun comparisonsFor(sensors: Set<SensorKind>, brick: BrickKind): List<String> {
 }
 
 internal const val LIGHT_COMPARISON = "light < 40"
+internal const val DISTANCE_COMPARISON = "distance < 20"
 
 /** The word for a sensor that only an NXT has, compared with a value that makes sense. */
 private val NXT_COMPARISONS = mapOf(
-    SensorKind.ULTRASONIC to "distance < 20",
+    SensorKind.ULTRASONIC to DISTANCE_COMPARISON,
     SensorKind.COLOUR to "colour == red",
     SensorKind.SOUND to "loudness > 50",
 )

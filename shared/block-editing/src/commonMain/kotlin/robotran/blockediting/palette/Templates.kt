@@ -36,7 +36,7 @@ internal val ValueForm.templates: List<String>
 /** The same for a robot with [brick]. */
 internal fun ValueForm.templatesOn(brick: BrickKind): List<String> = when {
     this.brick != null && this.brick != brick -> emptyList()
-    this == ValueForm.COMPARISON && brick == BrickKind.NXT -> listOf("distance < 20")
+    this == ValueForm.COMPARISON && brick == BrickKind.NXT -> listOf(DISTANCE_COMPARISON)
     this == ValueForm.BUTTON && brick == BrickKind.NXT -> listOf("button enter")
     else -> templates
 }

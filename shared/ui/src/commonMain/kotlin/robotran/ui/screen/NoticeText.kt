@@ -147,14 +147,14 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.RobotImpossible -> stringResource(
         Res.string.robot_impossible,
-        notice.robot,
-        notice.error.sentence(LocalLanguage.current),
+        notice.draft.draft.title,
+        notice.draft.error.sentence(LocalLanguage.current),
     )
 
     is Notice.RobotKeptAsDraft -> stringResource(
         Res.string.robot_kept_as_draft,
-        notice.robot,
-        notice.error.sentence(LocalLanguage.current),
+        notice.draft.draft.title,
+        notice.draft.error.sentence(LocalLanguage.current),
     )
 
     Notice.EscapeAlone -> stringResource(Res.string.nxt_escape_alone)

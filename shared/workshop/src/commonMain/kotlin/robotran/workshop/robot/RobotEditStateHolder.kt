@@ -25,7 +25,7 @@ import robotran.world.RobotPlacement
 import robotran.world.file.RobotFileResult
 import robotran.world.file.readRobot
 import robotran.world.file.writeRobot
-import robotran.world.robot.robotErrors
+import robotran.world.robot.draftError
 import robotran.worldediting.Edit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
@@ -159,9 +159,9 @@ internal class RobotEditStateHolder(
         latest = state?.editing ?: now.editing
         state = null
         editWorld(WorldEditEvent.Edited(Edit.FinishChange))
-        val draft = worldEdit()?.world?.robots?.getOrNull(now.robot)?.draftNotice(now.robot)
+        val draft = worldEdit()?.world?.let { draftError(it, now.robot) }
         if (closesWorld) editWorld(WorldEditEvent.EditorClosed)
-        draft?.let(notices::show)
+        draft?.let { notices.show(Notice.RobotKeptAsDraft(it)) }
     }
 
     private fun showSheet(shown: Boolean) {
@@ -205,9 +205,4 @@ internal class RobotEditStateHolder(
             }
         }
     }
-}
-
-/** That the placement's robot, the one with the index [number] in its world, is a draft; null if it is none. */
-internal fun RobotPlacement.draftNotice(number: Int): Notice? = draft?.let { robot ->
-    robotErrors(robot).firstOrNull()?.let { Notice.RobotKeptAsDraft(robot.title, it, number) }
 }

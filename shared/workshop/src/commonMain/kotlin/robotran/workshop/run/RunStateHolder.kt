@@ -37,7 +37,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
 import robotran.world.World
-import robotran.world.robot.robotErrors
+import robotran.world.robot.draftError
 
 /**
  * Holds the current run. Not thread-safe.
@@ -293,11 +293,9 @@ class RunStateHolder(
 
     /** Tells why, if a robot is impossible. */
     private fun isRefused(): Boolean {
-        val number = run.world.robots.indexOfFirst { it.draft != null }
-        val robot = run.world.robots.getOrNull(number)?.draft ?: return false
-        val error = robotErrors(robot).firstOrNull() ?: return false
+        val draft = draftError(run.world) ?: return false
         pendingStart = null
-        notices.show(Notice.RobotImpossible(robot.title, error, number))
+        notices.show(Notice.RobotImpossible(draft))
         return true
     }
 

@@ -2,7 +2,7 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.world.RobotDescription
-import robotran.world.robot.RobotError
+import robotran.world.robot.DraftError
 
 /** A message at the bottom of the screen that stays until it is dismissed or replaced. */
 @Immutable
@@ -150,26 +150,16 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.BackToHandIns
     }
 
-    /**
-     * No program runs, because a robot of the world cannot be built like this.
-     *
-     * @property robot its title.
-     * @property number its index in the world.
-     */
-    data class RobotImpossible(val robot: String, val error: RobotError, val number: Int) :
+    /** No program runs, because a robot of the world cannot be built like this. */
+    data class RobotImpossible(val draft: DraftError) :
         Notice,
         Error {
-        override val action: NoticeAction get() = NoticeAction.BuildOn(number)
+        override val action: NoticeAction get() = NoticeAction.BuildOn(draft.number)
     }
 
-    /**
-     * A robot that cannot be built like this is kept as a draft; another one drives until it is mended.
-     *
-     * @property robot its title.
-     * @property number its index in the world.
-     */
-    data class RobotKeptAsDraft(val robot: String, val error: RobotError, val number: Int) : Notice {
-        override val action: NoticeAction get() = NoticeAction.BuildOn(number)
+    /** A robot that cannot be built like this is kept as a draft; no program runs until it is mended. */
+    data class RobotKeptAsDraft(val draft: DraftError) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BuildOn(draft.number)
     }
 
     /** ESCAPE alone does not end the program of an NXT. */
