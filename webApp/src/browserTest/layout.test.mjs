@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { loadAgain, photograph } from './page.mjs';
 import { onPage } from './set-up.mjs';
 import { test } from './tried-again.mjs';
-import { appears, placeOf, reports, says, words, writeProgram } from './words.mjs';
+import { appears, placeOf, press, reports, says, words, writeProgram } from './words.mjs';
 
 const PRESSABLE = [
   'menu',
@@ -98,7 +98,8 @@ async function chooseSquareWorld(page) {
     await tap(page, 'menu-worlds');
   }
   await appears(page, 'world-square');
-  await tap(page, 'world-square');
+  // On a phone it is at the lower edge.
+  await press(page, 'world-square');
   await appears(page, 'goal-chip');
 }
 

@@ -34,6 +34,7 @@ public class Arbitrators {
         }
 
         public void action() {
+            if (done == clock) return; // Called again before the arbitrator's monitor has looked.
             done = clock;
             System.out.println("avoid " + done);
         }
