@@ -5,6 +5,7 @@ plugins {
 
 texts {
     constant("commonMain", "robotran.benchmarks.javaPrograms", "examples/lejos", "*.java")
+    constant("commonMain", "robotran.benchmarks.nqcPrograms", "examples/nqc", "*.nqc")
 }
 
 kotlin {

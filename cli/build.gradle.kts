@@ -26,6 +26,7 @@ kotlin {
         test {
             // The brick that the tests of send, firmware and brick talk to.
             kotlin.srcDir("../shared/tower/src/simulatedBrick/kotlin")
+            kotlin.srcDir("../shared/tower/src/sharedTest/kotlin")
         }
     }
 }

@@ -14,6 +14,7 @@ kotlin {
         test {
             // The brick at the other end of the pseudo-terminal.
             kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
+            kotlin.srcDir("../tower/src/sharedTest/kotlin")
         }
     }
 }

@@ -23,6 +23,8 @@ kotlin {
             api(project(":shared:projects"))
             api(project(":shared:simulation"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:lego-firmware"))
+            implementation(project(":shared:nqc"))
             implementation(project(":shared:nxj-library"))
             implementation(project(":shared:rcx-rom"))
         }

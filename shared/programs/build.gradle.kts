@@ -16,6 +16,8 @@ texts {
     constant("commonTest", "robotran.programs.lejosExamples", "examples/lejos", "*.java")
     constant("commonTest", "robotran.programs.nxjExamples", "examples/nxj", "*.java")
     constant("commonTest", "robotran.programs.nxjRuns", "shared/programs/src/commonTest/resources/nxj-runs", "*")
+    constant("commonTest", "robotran.programs.nqcExamples", "examples/nqc", "*.nqc")
+    constant("commonTest", "robotran.programs.nqcRuns", "shared/programs/src/commonTest/resources/nqc-runs", "*")
     constant("commonTest", "robotran.programs.expectedRuns", "shared/programs/src/commonTest/resources/runs", "*")
     constant(
         "commonTest",
@@ -62,6 +64,8 @@ kotlin {
             api(project(":shared:tinyvm"))
             api(project(":shared:java-compiler"))
             api(project(":shared:lejos-linker"))
+            api(project(":shared:lego-firmware"))
+            api(project(":shared:nqc"))
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:nxj-library"))
         }

@@ -24,6 +24,7 @@ kotlin {
         }
         jvmTest.dependencies {
             implementation(project(":shared:nxt"))
+            implementation(project(":shared:lego-firmware"))
             implementation(libs.json.schema.validator)
         }
         wasmJsMain.dependencies {

@@ -32,6 +32,9 @@ kotlin {
         commonTest {
             kotlin.srcDir("../nxt/src/fakeNxtTest/kotlin")
         }
+        commonTest.dependencies {
+            implementation(project(":shared:nqc"))
+        }
         jvmTest {
             resources.srcDir("../nxj-library/src/brick/java")
         }

@@ -13,6 +13,8 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:robolang"))
+            implementation(project(":shared:lego-firmware"))
+            implementation(project(":shared:nqc"))
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:nxj-library"))
         }

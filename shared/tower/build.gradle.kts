@@ -11,11 +11,14 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:lego-firmware"))
             implementation(libs.coroutines.core)
         }
         commonTest {
             // A brick and a tower for the tests of all modules that talk to one.
             kotlin.srcDir("src/simulatedBrick/kotlin")
+            // What it received, on the virtual brick.
+            kotlin.srcDir("src/sharedTest/kotlin")
         }
     }
 }

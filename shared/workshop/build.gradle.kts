@@ -11,12 +11,14 @@ texts {
     constant("commonMain", "robotran.workshop.examples.exampleTexts", "examples", "*.robo")
     constant("commonMain", "robotran.workshop.examples.lejosExampleTexts", "examples/lejos", "*.java")
     constant("commonMain", "robotran.workshop.examples.nxjExampleTexts", "examples/nxj", "*.java")
+    constant("commonMain", "robotran.workshop.examples.nqcExampleTexts", "examples/nqc", "*.nqc")
 }
 
 kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
+            api(project(":shared:lego-firmware"))
             api(project(":shared:robolang"))
             api(project(":shared:programs"))
             api(project(":shared:simulation"))
@@ -32,6 +34,7 @@ kotlin {
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
             api(libs.compose.runtime)
+            implementation(project(":shared:nqc"))
             implementation(project(":shared:nxj-library"))
             implementation(libs.coroutines.core)
         }
@@ -42,6 +45,7 @@ kotlin {
             // The tests of shared/ui use them too.
             kotlin.srcDir("src/sharedTest/kotlin")
             kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
+            kotlin.srcDir("../tower/src/sharedTest/kotlin")
         }
     }
 }

@@ -36,7 +36,7 @@ class WorkshopViewModelTest {
     fun `all programs come back with all their files`() {
         val workshop = opened()
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
-        workshop.handle(ProgramEvent.ClassAdded)
+        workshop.handle(ProgramEvent.FileAdded)
         val programs = workshop.state.programs.programs
         endTheProcess()
         assertEquals(programs, opened().state.programs.programs)

@@ -12,6 +12,8 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
         "bytecodes" to ::bytecodeSpeed,
         "busy-loops" to ::busyLoops,
         "line-follower" to ::lineFollowerSpeed,
+        "nqc-commands" to ::firmwareCommandSpeed,
+        "nqc-line-follower" to ::nqcLineFollowerSpeed,
         "nxj-bytecodes" to ::nxjBytecodeSpeed,
         "nxj-doubles" to ::nxjDoubleSpeed,
         "nxj-objects" to ::nxjObjectSpeed,

@@ -11,18 +11,21 @@ import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
+import robotran.cli.files.NQC
 import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
 import robotran.cli.files.writeFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangText
 import robotran.cli.messages.CommandMessages
+import robotran.nqc.edit.formatNqc
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
 
 /** `robotran format FILE..`: formats programs in place. With `--check` it only lists the unformatted ones. */
 internal class FormatCommand(private val console: Console) : CoreCliktCommand("format") {
-    private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
+    private val files by argument("FILE", help = "programs in Robolang (.robo) or NQC (.nqc)").multiple(required = true)
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
 
     private val spoken by LanguageOption()
@@ -34,9 +37,12 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
         throw ProgramResult(files.maxOf { format(it).status })
     }
 
-    private fun format(name: String): ExitCode = when (val file = readRobolangText(name, spoken.language)) {
-        is TextFile.Rejected -> refuse(file.reason)
-        is TextFile.Read -> format(name, file.text)
+    private fun format(name: String): ExitCode {
+        val isNqc = name.endsWith(NQC)
+        return when (val file = if (isNqc) readTextFile(name, sentences) else readRobolangText(name, spoken.language)) {
+            is TextFile.Rejected -> refuse(file.reason)
+            is TextFile.Read -> if (isNqc) settle(name, file.text, formatNqc(file.text)) else format(name, file.text)
+        }
     }
 
     private fun format(name: String, text: String): ExitCode =

@@ -27,7 +27,6 @@ import robotran.cli.input.loadWorld
 import robotran.cli.input.plainSheetFor
 import robotran.cli.input.projectOf
 import robotran.cli.input.readWorldFile
-import robotran.programs.ProgramSource
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -40,7 +39,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
     private val files by argument(
         "FILE",
         help = "a world (.world.json), a project (.robotran), a course (.course.json or its folder), or programs " +
-            "(.robo, .java) for one robot",
+            "(.robo, .java, .nqc, .lasm, .rcx) for one robot",
     )
         .multiple(required = true)
     private val world by option(
@@ -127,16 +126,8 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
     }
 
     /** Strips the local folders from the path. */
-    private fun programOf(program: NamedProgram): ProjectProgram? = when (val source = program.source) {
-        is ProgramSource.Java -> ProjectProgram.of(
-            source.copy(
-                files = source.files.map {
-                    it.copy(name = nameOf(it.name))
-                },
-            ),
-        )
-
-        else -> ProjectProgram.of(source)
+    private fun programOf(program: NamedProgram): ProjectProgram? = ProjectProgram.of(program.source)?.let { found ->
+        found.copy(files = found.files.map { it.copy(name = nameOf(it.name)) })
     }
 
     private companion object {

@@ -35,4 +35,5 @@ internal object ComposeApp : DesktopApp {
 
 private fun isOpenedFile(word: String?): Boolean = word != null && ENDINGS.any(word::endsWith) && File(word).isFile
 
-private val ENDINGS = listOf(".robotran", ".world.json", ".robot.json", ".course.json", ".robo", ".java")
+private val ENDINGS =
+    listOf(".robotran", ".world.json", ".robot.json", ".course.json", ".robo", ".java", ".nqc", ".lasm", ".rcx")

@@ -5,6 +5,7 @@ package robotran.web
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
 import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -42,11 +43,8 @@ internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publ
 )
 
 private suspend fun runOf(program: String, milliseconds: Int, name: String, brick: String?): JsAny? {
-    val source = if (name.endsWith(JAVA)) {
-        ProgramSource.Java(name, listOf(SourceFile(name, program)))
-    } else {
-        ProgramSource.Robolang(name, program)
-    }
+    val language = ProgramLanguage.ofFile(name) ?: ProgramLanguage.ROBOLANG
+    val source = ProgramSource.of(language, name, listOf(SourceFile(name, program)))
     val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
     val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.RCX)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
@@ -109,5 +107,3 @@ private fun publish(
 
 /** Shared by all runs, so that the Java compiler is loaded once. */
 private val reader = ProgramCompiler(PENBOT_TARGET)
-
-private const val JAVA = ".java"

@@ -15,50 +15,105 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.messages
+import robotran.cli.console.oldNqcOption
 import robotran.cli.console.speaking
+import robotran.cli.console.targetOption
+import robotran.cli.files.NamedProgram
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readProgramFiles
 import robotran.cli.image.ImageOfFiles
-import robotran.cli.image.buildImage
+import robotran.cli.image.buildImageOf
+import robotran.cli.legofirmware.FirmwareImageOfFile
+import robotran.cli.legofirmware.firmwareImageOf
+import robotran.legofirmware.image.RcxImage
+import robotran.programs.FirmwareSettings
+import robotran.programs.ProgramSource
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tower.LegoLimits
+import robotran.tower.rcx.RcxTower
 
-/** `robotran send FILE..`: sends programs to a brick with leJOS. */
+/** `robotran send FILE..`: sends programs to a brick with leJOS, or into slots of one with LEGO's own firmware. */
 internal class SendCommand(private val process: Console, private val towers: () -> Towers) :
     CoreCliktCommand("send") {
     private val files by argument(
         "FILE",
-        help = "programs: .robo, .java, .class, .jar or folders of class files; the Prgm button goes through them",
+        help = "programs: .robo, .java, .class, .jar or folders of class files, which the Prgm button goes through; " +
+            "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot",
     ).multiple(required = true)
     private val port by portOption()
-    private val slot by option("--slot", metavar = "N", help = "1: leJOS has no other program slot")
-        .int().restrictTo(1..LegoLimits.SLOTS).default(1)
+    private val slot by option(
+        "--slot",
+        metavar = "N",
+        help = "the slot of LEGO's own firmware, 1 (if not given) to ${LegoLimits.SLOTS}; of the first program, " +
+            "if there are several. leJOS has no slots",
+    ).int().restrictTo(1..LegoLimits.SLOTS).default(1)
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
+    private val target by targetOption()
+    private val oldNqc by oldNqcOption()
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
-    override fun help(context: Context) = "Sends programs to a real brick with leJOS, through the infrared tower."
+    override fun help(context: Context) =
+        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower."
 
     override fun run() {
-        if (slot != 1) {
-            console.complain(console.messages.lejosHasNoSlots())
-            throw ProgramResult(ExitCode.BAD_INPUT.status)
+        val programs = when (val read = readProgramFiles(files, console.messages)) {
+            is ProgramFiles.Read -> read.programs
+            is ProgramFiles.Rejected -> refuse(read.reason)
         }
-        val version = lejos ?: LejosVersion.DEFAULT
-        val image = when (val built = buildImage(files, spoken.language, version)) {
-            is ImageOfFiles.Built -> {
-                built.also { it.warnings.forEach(console::complain) }.image
-            }
+        val forLego = programs.count { it.source is ProgramSource.ForLegoFirmware }
+        val code = when (forLego) {
+            0 -> sendToLejos(programs)
+            programs.size -> sendToLego(programs)
+            else -> refuse(console.messages.twoFirmwares())
+        }
+        throw ProgramResult(code.status)
+    }
 
-            is ImageOfFiles.Failed -> {
-                built.lines.forEach(console::complain)
-                throw ProgramResult(built.code.status)
-            }
+    private fun sendToLejos(programs: List<NamedProgram>): ExitCode {
+        if (slot != 1) refuse(console.messages.lejosHasNoSlots())
+        val version = lejos ?: LejosVersion.DEFAULT
+        val image = when (val built = buildImageOf(programs, spoken.language, version)) {
+            is ImageOfFiles.Built -> built.also { it.warnings.forEach(console::complain) }.image
+            is ImageOfFiles.Failed -> refuse(built.lines, built.code)
         }
-        val code = BrickSession(console, towers()).use(port) { tower ->
+        return BrickSession(console, towers()).use(port) { tower ->
             val report = TransferReport.on(console)
             val result = tower.sendProgram(image.bytes, BrickRoom.of(version).maxImageBytes, report::show)
-            report.end(result, console.messages::programSent)
+            report.end(result) { console.messages.programSent(it) }
         }
+    }
+
+    private fun sendToLego(programs: List<NamedProgram>): ExitCode {
+        if (slot + programs.size - 1 > LegoLimits.SLOTS) {
+            refuse(console.messages.tooFewSlots(slot, programs.size, LegoLimits.SLOTS))
+        }
+        // All are compiled before the first is sent.
+        val images = programs.map { program ->
+            when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
+                is FirmwareImageOfFile.Built -> built.also { it.warnings.forEach(console::complain) }.image
+                is FirmwareImageOfFile.Failed -> refuse(built.lines, built.code)
+            }
+        }
+        return BrickSession(console, towers()).use(port) { tower -> send(images, tower) }
+    }
+
+    private suspend fun send(images: List<RcxImage>, tower: RcxTower): ExitCode {
+        images.forEachIndexed { index, image ->
+            val place = slot + index
+            val report = TransferReport.on(console, place)
+            val result = tower.sendLegoProgram(place, image, report::show)
+            val code = report.end(result) { console.messages.programInSlot(it, place) }
+            if (code != ExitCode.DONE) return code
+        }
+        return ExitCode.DONE
+    }
+
+    private fun refuse(reason: String): Nothing = refuse(listOf(reason), ExitCode.BAD_INPUT)
+
+    private fun refuse(lines: List<String>, code: ExitCode): Nothing {
+        lines.forEach(console::complain)
         throw ProgramResult(code.status)
     }
 }

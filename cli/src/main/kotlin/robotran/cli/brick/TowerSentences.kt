@@ -1,6 +1,7 @@
 package robotran.cli.brick
 
 import robotran.cli.messages.TowerMessages
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.firmware.FirmwareFileError
 import robotran.tower.firmware.FirmwareImage
@@ -11,12 +12,21 @@ internal fun TowerMessages.sentence(error: TowerError): String = when (error) {
     TowerError.TowerGone -> towerGone()
     TowerError.TowerSilent -> towerSilent()
     TowerError.BrickSilent -> brickSilent()
-    TowerError.NoLejos -> noLejos()
+    is TowerError.NoLejos -> error.lego?.let { legoInsteadOfLejos("$it") } ?: noLejos()
     TowerError.NoLegoFirmware -> noLegoFirmware()
+    is TowerError.LegoFirmwareTooOld -> legoFirmwareTooOld("${error.version}")
     TowerError.BadConnection -> badConnection()
     is TowerError.BatteryLow -> batteryLow(volts(error.millivolts))
     is TowerError.TooLarge -> error.maxBytes?.let { programTooLarge(error.bytes, it) } ?: brickFull(error.bytes)
     TowerError.FirmwareRefused -> firmwareRefused()
+}
+
+/** What a brick has after a transfer that has failed; [slot] is that of LEGO's firmware that was sent to. */
+internal fun TowerMessages.sentence(remains: Remains, slot: Int?): String = when (remains) {
+    Remains.AS_BEFORE -> remainsAsBefore()
+    Remains.NO_PROGRAM -> slot?.let { remainsEmptySlot(it) } ?: remainsNoProgram()
+    Remains.NO_FIRMWARE -> remainsNoFirmware()
+    Remains.UNKNOWN -> slot?.let { remainsUnknownSlot(it) } ?: remainsUnknown()
 }
 
 /** Why the file [name] is no firmware. */
@@ -33,7 +43,7 @@ internal fun TowerMessages.sentence(error: FirmwareFileError, name: String): Str
 internal fun TowerMessages.sentence(firmware: FirmwareImage, name: String): String = when (firmware.kind) {
     FirmwareKind.LEJOS_2_1 -> firmwareIs(name, "leJOS 2.1")
     FirmwareKind.LEJOS_3_0 -> firmwareIs(name, "leJOS 3.0")
-    FirmwareKind.LEGO -> firmwareIs(name, "LEGO's firmware")
+    FirmwareKind.LEGO -> firmwareIs(name, listOfNotNull("LEGO's firmware", firmware.version).joinToString(" "))
     FirmwareKind.UNKNOWN -> firmwareUnknown(name)
 }
 

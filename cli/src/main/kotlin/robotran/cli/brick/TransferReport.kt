@@ -10,20 +10,38 @@ import robotran.tower.TransferResult
  * Shows a transfer: a progress bar on a terminal, otherwise a line for each tenth.
  *
  * @param isTerminal whether standard error is one.
+ * @param slot of LEGO's firmware that is sent to; null for leJOS and for a firmware.
  */
-internal class TransferReport(private val console: Console, private val isTerminal: Boolean) {
+internal class TransferReport(
+    private val console: Console,
+    private val isTerminal: Boolean,
+    private val slot: Int? = null,
+) {
     private var width = 0
     private var tenth = 0
 
-    fun show(progress: TransferProgress) {
-        val words = console.messages.blocksSent(progress.confirmedBlocks, progress.totalBlocks, progress.secondsLeft)
+    fun show(progress: TransferProgress) = with(progress) {
+        show(progress, console.messages.blocksSent(confirmedBlocks, totalBlocks, secondsLeft))
+    }
+
+    /** Shows how much of the datalog has come. */
+    fun showEntries(progress: TransferProgress) = with(progress) {
+        show(progress, console.messages.entriesRead(confirmedBlocks, totalBlocks, secondsLeft))
+    }
+
+    private fun show(progress: TransferProgress, words: String) {
         val share = progress.confirmedBlocks.toDouble() / progress.totalBlocks.coerceAtLeast(1)
         if (isTerminal) showBar(share, words) else showTenth((share * TENTHS).toInt(), words)
     }
 
+    /** Clears the bar. */
+    fun clear() {
+        if (isTerminal) console.mention("\r" + " ".repeat(width) + "\r")
+    }
+
     /** Tells the result; [success] makes the sentence for a transfer of so many bytes. */
     fun end(result: TransferResult, success: (Int) -> String): ExitCode {
-        if (isTerminal) console.mention("\r" + " ".repeat(width) + "\r")
+        clear()
         return when (result) {
             is TransferResult.Complete -> {
                 console.say(success(result.bytes))
@@ -32,6 +50,7 @@ internal class TransferReport(private val console: Console, private val isTermin
 
             is TransferResult.Failed -> {
                 console.complain(console.messages.sentence(result.error))
+                console.complain(console.messages.sentence(result.remains, slot))
                 ExitCode.NO_BRICK
             }
         }
@@ -59,6 +78,7 @@ internal class TransferReport(private val console: Console, private val isTermin
         /** `./robotran` sets this property if standard error is a terminal. */
         private const val TERMINAL = "robotran.terminal"
 
-        fun on(console: Console) = TransferReport(console, System.getProperty(TERMINAL) == "true")
+        fun on(console: Console, slot: Int? = null) =
+            TransferReport(console, System.getProperty(TERMINAL) == "true", slot)
     }
 }

@@ -12,9 +12,12 @@ import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.brickOption
+import robotran.cli.console.oldNqcOption
+import robotran.cli.console.targetOption
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
+import robotran.programs.FirmwareSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
 
@@ -22,11 +25,15 @@ import robotran.projects.PENBOT_TARGET
 internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
     private val files by argument(
         "FILE",
-        help = "Robolang programs (.robo), the files of a Java program (.java), or compiled ones (.class, .jar)",
+        help =
+            "programs in Robolang (.robo), NQC (.nqc) or assembly text (.lasm), the files of a Java program (.java), " +
+                "or compiled ones (.class, .jar, .rcx)",
     )
         .multiple(required = true)
     private val brick by brickOption()
     private val options by JavaOptions()
+    private val target by targetOption()
+    private val oldNqc by oldNqcOption()
     private val spoken by LanguageOption()
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
 
@@ -35,7 +42,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
     override fun run() {
-        val compiler = ProgramCompiler(PENBOT_TARGET, options.java, spoken.language)
+        val compiler =
+            ProgramCompiler(PENBOT_TARGET, options.java, spoken.language, FirmwareSettings(target, oldNqc))
         val results = checkFiles(files, compiler, brick, translating = options.version != null)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
@@ -49,6 +57,12 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
                 name,
                 file.diagnostics.map { lineOf(if (file.isCompiled) "$name: ${it.file}" else name, it) },
                 file.warnings.map { lineOf(name, it) },
+            )
+
+            is CheckedFile.Firmware -> tell(
+                name,
+                file.diagnostics.map { lineOf(file.program, it) },
+                file.warnings.map { lineOf(file.program, it) },
             )
 
             is CheckedFile.Unreadable -> console.complain(file.reason)
@@ -85,6 +99,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         }
 
         is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+
+        is CheckedFile.Firmware -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
 
         is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
     }

@@ -3,8 +3,11 @@ package robotran.cli.check
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.cli.files.CLASS
+import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAR
 import robotran.cli.files.JAVA
+import robotran.cli.files.NamedProgram
+import robotran.cli.files.PROGRAM_ENDINGS
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
@@ -43,13 +46,20 @@ internal sealed interface CheckedFile {
         val isCompiled: Boolean = false,
     ) : CheckedFile
 
+    /** A program for LEGO's own firmware, with all files that it includes. */
+    data class Firmware(
+        val program: NamedProgram,
+        val diagnostics: List<ProgramDiagnostic>,
+        val warnings: List<ProgramDiagnostic>,
+    ) : CheckedFile
+
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : CheckedFile
 }
 
 /**
- * Checks the files [names] in order: each `.robo` file, jar and folder of class files on its own, all `.java` files
- * together as one program, and so all `.class` files, for which the first one stands.
+ * Checks the files [names] in order: each `.robo`, `.nqc`, `.lasm` and `.rcx` file, jar and folder of class files on its
+ * own, all `.java` files together as one program, and so all `.class` files, for which the first one stands.
  *
  * @param compiler has the settings of an RCX that Java is for.
  * @param brick that programs are for; null for the one that each names, otherwise an RCX.
@@ -71,10 +81,12 @@ internal fun checkFiles(
 
             name in classes -> checkClasses(classes, compiler, brick)
 
+            FIRMWARE_ENDINGS.any(name::endsWith) -> checkFirmware(name, compiler, brick)
+
             name.endsWith(JAR) || isFolder(name) -> checkClasses(listOf(name), compiler, brick)
 
             else -> CheckedFile.Unreadable(
-                CommandMessages.of(compiler.language).notToBeChecked(name, listOf(ROBOLANG, JAVA, CLASS, JAR)),
+                CommandMessages.of(compiler.language).notToBeChecked(name, PROGRAM_ENDINGS),
             )
         }
     }
@@ -92,6 +104,23 @@ private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: 
             val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
             val diagnostics = (result as? ProgramResult.HasErrors)?.diagnostics
             CheckedFile.Java(diagnostics.orEmpty(), emptyList(), isCompiled = true)
+        }
+    }
+
+private fun checkFirmware(name: String, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
+    when (val files = readProgramFiles(listOf(name), CommandMessages.of(compiler.language))) {
+        is ProgramFiles.Rejected -> {
+            CheckedFile.Unreadable(files.reason)
+        }
+
+        is ProgramFiles.Read -> {
+            val program = files.programs.single()
+            val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
+            CheckedFile.Firmware(
+                program,
+                (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(),
+                (result as? ProgramResult.Ready)?.warnings.orEmpty(),
+            )
         }
     }
 

@@ -6,6 +6,7 @@ import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.cli.console.jsonOutput
+import robotran.cli.files.nameOf
 import robotran.cli.input.RobolangFile
 import robotran.programs.ProgramDiagnostic
 import robotran.robolang.diagnostic.Diagnostic
@@ -15,7 +16,8 @@ import robotran.robolang.diagnostic.SourceRange
 /**
  * The output of `robotran check --json`: a list with one object per file. Each object has `file` and either
  * `diagnostics` or, if the file cannot be read, `error`. A program that can run has only warnings. Lines and columns
- * start at 1; `endColumn` is exclusive. Only Robolang errors have a `code`.
+ * start at 1; `endColumn` is exclusive. Only Robolang errors have a `code`. A diagnostic of a file that a program in NQC
+ * includes has its `file`.
  */
 internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
     jsonOutput.encodeToString(JsonArray.serializer(), JsonArray(files.map { (name, file) -> json(name, file) }))
@@ -37,6 +39,13 @@ private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject 
             ),
         )
 
+        is CheckedFile.Firmware -> put(
+            "diagnostics",
+            JsonArray(
+                file.diagnostics.map { json("mistake", it, name) } + file.warnings.map { json("warning", it, name) },
+            ),
+        )
+
         is CheckedFile.Unreadable -> put("error", file.reason)
     }
 }
@@ -47,20 +56,23 @@ private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> = when (file) {
     is RobolangFile.Unreadable -> emptyList()
 }
 
-private fun json(severity: String, diagnostic: ProgramDiagnostic): JsonObject = buildJsonObject {
-    put("severity", severity)
-    diagnostic.range?.let { put(it) }
-    put("message", diagnostic.message)
-    diagnostic.fix?.let { fix ->
-        put(
-            "fix",
-            buildJsonObject {
-                put(fix.range)
-                put("replacement", fix.replacement)
-            },
-        )
+/** @param checked the checked file, if others may be named that it includes. */
+private fun json(severity: String, diagnostic: ProgramDiagnostic, checked: String? = null): JsonObject =
+    buildJsonObject {
+        put("severity", severity)
+        if (checked != null && nameOf(diagnostic.file) != nameOf(checked)) put("file", diagnostic.file)
+        diagnostic.range?.let { put(it) }
+        put("message", diagnostic.message)
+        diagnostic.fix?.let { fix ->
+            put(
+                "fix",
+                buildJsonObject {
+                    put(fix.range)
+                    put("replacement", fix.replacement)
+                },
+            )
+        }
     }
-}
 
 private fun json(diagnostic: Diagnostic): JsonObject = buildJsonObject {
     put("code", diagnostic.code.id)

@@ -28,8 +28,8 @@ internal sealed interface ProgramFiles {
 internal data class NamedProgram(val path: String, val source: ProgramSource, val project: String? = null)
 
 /**
- * Reads the files [names]. Each `.robo` file, `.jar` file and folder of `.class` files is one program. All `.java`
- * files together are one program, and so are all `.class` files. Duplicates are ignored.
+ * Reads the files [names]. Each `.robo`, `.jar`, `.nqc`, `.lasm` or `.rcx` file and each folder of `.class` files is one
+ * program. All `.java` files together are one program, and so are all `.class` files. Duplicates are ignored.
  */
 internal fun readProgramFiles(names: List<String>, messages: FileMessages = EnglishCommandMessages): ProgramFiles {
     val groups = names.distinct().groupBy { name ->
@@ -52,11 +52,14 @@ private fun readProgram(names: List<String>, messages: FileMessages): ReadProgra
     val first = names.first()
     return when {
         first.endsWith(ROBOLANG) -> compileRobolang(first, messages)
+        first.endsWith(NQC) -> readNqc(first, messages)
+        first.endsWith(LASM) -> readLasm(first, messages)
+        first.endsWith(RCX_IMAGE) -> readFirmwareImage(first, messages)
         first.endsWith(JAVA) -> readJava(names, messages)
         first.endsWith(CLASS) -> readClassFiles(names, messages)
         first.endsWith(JAR) -> readJar(first, messages)
         isFolder(first) -> readClassFolder(first, messages)
-        else -> ReadProgram.Rejected(messages.notAProgram(first, listOf(ROBOLANG, JAVA, CLASS, JAR)))
+        else -> ReadProgram.Rejected(messages.notAProgram(first, PROGRAM_ENDINGS))
     }
 }
 
@@ -103,4 +106,7 @@ internal const val ROBOLANG = ".robo"
 internal const val JAVA = ".java"
 
 internal const val JAR = ".jar"
+
+/** The endings of files with programs. */
+internal val PROGRAM_ENDINGS = listOf(ROBOLANG, JAVA, CLASS, JAR) + FIRMWARE_ENDINGS
 private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

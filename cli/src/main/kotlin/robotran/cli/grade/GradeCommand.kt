@@ -27,8 +27,9 @@ internal class GradeCommand(private val console: Console, private val desktop: D
     private val programs by argument(
         "HAND-IN",
         help =
-            "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, a folder with the " +
-                "files of one Java program, or a project or hand-in (.robotran) or link, of which the programs of " +
+            "a program, graded by itself: a file in Robolang (.robo), leJOS Java (.java), NQC (.nqc), assembly " +
+                "text (.lasm) or an image (.rcx), a jar, a folder with the files of one Java program, or a project " +
+                "or hand-in (.robotran) or link, of which the programs of " +
                 "the first robot count; or many: a folder or zip with submissions, also of a learning platform, or " +
                 "a text with links",
     ).multipleArguments(required = true)

@@ -109,6 +109,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
             console.language,
             request.options.java,
             request.options.milliseconds,
+            request.options.firmware,
         )
         gradeAll(grader, submissions) { runs -> finish(runs, request.jobs) }
     }

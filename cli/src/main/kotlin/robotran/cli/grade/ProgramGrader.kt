@@ -110,7 +110,8 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         request: GradeRequest,
     ): RobotProgramsResult = when (val read = readSubmission(filesOfProgram(name), console, shownName)) {
         is SubmissionResult.Read -> {
-            val reader = ProgramCompiler(PENBOT_TARGET, request.options.java, console.language)
+            val reader =
+                ProgramCompiler(PENBOT_TARGET, request.options.java, console.language, request.options.firmware)
             readLoads(place, reader, read.handIn, request.options.robots)
         }
 

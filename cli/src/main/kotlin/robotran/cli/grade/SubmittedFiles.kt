@@ -2,6 +2,7 @@ package robotran.cli.grade
 
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectingLimits
+import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.FileContent
 import robotran.cli.files.JAVA
 import robotran.cli.files.ROBOLANG
@@ -124,9 +125,14 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
 private fun isHidden(path: Path): Boolean = path.any { it.name.startsWith('.') && it.name.trim('.').isNotEmpty() }
 
 private fun isUseful(file: String): Boolean =
-    (TEXTS + listOf(ROBOLANG, JAVA, PROJECT, ".json")).any { file.endsWith(it, ignoreCase = true) }
+    (TEXTS + FIRMWARE_ENDINGS + listOf(ROBOLANG, JAVA, NQC_HEADER, PROJECT, ".json")).any {
+        file.endsWith(it, ignoreCase = true)
+    }
 
 private const val HAND_IN_LINK = "#h="
 private const val ZIP = ".zip"
 private const val TEXT = ".txt"
+
+/** What programs in NQC include. */
+private const val NQC_HEADER = ".nqh"
 private val TEXTS = listOf(ZIP, TEXT, ".url", ".webloc", ".html", ".htm")

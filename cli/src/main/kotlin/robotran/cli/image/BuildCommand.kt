@@ -12,35 +12,60 @@ import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
+import robotran.cli.console.oldNqcOption
+import robotran.cli.console.targetOption
+import robotran.cli.files.FIRMWARE_ENDINGS
+import robotran.cli.files.RCX_IMAGE
+import robotran.cli.files.ROBOLANG
 import robotran.cli.files.writeFile
+import robotran.cli.legofirmware.FirmwareImageOfFile
+import robotran.cli.legofirmware.firmwareImageOf
 import robotran.cli.messages.CommandMessages
+import robotran.legofirmware.image.FirmwareLimits
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.toBytes
+import robotran.legofirmware.listing.plainListing
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.listing.listingOf
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.programs.FirmwareSettings
 import robotran.tinyvm.config.LejosVersion
 
-/** `robotran build FILE..`: makes of programs the image that leJOS's firmware runs. */
+/** `robotran build FILE..`: makes of programs the image that leJOS's firmware runs, or of one that of LEGO's own. */
 internal class BuildCommand(private val console: Console) : CoreCliktCommand("build") {
     private val files by argument(
         "FILE",
-        help = "programs: .robo, .java, .class, .jar or folders of class files",
+        help =
+            "programs: .robo, .java, .class, .jar or folders of class files; or one for LEGO's own firmware: .nqc, " +
+                ".lasm or .rcx",
     ).multiple(required = true)
     private val output by option(
         "-o",
         "--output",
         metavar = "FILE",
-        help = "where the image goes (.bin); if not given, only its size is told",
+        help = "where the image goes (.bin, for LEGO's own firmware .rcx); if not given, only its size is told",
     )
     private val listing by option("--listing", help = "prints the image in words").flag()
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
+    private val target by targetOption()
+    private val oldNqc by oldNqcOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Builds programs for a real brick with leJOS's firmware."
+    override fun help(context: Context) = "Builds programs for a real brick with the firmware of leJOS or LEGO."
 
     override fun run() {
+        throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
+    }
+
+    /** A program in Robolang is for whichever firmware the name of the image tells. */
+    private fun isForFirmware(name: String): Boolean = FIRMWARE_ENDINGS.any(name::endsWith) ||
+        (name.endsWith(ROBOLANG) && output?.endsWith(RCX_IMAGE) == true)
+
+    /** For leJOS. */
+    private fun build(): ExitCode {
         val version = lejos ?: LejosVersion.DEFAULT
-        val code = when (val built = buildImage(files, spoken.language, version)) {
+        return when (val built = buildImage(files, spoken.language, version)) {
             is ImageOfFiles.Built -> {
                 built.warnings.forEach(console::say)
                 write(built.image, version)
@@ -51,14 +76,35 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
                 built.code
             }
         }
-        throw ProgramResult(code.status)
     }
+
+    /** For LEGO's own firmware. */
+    private fun build(program: String): ExitCode =
+        when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
+            is FirmwareImageOfFile.Built -> {
+                built.warnings.forEach(console::say)
+                write(built.image)
+            }
+
+            is FirmwareImageOfFile.Failed -> {
+                built.lines.forEach(console::complain)
+                built.code
+            }
+        }
 
     private fun write(image: LejosImage, version: LejosVersion): ExitCode {
         output?.let { name -> writeFile(name, image.bytes, sentences)?.let { return refuse(it) } }
         if (listing) console.say(listingOf(image, ImageMessages.of(spoken.language).listing).trimEnd('\n'))
         val left = image.bytesForObjects(version)
         console.say(sentences.imageBuilt(output, image.bytes.size.toString(), left.toString()))
+        return ExitCode.DONE
+    }
+
+    private fun write(image: RcxImage): ExitCode {
+        output?.let { name -> writeFile(name, image.toBytes(), sentences)?.let { return refuse(it) } }
+        if (listing) console.say(image.plainListing().trimEnd('\n'))
+        val limit = FirmwareLimits.PROGRAM_MEMORY
+        console.say(sentences.firmwareImageBuilt(output, image.codeSize.toString(), limit.toString()))
         return ExitCode.DONE
     }
 

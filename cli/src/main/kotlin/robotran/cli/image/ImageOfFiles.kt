@@ -2,6 +2,7 @@ package robotran.cli.image
 
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.ExitCode
+import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.lineOf
@@ -23,12 +24,15 @@ internal sealed interface ImageOfFiles {
 }
 
 /** Builds one image of the programs in [files] for leJOS [version]. */
-internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles {
-    val messages = CommandMessages.of(language)
-    val programs = when (val read = readProgramFiles(files, messages)) {
-        is ProgramFiles.Read -> read.programs
-        is ProgramFiles.Rejected -> return ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
+internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles =
+    when (val read = readProgramFiles(files, CommandMessages.of(language))) {
+        is ProgramFiles.Read -> buildImageOf(read.programs, language, version)
+        is ProgramFiles.Rejected -> ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
     }
+
+/** Builds one image of [programs] for leJOS [version]. */
+internal fun buildImageOf(programs: List<NamedProgram>, language: Language, version: LejosVersion): ImageOfFiles {
+    val messages = CommandMessages.of(language)
     val compiler = ProgramCompiler(PENBOT_TARGET, language = language)
     return when (val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }) {
         is ImageBuildResult.Built -> ImageOfFiles.Built(

@@ -10,7 +10,9 @@ internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): Strin
         when (program.source) {
             is ProgramSource.Robolang -> program.path
 
-            is ProgramSource.Java -> diagnostic.file
+            is ProgramSource.Java, is ProgramSource.Nqc -> diagnostic.file
+
+            is ProgramSource.Lasm, is ProgramSource.FirmwareImage -> program.path
 
             is ProgramSource.CompiledClasses -> listOf(program.path, diagnostic.file).filter {
                 it.isNotEmpty()
@@ -29,7 +31,4 @@ internal fun lineOf(name: String, diagnostic: ProgramDiagnostic): String {
 internal fun lineOf(programs: List<NamedProgram>, diagnostic: ProgramDiagnostic): String =
     lineOf(programs.find { owns(it.source, diagnostic.file) } ?: programs.first(), diagnostic)
 
-private fun owns(source: ProgramSource, file: String) = when (source) {
-    is ProgramSource.Java -> source.files.any { it.name == file }
-    else -> source.name == file
-}
+private fun owns(source: ProgramSource, file: String) = source.name == file || source.files.any { it.name == file }

@@ -78,6 +78,9 @@ internal interface RunMessages {
     /** The image [name] was written; null if none was asked for. Both numbers are bytes. */
     fun imageBuilt(name: String?, bytes: String, left: String): String
 
+    /** The image [name] for LEGO's own firmware was written; null if none was asked for. Both numbers are bytes. */
+    fun firmwareImageBuilt(name: String?, bytes: String, limit: String): String
+
     fun notFormatted(name: String): String
 
     /** The window or a picture was requested, but the desktop app is not included. */

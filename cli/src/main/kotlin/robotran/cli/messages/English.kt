@@ -75,6 +75,10 @@ private object EnglishRunMessages : RunMessages {
         return "$sentence On the brick, $left bytes are left for objects, arrays and texts."
     }
 
+    override fun firmwareImageBuilt(name: String?, bytes: String, limit: String) =
+        name?.let { "$it is written. " }.orEmpty() +
+            "The program takes $bytes of the $limit bytes that a brick has for all programs and the datalog."
+
     override fun notFormatted(name: String) = "$name is not formatted."
 
     override fun needsDesktopApp() = "Windows and pictures need the desktop app, which ./robotran builds and starts."

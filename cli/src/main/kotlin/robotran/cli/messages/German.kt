@@ -77,6 +77,10 @@ private object GermanRunMessages : RunMessages {
         return "$sentence Auf dem Stein bleiben $left Bytes für Objekte, Arrays und Texte."
     }
 
+    override fun firmwareImageBuilt(name: String?, bytes: String, limit: String) =
+        name?.let { "$it ist geschrieben. " }.orEmpty() +
+            "Das Programm braucht $bytes der $limit Bytes, die ein Stein für alle Programme und das Datalog hat."
+
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
 
     override fun needsDesktopApp() = "Fenster und Bilder brauchen die Desktop-App, die ./robotran baut und startet."

@@ -78,6 +78,11 @@ private object SpanishRunMessages : RunMessages {
         return "$sentence En el ladrillo quedan $left bytes para objetos, arrays y textos."
     }
 
+    override fun firmwareImageBuilt(name: String?, bytes: String, limit: String) =
+        name?.let { "$it está escrito. " }.orEmpty() +
+            "El programa ocupa $bytes de los $limit bytes que un ladrillo tiene para todos los programas y el " +
+            "registro de datos."
+
     override fun notFormatted(name: String) = "$name no está ordenado."
 
     override fun needsDesktopApp() =

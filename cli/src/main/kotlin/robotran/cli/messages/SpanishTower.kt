@@ -7,6 +7,14 @@ internal object SpanishTowerMessages : TowerMessages {
         "leJOS no tiene espacios para varios programas, el ladrillo guarda solo lo último enviado. Nombra varios " +
             "programas en una orden: el botón Prgm los recorre."
 
+    override fun twoFirmwares() =
+        "Estos programas necesitan dos firmwares: .nqc, .lasm y .rcx el de LEGO, los demás leJOS. Un ladrillo solo " +
+            "tiene uno de los dos: envíalos en dos órdenes."
+
+    override fun tooFewSlots(first: Int, programs: Int, last: Int) =
+        "Desde el espacio $first no hay $programs espacios: el último es el $last. Nombra menos programas u otro " +
+            "--slot."
+
     override fun noTower() =
         "No hay ninguna torre. Conéctala, o di su puerto con --port. En Windows y macOS la torre USB solo " +
             "funciona en la página de Robotran, en Chrome."
@@ -19,7 +27,8 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun portBusy(port: String) = "Otro programa usa $port. Ciérralo y prueba otra vez."
 
     override fun portNotAllowed(port: String) =
-        "No puedes usar $port. En Linux, pide a alguien que pueda que te añada al grupo del archivo, muchas veces dialout."
+        "No puedes usar $port. En Linux, pide a alguien que pueda que te añada al grupo del archivo, muchas " +
+            "veces dialout."
 
     override fun portHeld(port: String) = "Un controlador del sistema ocupa $port, y Robotran no puede usarlo."
 
@@ -28,6 +37,22 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun blocksSent(sent: Int, all: Int, secondsLeft: Int) = "$sent de $all bloques, quedan $secondsLeft s"
 
     override fun programSent(bytes: Int) = "El ladrillo tiene el programa, $bytes bytes. Pulsa Run."
+
+    override fun programInSlot(bytes: Int, slot: Int) =
+        "El ladrillo tiene el programa en el espacio $slot, $bytes bytes. Pulsa Run."
+
+    override fun entriesRead(read: Int, all: Int, secondsLeft: Int) = "$read de $all entradas, quedan $secondsLeft s"
+
+    override fun noDatalog() = "El registro de datos no tiene entradas. Un programa en NQC las hace con AddToDatalog."
+
+    override fun datalogWritten(name: String, entries: Int) =
+        "Se ha escrito $name: $entries entradas del registro de datos."
+
+    override fun clockSet(time: String) = "El reloj del ladrillo muestra las $time."
+
+    override fun notATime(text: String) = "$text no es una hora. Escribe horas y minutos, por ejemplo 13:37."
+
+    override fun slotEmptied(slot: Int) = "El espacio $slot del ladrillo está vacío."
 
     override fun firmwareSent(bytes: Int) = "El ladrillo tiene su firmware, $bytes bytes. Ya puedes enviar programas."
 
@@ -64,7 +89,33 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun noLejos() =
         "El ladrillo no tiene leJOS. Envía primero el firmware de leJOS, con robotran firmware lejos.srec."
 
-    override fun noLegoFirmware() = "El ladrillo no tiene el firmware de LEGO, que hace falta para esto."
+    override fun legoInsteadOfLejos(version: String) =
+        "Este ladrillo tiene el firmware $version de LEGO, y el programa necesita leJOS. Envía primero el " +
+            "firmware de leJOS, con robotran firmware lejos.srec. Para el firmware de LEGO, escribe el programa " +
+            "en NQC."
+
+    override fun noLegoFirmware() =
+        "Este ladrillo tiene leJOS, o ningún firmware, y esto necesita el de LEGO. Envíalo primero, con " +
+            "robotran firmware firm0328.lgo. Si la pantalla muestra un voltaje, el ladrillo tiene leJOS."
+
+    override fun legoFirmwareTooOld(version: String) =
+        "Este ladrillo tiene el firmware $version de LEGO, que es el 1.0, y el programa es para el 2.0. Envía el " +
+            "firmware 2.0 (firm0328.lgo o posterior), o compila el programa con --target rcx."
+
+    override fun remainsAsBefore() = "El ladrillo tiene lo mismo que antes."
+
+    override fun remainsNoProgram() = "Ahora el ladrillo no tiene programa. Envíalo otra vez."
+
+    override fun remainsEmptySlot(slot: Int) =
+        "El espacio $slot del ladrillo está vacío ahora, y los demás siguen como antes. Envía el programa otra vez."
+
+    override fun remainsNoFirmware() = "Ahora el ladrillo no tiene firmware. Envíalo otra vez: no se ha roto nada."
+
+    override fun remainsUnknown() = "Nadie sabe qué tiene ahora el ladrillo. Envíalo otra vez."
+
+    override fun remainsUnknownSlot(slot: Int) =
+        "Nadie sabe qué tiene ahora el espacio $slot. Envía el programa otra vez. Los demás espacios siguen como " +
+            "antes."
 
     override fun badConnection() =
         "La torre y el ladrillo se entienden mal. Ponlos más cerca, sin luz fuerte, con buenas pilas y sin otro " +
@@ -76,7 +127,8 @@ internal object SpanishTowerMessages : TowerMessages {
         "El programa es demasiado grande para el ladrillo: tiene $bytes bytes y pueden ser $limit."
 
     override fun brickFull(bytes: Int) =
-        "El ladrillo no tiene sitio para $bytes bytes más. Borra programas que ya no necesites."
+        "El ladrillo no tiene sitio para $bytes bytes más. Vacía espacios que ya no necesites, con robotran " +
+            "brick empty 2 3."
 
     override fun firmwareRefused() = "El ladrillo no inicia este firmware. Usa otro archivo o envíalo otra vez."
 

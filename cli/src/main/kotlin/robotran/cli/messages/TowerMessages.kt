@@ -5,6 +5,12 @@ internal interface TowerMessages {
     /** A slot was asked for, but leJOS has none. */
     fun lejosHasNoSlots(): String
 
+    /** Programs for leJOS and for LEGO's own firmware were named together. */
+    fun twoFirmwares(): String
+
+    /** From slot [first] on there are not [programs] slots; the last one is [last]. */
+    fun tooFewSlots(first: Int, programs: Int, last: Int): String
+
     fun noTower(): String
 
     /** The ports echo nothing. */
@@ -23,6 +29,22 @@ internal interface TowerMessages {
     fun blocksSent(sent: Int, all: Int, secondsLeft: Int): String
 
     fun programSent(bytes: Int): String
+
+    fun programInSlot(bytes: Int, slot: Int): String
+
+    fun entriesRead(read: Int, all: Int, secondsLeft: Int): String
+
+    /** The datalog has no entries, or there is none. */
+    fun noDatalog(): String
+
+    fun datalogWritten(name: String, entries: Int): String
+
+    /** @param time hours and minutes. */
+    fun clockSet(time: String): String
+
+    fun notATime(text: String): String
+
+    fun slotEmptied(slot: Int): String
 
     fun firmwareSent(bytes: Int): String
 
@@ -51,7 +73,26 @@ internal interface TowerMessages {
 
     fun noLejos(): String
 
+    /** The brick has LEGO's firmware [version], and needs leJOS. */
+    fun legoInsteadOfLejos(version: String): String
+
     fun noLegoFirmware(): String
+
+    /** The brick has firmware [version], and the program is for firmware 2.0. */
+    fun legoFirmwareTooOld(version: String): String
+
+    /** What the brick has after a transfer that has failed. */
+    fun remainsAsBefore(): String
+
+    fun remainsNoProgram(): String
+
+    fun remainsEmptySlot(slot: Int): String
+
+    fun remainsNoFirmware(): String
+
+    fun remainsUnknown(): String
+
+    fun remainsUnknownSlot(slot: Int): String
 
     fun badConnection(): String
 

@@ -10,6 +10,7 @@ import robotran.brick.sound.SoundEvent
 import robotran.brick.state.InputReading
 import robotran.brick.state.RunState
 import robotran.cli.console.jsonOutput
+import robotran.legofirmware.run.FirmwareState
 import robotran.nxt.hardware.SensorPortState
 import robotran.nxt.state.NxtState
 import robotran.projects.elementOf
@@ -23,7 +24,8 @@ import robotran.simulation.Session
  * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the displayed `text` and the lit `icons`, its
  * `explanation`, `motors`, `sensors`, `batteryMillivolts`, the latest `sounds` with their times in milliseconds, and
  * the `inputs` that reproduce the run, in the format of project files. An NXT has the lines of its `screen`, after the end as
- * the program left them, instead of `lcd`, and the `degrees` of its motors; a sound has a `volume` if it is not full.
+ * the program left them, instead of `lcd`, and the `degrees` of its motors; a sound has a `volume` if it is not full. LEGO's
+ * own `firmware` tells its 32 `variables`, `timers` in tenths of a second, the last `message` and the `datalog`.
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick
@@ -49,6 +51,7 @@ internal fun brickReport(session: Session): String {
             )
             put("sensors", JsonArray(brick.inputs.map(::json)))
             put("batteryMillivolts", brick.batteryMillivolts)
+            (session.firmwareState() as? FirmwareState)?.let { put("firmware", json(it)) }
             put("sounds", JsonArray(session.sounds.since(0).map(::json)))
             put("inputs", JsonArray(session.inputs.map { elementOf(it, session.world) }))
         }
@@ -90,6 +93,13 @@ private fun json(input: InputReading): JsonObject = buildJsonObject {
     put("active", input.isActive)
 }
 
+private fun json(firmware: FirmwareState): JsonObject = buildJsonObject {
+    put("variables", JsonArray(firmware.variables.map(::JsonPrimitive)))
+    put("timers", JsonArray(firmware.timers.map { JsonPrimitive(it / HUNDREDTHS_IN_A_TENTH) }))
+    put("message", firmware.message)
+    put("datalog", JsonArray(firmware.datalog.map { JsonPrimitive(it.value) }))
+}
+
 private fun json(event: SoundEvent): JsonObject = buildJsonObject {
     put("milliseconds", event.milliseconds)
     when (event) {
@@ -106,3 +116,4 @@ private fun json(event: SoundEvent): JsonObject = buildJsonObject {
 }
 
 private const val FULL_VOLUME = 100
+private const val HUNDREDTHS_IN_A_TENTH = 10

@@ -21,6 +21,7 @@ import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
+import robotran.programs.FirmwareSettings
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
@@ -42,6 +43,7 @@ import robotran.world.World
  * @property robots programs for other robots.
  * @property robotFiles how robots are built, instead of what the world says.
  * @property java the options for Java programs.
+ * @property firmware the options for programs for LEGO's own firmware.
  * @property world the file of the world, or a project or link that contains it; null for the project's world or the
  * empty sheet with a penbot for the programs.
  * @property milliseconds the max virtual time; null for the world's time limit.
@@ -52,6 +54,7 @@ internal class RunRequest(
     val robots: List<RobotFile>,
     val robotFiles: List<RobotFile>,
     val java: JavaSettings,
+    val firmware: FirmwareSettings,
     val world: String?,
     val changes: WorldChanges,
     val milliseconds: Int?,
@@ -95,7 +98,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             )
         return when (
             val result =
-                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, java, console.language)) }
+                runBlocking { readRobotLoads(project, compilerFor(request, java)) }
         ) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
@@ -167,6 +170,9 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
         }
     }
 
+    private fun compilerFor(request: RunRequest, java: JavaSettings) =
+        ProgramCompiler(PENBOT_TARGET, java, console.language, request.firmware)
+
     /** Prints an error and returns null if a program cannot be read. */
     private fun readOwn(names: List<String>): Submission? = when (val read = readSubmission(names, console)) {
         is SubmissionResult.Read -> {
@@ -182,7 +188,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
     /** Prints an error and returns null if a program cannot run. */
     private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
         val loading =
-            readLoads(place, ProgramCompiler(PENBOT_TARGET, request.java, console.language), own, request.robots)
+            readLoads(place, compilerFor(request, request.java), own, request.robots)
     ) {
         is RobotProgramsResult.Loaded -> {
             loading.loads

@@ -31,8 +31,9 @@ internal class RunCommand(private val process: Console, private val desktop: Des
     private val programs by argument(
         "FILE",
         help =
-            "a program: in Robolang (.robo), in Java for leJOS or leJOS NXJ (one or more .java), or compiled " +
-                "(.class, .jar, a folder); five at most. " +
+            "a program: in Robolang (.robo), in Java for leJOS or leJOS NXJ (one or more .java), in NQC (.nqc), in " +
+                "the assembly text of LEGO's firmware (.lasm), or compiled (.class, .jar, a folder, .rcx); " +
+                "five at most. " +
                 "Or a project (.robotran), or a link that holds one; with --world only the programs of its first robot",
     ).multipleArguments(required = true)
     private val world by option(
@@ -108,6 +109,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
             options.robots,
             options.robotFiles,
             options.java,
+            options.firmware,
             world,
             WorldChanges(seed, options.realism),
             options.milliseconds,

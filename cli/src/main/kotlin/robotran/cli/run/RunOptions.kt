@@ -8,8 +8,12 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.lejosOption
+import robotran.cli.console.oldNqcOption
+import robotran.cli.console.targetOption
 import robotran.cli.input.readRobotBuild
 import robotran.cli.input.readRobotFile
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.programs.FirmwareSettings
 import robotran.programs.JavaSettings
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
@@ -24,6 +28,9 @@ internal class RunOptions : OptionGroup() {
     private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
 
     private val version by lejosOption("the version of leJOS that Java is for").default(LejosVersion.DEFAULT)
+
+    private val target by targetOption()
+    private val oldNqc by oldNqcOption()
 
     /** Virtual milliseconds; null if not set. */
     val milliseconds by option(
@@ -76,6 +83,8 @@ internal class RunOptions : OptionGroup() {
             version,
         )
 
+    val firmware: FirmwareSettings get() = FirmwareSettings(target, oldNqc)
+
     /** These options as command-line arguments, without the time. */
     val words: List<String>
         get() = buildList {
@@ -86,6 +95,8 @@ internal class RunOptions : OptionGroup() {
             }
             if (forgiving) add("--forgiving")
             if (unlimited) add("--unlimited")
+            if (target != FirmwareTarget.RCX2) addAll(listOf("--target", target.word.lowercase()))
+            if (oldNqc) add("--old-nqc")
             if (version != LejosVersion.DEFAULT) addAll(listOf("--lejos", version.label))
         }
 

@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
@@ -14,6 +15,9 @@ import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.brickOption
+import robotran.cli.console.oldNqcOption
+import robotran.cli.console.targetOption
+import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAVA
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
@@ -21,7 +25,13 @@ import robotran.cli.files.writeFile
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangFile
+import robotran.cli.legofirmware.FirmwareImageOfFile
+import robotran.cli.legofirmware.NqcOfFile
+import robotran.cli.legofirmware.firmwareImageOf
+import robotran.cli.legofirmware.nqcOf
 import robotran.cli.messages.CommandMessages
+import robotran.legofirmware.listing.assemblyListing
+import robotran.programs.FirmwareSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.likelyBrickOf
@@ -34,31 +44,46 @@ import kotlin.io.path.Path
 import kotlin.io.path.name
 import robotran.programs.ProgramResult as Reading
 
-/** `robotran translate FILE..`: translates programs to Java for leJOS, or one to a kit for a real brick. */
+/** `robotran translate FILE..`: translates programs to Java, NQC or assembly text, or one to a kit for a real brick. */
 internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",
-        help = "Robolang programs (.robo); for --kit also the files of one program in Java (.java)",
+        help =
+            "Robolang programs (.robo), or programs for LEGO's own firmware (.nqc, .lasm, .rcx), which become " +
+                "assembly text; for --kit also the files of one program in Java (.java)",
     ).multiple(required = true)
     private val output by option(
         "-o",
         "--output",
         metavar = "FILE",
-        help = "where the Java goes; to the console if not given",
+        help = "where the translation goes; to the console if not given",
     )
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for a real brick (.zip)")
 
+    private val language by option(
+        "--to",
+        metavar = TargetLanguage.entries.joinToString("|") { it.word },
+        help =
+            "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, or " +
+                "lasm, its assembly text (of other programs, if not given)",
+    ).convert { text -> TargetLanguage.of(text) ?: fail("$text is none of java, nqc and lasm") }
+    private val target by targetOption()
+    private val oldNqc by oldNqcOption()
     private val brick by brickOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Writes programs as Java for leJOS, or for an NXT with leJOS NXJ."
+    override fun help(context: Context) =
+        "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, or the assembly text of LEGO's firmware."
 
     override fun run() {
         val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
+        }
+        if (kit != null && (language ?: TargetLanguage.JAVA) != TargetLanguage.JAVA) {
+            throw UsageError("--kit goes with Java only")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })
     }
@@ -94,7 +119,51 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
-    private fun translate(program: String): ExitCode = when (
+    private fun translate(program: String): ExitCode {
+        val isFirmware = FIRMWARE_ENDINGS.any(program::endsWith)
+        return when (language ?: if (isFirmware) TargetLanguage.LASM else TargetLanguage.JAVA) {
+            TargetLanguage.JAVA -> translateToJava(program)
+            TargetLanguage.NQC -> translateToNqc(program)
+            TargetLanguage.LASM -> translateToLasm(program)
+        }
+    }
+
+    private fun translateToNqc(program: String): ExitCode = when (val nqc = nqcOf(program, spoken.language)) {
+        is NqcOfFile.Failed -> {
+            refuse(nqc.lines, nqc.code)
+        }
+
+        is NqcOfFile.Translated -> {
+            (nqc.lost + nqc.changed).forEach(console::complain)
+            val written = write(nqc.text)
+            if (nqc.lost.isEmpty()) written else maxOf(written, ExitCode.PROGRAM_FAILED)
+        }
+    }
+
+    private fun translateToLasm(program: String): ExitCode =
+        when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
+            is FirmwareImageOfFile.Failed -> {
+                refuse(built.lines, built.code)
+            }
+
+            is FirmwareImageOfFile.Built -> {
+                built.warnings.forEach(console::complain)
+                write(built.image.assemblyListing().text)
+            }
+        }
+
+    private fun refuse(lines: List<String>, code: ExitCode): ExitCode {
+        lines.forEach(console::complain)
+        return code
+    }
+
+    private fun write(text: String): ExitCode {
+        val problem = output?.let { writeFile(it, text.encodeToByteArray(), sentences) }
+        if (output == null) console.say(text.trimEnd('\n'))
+        return if (problem == null) ExitCode.DONE else refuse(problem)
+    }
+
+    private fun translateToJava(program: String): ExitCode = when (
         val file = readRobolangFile(program, spoken.language, brick)
     ) {
         is RobolangFile.Ready -> {

@@ -2,6 +2,7 @@ package robotran.cli.brick
 
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.OpenedTower
+import robotran.tower.simulated.SimulatedLegoFirmware
 import robotran.tower.simulated.SimulatedLejos
 import robotran.tower.simulated.SimulatedRom
 import kotlin.test.Test
@@ -52,13 +53,20 @@ class SendCommandTest : TowerTest() {
     @Test
     fun `a brick that is off is told with what to do`() {
         assertEquals(4, execute(lejos, "send", square, "--language", "de") { it.isOn = false })
-        assertTrue(console.complaints.single().startsWith("Der Stein antwortet nicht. Schalte ihn ein"))
+        val (fault, remains) = console.complaints
+        assertTrue(fault.startsWith("Der Stein antwortet nicht. Schalte ihn ein"))
+        assertEquals("Der Stein hat dasselbe wie vorher.", remains)
     }
 
     @Test
     fun `a brick without leJOS is told with what to do`() {
         assertEquals(4, execute(SimulatedRom(), "send", square))
-        assertContains(console.complaints.single(), "robotran firmware lejos.srec")
+        assertContains(console.complaints.first(), "The brick has no leJOS. Send leJOS's firmware first, with robotran")
+        console.complaints.clear()
+        assertEquals(4, execute(SimulatedLegoFirmware(), "send", square))
+        val (lego, remains) = console.complaints
+        assertContains(lego, "This brick has LEGO's own firmware 3.32, and the program needs leJOS.")
+        assertEquals("The brick has the same as before.", remains)
     }
 
     @Test

@@ -1,7 +1,11 @@
 package robotran.cli.brick
 
 import robotran.cli.RecordingConsole
+import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.EnglishCommandMessages
+import robotran.language.Language
+import robotran.tower.RcxVersion
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
@@ -12,6 +16,16 @@ import kotlin.test.assertTrue
 
 class TransferReportTest {
     private val console = RecordingConsole()
+
+    @Test
+    fun `a transfer that has failed tells what the brick has now`() {
+        val report = TransferReport(console, isTerminal = false, slot = 4)
+        val failed = TransferResult.Failed(TowerError.BrickSilent, Remains.NO_PROGRAM)
+        assertEquals(4, report.end(failed) { "never" }.status)
+        val empty = "Slot 4 of the brick is empty now, and the other slots are as before. Send the program again."
+        assertEquals(empty, console.complaints.last())
+        assertEquals(2, console.complaints.size)
+    }
 
     private fun progress(confirmed: Int, all: Int, secondsLeft: Int) =
         TransferProgress(confirmed, all, repeats = 0, secondsLeft)
@@ -44,16 +58,26 @@ class TransferReportTest {
                 TowerError.TowerGone,
                 TowerError.TowerSilent,
                 TowerError.BrickSilent,
-                TowerError.NoLejos,
+                TowerError.NoLejos(),
+                TowerError.NoLejos(RcxVersion(3, 28)),
                 TowerError.NoLegoFirmware,
+                TowerError.LegoFirmwareTooOld(RcxVersion(3, 9)),
                 TowerError.BadConnection,
                 TowerError.BatteryLow(millivolts = 6090),
                 TowerError.TooLarge(bytes = 14_000, maxBytes = 13_788),
                 TowerError.TooLarge(bytes = 700, maxBytes = null),
                 TowerError.FirmwareRefused,
             )
+        for (language in Language.entries) {
+            val told = errors.map { CommandMessages.of(language).sentence(it) }
+            assertEquals(errors.size, told.toSet().size, "$told")
+            val remains = listOf(null, 3).flatMap { slot ->
+                Remains.entries.map { CommandMessages.of(language).sentence(it, slot) }
+            }
+            // Only what a program leaves depends on the slot.
+            assertEquals(Remains.entries.size + 2, remains.toSet().size, "$remains")
+        }
         val sentences = errors.map { EnglishCommandMessages.sentence(it) }
-        assertEquals(errors.size, sentences.toSet().size)
         assertTrue("The batteries have only 6.0 V. Put new ones in first." in sentences, "$sentences")
         val files =
             listOf(

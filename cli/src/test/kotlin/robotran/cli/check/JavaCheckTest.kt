@@ -61,7 +61,10 @@ class JavaCheckTest : CommandTest() {
         console.complaints.clear()
         assertEquals(2, check("$folder/Main.txt"))
         assertEquals(
-            listOf("$folder/Main.txt cannot be checked: its name does not end in .robo, .java, .class or .jar."),
+            listOf(
+                "$folder/Main.txt cannot be checked: its name does not end in .robo, .java, .class, .jar, .nqc, " +
+                    ".lasm or .rcx.",
+            ),
             console.complaints,
         )
     }

@@ -77,7 +77,8 @@ private fun Transferable.contentIn(flavour: DataFlavor): Any? = try {
 
 /** The same as for files that are dropped on the page in a browser. */
 private val READABLE =
-    listOf(".robotran", ".json", ".robo", ".java", ".zip", ".txt", ".url", ".webloc", ".html", ".htm", ".md")
+    listOf(".robotran", ".json", ".robo", ".java", ".nqc", ".nqh", ".lasm", ".rcx") +
+        listOf(".zip", ".txt", ".url", ".webloc", ".html", ".htm", ".md")
 private const val MAX_FILES = 2_000
 private const val MAX_FOLDERS = 8
 private val FLAVOURS = listOf(DataFlavor.javaFileListFlavor, DataFlavor.stringFlavor)

@@ -1,6 +1,7 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -42,10 +43,10 @@ internal object ShippedWorlds {
         is RobotLoads.HasErrors -> error("${loads.robot}: ${loads.diagnostics}")
     }
 
-    private fun source(file: File?): ProgramSource = when (file?.extension) {
-        null -> ProgramSource.Robolang("empty.robo", "")
-        "java" -> ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))
-        else -> ProgramSource.Robolang(file.name, file.readText())
+    private fun source(file: File?): ProgramSource {
+        if (file == null) return ProgramSource.Robolang("empty.robo", "")
+        val language = checkNotNull(ProgramLanguage.ofFile(file.name)) { file.name }
+        return ProgramSource.of(language, file.name, listOf(SourceFile(file.name, file.readText())))
     }
 
     private fun loaded(file: File): World = when (val result = readWorld(file.readText())) {

@@ -6,6 +6,14 @@ import kotlinx.coroutines.cancel
 import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.condition.EnabledOnOs
 import org.junit.jupiter.api.condition.OS
+import robotran.legofirmware.device.DatalogEntry
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.run.FirmwareState
+import robotran.tower.TowerResult
 import robotran.tower.TransferResult
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.OpenedTower
@@ -14,8 +22,12 @@ import robotran.tower.port.TowerKind
 import robotran.tower.rcx.RcxTower
 import robotran.tower.simulated.LineFaults
 import robotran.tower.simulated.SimulatedBrick
+import robotran.tower.simulated.SimulatedFirmware
+import robotran.tower.simulated.SimulatedLegoFirmware
 import robotran.tower.simulated.SimulatedLejos
 import robotran.tower.simulated.SimulatedTower
+import robotran.tower.simulated.brickAfter
+import robotran.tower.simulated.programIn
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
@@ -44,10 +56,10 @@ class DesktopTowerPortsTest {
         devices.toFile().deleteRecursively()
     }
 
-    private fun connect(kind: TowerKind, faults: LineFaults = LineFaults()) {
+    private fun connect(kind: TowerKind, faults: LineFaults = LineFaults(), firmware: SimulatedFirmware = lejos) {
         // One thread, as the simulation has no locks.
         val line = CoroutineScope(scope.coroutineContext + Dispatchers.Default.limitedParallelism(1))
-        terminal.connect(SimulatedTower(line, SimulatedBrick(lejos), kind, faults, speed = 20), scope)
+        terminal.connect(SimulatedTower(line, SimulatedBrick(firmware), kind, faults, speed = 20), scope)
     }
 
     private suspend fun open(device: TowerDevice) = assertIs<OpenedTower.Open>(ports.open(device)).port
@@ -82,6 +94,24 @@ class DesktopTowerPortsTest {
         assertContentEquals(image, lejos.program)
         tower.close()
     }
+
+    @Test
+    fun `a program for LEGO's firmware gets through, runs on the virtual brick, and its datalog comes back`() =
+        runBlocking {
+            val lego = SimulatedLegoFirmware()
+            connect(TowerKind.SERIAL, LineFaults(seed = 7, loss = 0.004), lego)
+            val tower = RcxTower(open(ports.named(terminal.path)))
+            val code = CodeBytes.of(0x14, 0, 2, 42, 0, 0x21, 0x81)
+            val image = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, code)))
+            assertIs<TransferResult.Complete>(tower.sendLegoProgram(5, image))
+            assertEquals(image.chunks, lego.programIn(slot = 5).image.chunks)
+            val state = brickAfter(lego.programIn(slot = 5), milliseconds = 50).firmwareState
+            assertEquals(42, assertIs<FirmwareState>(state).variables.first())
+            lego.datalog = List(70) { 0x40 to it }
+            val entries = List(70) { DatalogEntry(0x40, it) }
+            assertEquals(TowerResult.Success(entries), tower.readLegoDatalog())
+            tower.close()
+        }
 
     @Test
     fun `a tower that is unplugged receives nothing any more`() = runBlocking {

@@ -4,7 +4,10 @@ import robotran.brick.program.BrickProgram
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.programs.fault
+import robotran.programs.nqcProgramsOf
 import robotran.projects.Course
 import robotran.projects.CourseFileResult
 import robotran.projects.LinkResult
@@ -81,7 +84,8 @@ sealed interface OpenFilesError {
 }
 
 /**
- * Reads [files], which were chosen together: all `.java` files form one program, each `.robo` file is one.
+ * Reads [files], which were chosen together: all `.java` files form one program, and so does an `.nqc` file with what it
+ * includes; each other file with a program is one. An `.rcx` file becomes assembly text.
  *
  * @param language the language of error messages.
  */
@@ -89,13 +93,13 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
     // The files of a course's folder are parts of the course.
     val inCourses = files.filter(::mayBeCourse).flatMap { assignmentFilesOf(textOf(it).orEmpty()) }.toSet()
     val byName = files.associateBy { it.name }
-    val parts = files.filterNot { isJava(it) || it.name in inCourses }.map { file ->
+    val parts = files.filterNot { isPartOfProgram(it) || it.name in inCourses }.map { file ->
         when (val part = partOf(file, language) { byName[it]?.bytes }) {
             is Part.Unusable -> return OpenFilesResult.Rejected(part.error)
             else -> part
         }
     }
-    val java = files.filter(::isJava).map { file ->
+    val sources = files.filter(::isPartOfProgram).map { file ->
         val text = textOf(file) ?: return OpenFilesResult.Rejected(OpenFilesError.NotText(file.name))
         if (isTooLong(text)) return OpenFilesResult.Rejected(OpenFilesError.TooLong(file.name))
         SourceFile(file.name, text)
@@ -103,7 +107,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
     val worlds = parts.filterIsInstance<Part.OfWorld>().map { it.world }
     val robots = parts.filterIsInstance<Part.OfRobot>().map { it.robot }
     val programs = parts.filterIsInstance<Part.OfProgram>().map { it.program } +
-        listOfNotNull(java.firstOrNull()?.let { ProjectProgram(it.name, ProgramLanguage.JAVA, java) })
+        programsOf(sources)
     return when {
         worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
 
@@ -158,13 +162,15 @@ private sealed interface Part {
 /** A browser or mail program may have changed the file extension, so the content decides, except for programs. */
 private suspend fun partOf(file: IncomingFile, language: Language, beside: (String) -> ByteArray?): Part {
     if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Unusable(OpenFilesError.TooLong(file.name))
+    if (file.isNamedAs(FileKind.RCX_IMAGE)) return imagePartOf(file, language)
     val text = textOf(file) ?: return Part.Unusable(OpenFilesError.NotText(file.name))
+    val code = ProgramLanguage.ofFile(file.name)
     return when {
-        file.isNamedAs(FileKind.ROBOLANG) -> {
+        code != null -> {
             if (isTooLong(text)) {
                 Part.Unusable(OpenFilesError.TooLong(file.name))
             } else {
-                Part.OfProgram(ProjectProgram(file.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(file.name, text))))
+                Part.OfProgram(ProjectProgram(file.name, code, listOf(SourceFile(file.name, text))))
             }
         }
 
@@ -180,6 +186,12 @@ private suspend fun partOf(file: IncomingFile, language: Language, beside: (Stri
             Part.Unusable(OpenFilesError.UnknownKind(file.name))
         }
     }
+}
+
+private fun imagePartOf(file: IncomingFile, language: Language): Part {
+    val image = ProgramSource.FirmwareImage(file.name, file.bytes)
+    return ProjectProgram.of(image)?.let(Part::OfProgram)
+        ?: Part.Unusable(OpenFilesError.InFile(file.name, image.fault(language).orEmpty()))
 }
 
 private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Part = when {
@@ -246,7 +258,15 @@ private fun mayBeCourse(file: IncomingFile): Boolean =
 
 private fun IncomingFile.isNamedAs(kind: FileKind): Boolean = name.endsWith(kind.extension, ignoreCase = true)
 
-private fun isJava(file: IncomingFile): Boolean = file.isNamedAs(FileKind.JAVA)
+/** Whether other files may belong to the same program. */
+private fun isPartOfProgram(file: IncomingFile): Boolean =
+    listOf(FileKind.JAVA, FileKind.NQC, FileKind.NQC_HEADER).any(file::isNamedAs)
+
+private fun programsOf(sources: List<SourceFile>): List<ProjectProgram> {
+    val (java, nqc) = sources.partition { ProgramLanguage.ofFile(it.name) == ProgramLanguage.JAVA }
+    val programs = nqcProgramsOf(nqc) + listOfNotNull(java.firstOrNull()?.let { ProgramSource.Java(it.name, java) })
+    return programs.mapNotNull { ProjectProgram.of(it) }
+}
 
 private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOT, FileKind.COURSE)
 private const val PROJECT_MARK = "\"robotran-project\""

@@ -2,6 +2,7 @@ package robotran.documents
 
 import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 
 /** [name] as a valid project name: one line, without surrounding blanks, not too long; null if nothing is left. */
 fun validProjectName(name: String): String? =
@@ -65,6 +66,14 @@ enum class FileKind(val extension: String, val mimeType: String) {
     COURSE(".course.json", "application/json"),
     ROBOLANG(".robo", "text/plain"),
     JAVA(".java", "text/plain"),
+    NQC(".nqc", "text/plain"),
+
+    /** What programs in NQC include. */
+    NQC_HEADER(".nqh", "text/plain"),
+    LASM(".lasm", "text/plain"),
+
+    /** A compiled program for LEGO's own firmware. */
+    RCX_IMAGE(".rcx", "application/octet-stream"),
     PNG(".png", "image/png"),
     JPEG(".jpg", "image/jpeg"),
 
@@ -84,6 +93,9 @@ enum class FileKind(val extension: String, val mimeType: String) {
     /** The same with LEGO's ending. */
     LEGO_FIRMWARE(".lgo", "application/octet-stream"),
 }
+
+/** The kind of the files of programs in this language. */
+val ProgramLanguage.fileKind: FileKind get() = FileKind.entries.first { it.extension == extension }
 
 /** A number appended by [uniqueProjectName]. */
 private val NUMBER = Regex(" [0-9]{1,6}$")

@@ -2,6 +2,12 @@ package robotran.documents
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.ProgramLanguage
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.toBytes
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.writeProject
@@ -41,6 +47,25 @@ class OpenFilesTest {
         assertEquals(listOf("a.robo", "B.java"), opened.programs.map { it.name })
         assertEquals(ProgramLanguage.JAVA, opened.programs.last().language)
         assertEquals(listOf("B.java", "C.java"), opened.programs.last().files.map { it.name })
+    }
+
+    @Test
+    fun `a program in NQC comes with what it includes, and an image as assembly text`() = runTest {
+        val image = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes.of(0x50))))
+        val programs = opened(
+            file("moves.nqh", "void go() { }"),
+            file("a.nqc", "#include \"moves.nqh\"\ntask main() { go(); }"),
+            file("b.lasm", "\ttask 0\n\tendt\n"),
+            IncomingFile("c.rcx", image.toBytes()),
+        ).programs.sortedBy { it.name }
+        assertEquals(listOf("a.nqc", "b.lasm", "c.lasm"), programs.map { it.name })
+        assertEquals(listOf("a.nqc", "moves.nqh"), programs.first().files.map { it.name })
+        assertEquals(
+            listOf(ProgramLanguage.NQC, ProgramLanguage.LASM, ProgramLanguage.LASM),
+            programs.map { it.language },
+        )
+        val error = assertIs<OpenFilesError.InFile>(refused(file("d.rcx", "no image")))
+        assertTrue(error.message.endsWith("."), error.message)
     }
 
     @Test

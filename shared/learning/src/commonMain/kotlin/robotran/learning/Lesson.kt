@@ -19,8 +19,7 @@ import robotran.world.World
  * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
  * @property program the program that the pupil tries and changes.
  * @property solution the same program with the task done.
- * @property javaSolution the task done in Java, for a pupil who writes Java where [program] is in Robolang; null if there
- * is none.
+ * @property otherSolutions the task done in other languages than that of [program], for a pupil who writes them.
  * @param forNxt makes the same lesson with a robot that has an NXT; null for such a lesson itself, and for the task of a
  * [GalleryWorld].
  */
@@ -29,7 +28,7 @@ class Lesson internal constructor(
     val strand: String,
     val program: SourceFile,
     val solution: SourceFile,
-    val javaSolution: SourceFile?,
+    val otherSolutions: List<SourceFile>,
     private val plainWorld: World,
     private val forNxt: (() -> Lesson)? = null,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
@@ -62,8 +61,8 @@ class Lesson internal constructor(
     /** The language of [program]. */
     val code: ProgramLanguage get() = languageOf(program)
 
-    /** [solution] and [javaSolution]. */
-    val solutions: List<SourceFile> get() = listOfNotNull(solution, javaSolution)
+    /** [solution] and [otherSolutions]. */
+    val solutions: List<SourceFile> get() = listOf(solution) + otherSolutions
 
     /**
      * Creates a project for the lesson.
@@ -90,6 +89,4 @@ class Lesson internal constructor(
 }
 
 private fun languageOf(file: SourceFile): ProgramLanguage =
-    if (file.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
-
-internal const val JAVA_FILE = ".java"
+    ProgramLanguage.ofFile(file.name) ?: ProgramLanguage.ROBOLANG

@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.world.World
 import robotran.world.file.WorldFileResult
@@ -54,7 +55,7 @@ object Lessons {
         folder.substringBefore('/'),
         version.program,
         version.solution,
-        javaSolution = null,
+        otherSolutions = emptyList(),
         version.world,
         forNxt,
     ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks, version.brick) }
@@ -62,11 +63,10 @@ object Lessons {
     private val NUMBER = Regex("^[0-9]+-")
 }
 
-internal fun isProgram(file: String): Boolean = file.endsWith(ROBOLANG_FILE) || file.endsWith(JAVA_FILE)
+internal fun isProgram(file: String): Boolean = ProgramLanguage.ofFile(file) != null
 
 /** How the file of a solution is called, apart from its extension. */
 internal const val SOLUTION = "solution."
-private const val ROBOLANG_FILE = ".robo"
 
 /** Reads a world that comes with the app. Fails if the file is invalid. */
 internal fun worldOf(text: String): World = when (val result = readWorld(text)) {

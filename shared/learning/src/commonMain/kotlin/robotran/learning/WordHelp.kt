@@ -3,6 +3,7 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.legofirmware.assembly.CommandHelp
 
 /**
  * The help on one word of a program.
@@ -29,12 +30,16 @@ data class WordHelp(
             when (code) {
                 ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
                 ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
+                ProgramLanguage.NQC -> nqcHelp(word, language)
+                ProgramLanguage.LASM -> lasmHelp(word, language)
             }
 
         /** The words of a programming language that have an entry, in the order of their file. */
         fun words(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<String> = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.words
             ProgramLanguage.JAVA -> javaWords(brick).words
+            ProgramLanguage.NQC -> nqcWords
+            ProgramLanguage.LASM -> CommandHelp.mnemonics
         }
     }
 }
@@ -56,8 +61,13 @@ fun helpOn(
 ): WordHelp? {
     val range = wordRange(text, offset) ?: return null
     return when (code) {
-        ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(range.first, range.last + 1))
-        ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)
+        ProgramLanguage.ROBOLANG, ProgramLanguage.NQC, ProgramLanguage.LASM -> {
+            WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+        }
+
+        ProgramLanguage.JAVA -> {
+            helpInJava(language, text, range, brickOfImports(text) ?: brick)
+        }
     }
 }
 

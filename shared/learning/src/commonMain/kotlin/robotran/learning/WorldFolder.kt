@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.world.World
 
@@ -8,8 +9,8 @@ import robotran.world.World
  * What `learning/worlds/NAME` has about a world.
  *
  * @param files their texts by name: `text.en.md` and the others, the program to begin with, `solution` with its
- * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension. Where
- * the program to begin with is in Robolang, each solution may be there in Java, too.
+ * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension. Each
+ * solution may be there in other languages, too.
  */
 internal class WorldFolder(
     private val name: String,
@@ -71,14 +72,17 @@ internal class WorldFolder(
         world: World,
         read: (language: Language, inBlocks: Boolean) -> LessonText,
     ): Lesson {
-        val language = given.name.substringAfterLast('.')
-        val inJava = if ("$solution$language".endsWith(JAVA_FILE)) null else files[solution + JAVA_FILE.drop(1)]
+        val stem = solution.removeSuffix(".")
+        val own = checkNotNull(ProgramLanguage.ofFile(given.name)) { given.name }
+        val others = (ProgramLanguage.entries - own).mapNotNull { language ->
+            files[stem + language.extension]?.let { SourceFile(nameOfSolution(language), it) }
+        }
         return Lesson(
             name,
             "",
             given,
-            SourceFile(given.name, files.getValue(solution + language)),
-            inJava?.let { SourceFile(JAVA_SOLUTION, it) },
+            SourceFile(given.name, files.getValue(stem + own.extension)),
+            others,
             world,
             read = read,
         )
@@ -88,9 +92,11 @@ internal class WorldFolder(
 
     private companion object {
         const val HARDER = "harder-"
-        const val JAVA_SOLUTION = "Solution.java"
 
-        fun tabOfSolution(file: String) = if (file.endsWith(JAVA_FILE)) JAVA_SOLUTION else "solution.robo"
+        fun tabOfSolution(file: String) = nameOfSolution(checkNotNull(ProgramLanguage.ofFile(file)) { file })
+
+        fun nameOfSolution(language: ProgramLanguage) =
+            if (language == ProgramLanguage.JAVA) "Solution.java" else "solution${language.extension}"
     }
 }
 

@@ -29,6 +29,7 @@ fun brickOf(program: ProgramSource): BrickKind? = when (program) {
     is ProgramSource.Robolang -> brickOfRobolang(program.text)
     is ProgramSource.Java -> brickOf(program.files)
     is ProgramSource.CompiledClasses -> brickOfClasses(program.classFiles.values)
+    is ProgramSource.ForLegoFirmware -> BrickKind.RCX
 }
 
 /** Looks for names of packages among the constants of the [classFiles]. */

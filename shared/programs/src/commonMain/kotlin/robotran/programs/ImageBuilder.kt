@@ -53,6 +53,8 @@ internal class ImageBuilder(
     private fun compile(source: ProgramSource): CompiledSource = when (source) {
         is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
 
+        is ProgramSource.ForLegoFirmware -> error("${source.name} is not for leJOS.")
+
         is ProgramSource.Java -> checkNotNull(java) { NOT_LOADED }.compile(source)
 
         is ProgramSource.Robolang -> when (

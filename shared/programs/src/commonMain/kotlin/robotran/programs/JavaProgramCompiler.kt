@@ -53,8 +53,6 @@ internal class JavaProgramCompiler(
     private fun fileOf(files: List<SourceFile>, refusal: LinkError): String? =
         (files.firstOrNull { simpleName(it.name) == refusal.sourceFile } ?: files.firstOrNull())?.name
 
-    private fun simpleName(path: String): String = path.substringAfterLast('/').substringAfterLast('\\')
-
     private fun diagnosticOf(diagnostic: JavaDiagnostic) = ProgramDiagnostic(
         diagnostic.path,
         rangeOf(diagnostic.range),

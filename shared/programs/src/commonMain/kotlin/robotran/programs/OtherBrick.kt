@@ -12,8 +12,9 @@ internal class OtherBrick(private val robot: BrickKind, private val messages: Pr
         return diagnosticOf(source, messages.forOtherBrick(program.name, robot.name))
     }
 
-    /** The mistake in [source] if it is not for an RCX, the only brick that images are for. */
+    /** The mistake in [source] if it is not for an RCX with leJOS, which images are for. */
     fun mistakeInImage(source: ProgramSource): ProgramDiagnostic? {
+        if (source is ProgramSource.ForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
         return if (program == BrickKind.RCX) null else diagnosticOf(source, messages.noImageFor(program.name))
     }

@@ -16,17 +16,19 @@ import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.coroutines.cancellation.CancellationException
 
 /**
- * Compiles a pupil's program, in either language, to a program for the robot's brick. It loads the Java compiler and the
+ * Compiles a pupil's program, in any language, to a program for the robot's brick. It loads the Java compiler and the
  * classes of leJOS NXJ on first use, which takes a while in a browser. Copies for another language, robot or settings
  * share what is loaded.
  *
- * @param target the robot that programs run on. Java for another kind of brick has a mistake.
+ * @param target the robot that programs run on. A program for another kind of brick has a mistake.
  * @param java how Java programs run.
+ * @param firmware how programs for LEGO's own firmware are compiled.
  * @property language the language of compiler messages and runtime messages.
  */
 class ProgramCompiler private constructor(
     private val target: RobotTarget,
     private val java: JavaSettings,
+    private val firmware: FirmwareSettings,
     val language: Language,
     private val loaded: LoadedJava,
 ) {
@@ -34,22 +36,28 @@ class ProgramCompiler private constructor(
         target: RobotTarget,
         java: JavaSettings = JavaSettings(),
         language: Language = Language.ENGLISH,
-    ) : this(target, java, language, LoadedJava())
+        firmware: FirmwareSettings = FirmwareSettings(),
+    ) : this(target, java, firmware, language, LoadedJava())
 
     private val robolang = RobolangProgramCompiler(target, RobolangMessages.of(language))
     private val classFiles = linkerFor(java)
+    private val firmwarePrograms = FirmwareProgramCompiler(firmware, language)
     private val otherBrick = OtherBrick(target.kind, ProgramMessages.of(language))
 
     /** Returns a compiler with messages in [language]. */
-    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(target, java, language, loaded)
+    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(target, java, firmware, language, loaded)
 
     /** Returns a compiler that runs Java with the settings [java]; this one if it already does. */
     fun withJava(java: JavaSettings): ProgramCompiler =
-        if (java == this.java) this else ProgramCompiler(target, java, language, loaded)
+        if (java == this.java) this else ProgramCompiler(target, java, firmware, language, loaded)
+
+    /** Returns a compiler that compiles for LEGO's firmware with these settings; this one if it already does. */
+    fun withFirmware(firmware: FirmwareSettings): ProgramCompiler =
+        if (firmware == this.firmware) this else ProgramCompiler(target, java, firmware, language, loaded)
 
     /** Returns a compiler for the robot [target]; this one if it already is. */
     fun forTarget(target: RobotTarget): ProgramCompiler =
-        if (target == this.target) this else ProgramCompiler(target, java, language, loaded)
+        if (target == this.target) this else ProgramCompiler(target, java, firmware, language, loaded)
 
     /** Loads what compiling [source] needs. */
     suspend fun prepareFor(source: ProgramSource): CompilerLoading = try {
@@ -72,6 +80,8 @@ class ProgramCompiler private constructor(
             is ProgramSource.Robolang -> robolang.read(source)
 
             is ProgramSource.Java -> javaCompiler().read(source)
+
+            is ProgramSource.ForLegoFirmware -> firmwarePrograms.read(source)
 
             is ProgramSource.CompiledClasses -> when (target.kind) {
                 BrickKind.RCX -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))

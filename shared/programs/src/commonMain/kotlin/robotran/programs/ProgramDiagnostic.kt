@@ -4,7 +4,7 @@ import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * An error or a warning in a program of either language, written for beginners.
+ * An error or a warning in a program, written for beginners.
  *
  * @property file the file it is in; empty if the program has none.
  * @property range its position; null if it has none in the source.

@@ -5,6 +5,7 @@ import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.programs.toLasm
 import robotran.simulation.RecordedInput
 import robotran.world.LightFacing
 import robotran.world.UnknownFields
@@ -72,8 +73,8 @@ data class ProjectRobot(
  * The source of a program.
  *
  * @property name the name that the pupil sees, usually that of its first file.
- * @property files one for Robolang, one or more for Java.
- * @property view how the pupil sees the program; null for what the reader is used to, and for Java.
+ * @property files one or more if [ProgramLanguage.mayHaveFiles], otherwise one.
+ * @property view how the pupil sees a program in Robolang; null for what the reader is used to.
  */
 data class ProjectProgram(
     val name: String,
@@ -82,24 +83,13 @@ data class ProjectProgram(
     val view: ProgramView? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
-    val source: ProgramSource
-        get() = when (language) {
-            ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, files.single().text)
-            ProgramLanguage.JAVA -> ProgramSource.Java(name, files)
-        }
+    val source: ProgramSource get() = ProgramSource.of(language, name, files)
 
     companion object {
-        /** null for class files, which cannot be edited. */
-        fun of(source: ProgramSource): ProjectProgram? = when (source) {
-            is ProgramSource.Robolang -> ProjectProgram(
-                source.name,
-                ProgramLanguage.ROBOLANG,
-                listOf(SourceFile(source.name, source.text)),
-            )
-
-            is ProgramSource.Java -> ProjectProgram(source.name, ProgramLanguage.JAVA, source.files)
-
-            is ProgramSource.CompiledClasses -> null
+        /** An `.rcx` file becomes assembly text. Null if it cannot, and for class files, which cannot be edited. */
+        fun of(source: ProgramSource): ProjectProgram? {
+            val text = if (source is ProgramSource.FirmwareImage) source.toLasm() ?: return null else source
+            return text.language?.let { ProjectProgram(text.name, it, text.files) }
         }
     }
 }

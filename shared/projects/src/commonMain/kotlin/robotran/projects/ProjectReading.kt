@@ -64,9 +64,10 @@ internal fun firstProgramIn(place: JsonCursor, count: Int): Int =
 internal fun programIn(place: JsonCursor): ProjectProgram {
     val language = place.member("language").choice(LANGUAGES)
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
-    val files = when (language) {
-        ProgramLanguage.ROBOLANG -> listOf(SourceFile(name, textIn(place.member(TEXT))))
-        ProgramLanguage.JAVA -> place.member("files").items(1..ProjectLimits.MAXIMUM_FILES).map(::fileIn)
+    val files = if (language.mayHaveFiles) {
+        place.member("files").items(1..ProjectLimits.MAXIMUM_FILES).map(::fileIn)
+    } else {
+        listOf(SourceFile(name, textIn(place.member(TEXT))))
     }
     val view = place.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language == ProgramLanguage.ROBOLANG }
     return ProjectProgram(name, language, files, view, unknownOf(place))

@@ -6,7 +6,6 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.brick.controls.BrickButton
 import robotran.json.decimal
 import robotran.json.jsonObject
-import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.simulation.RecordedInput
@@ -50,9 +49,10 @@ internal fun elementOf(program: ProjectProgram): JsonObject = jsonObject(program
     text("name", program.name)
     text("language", wordFor(program.language))
     text("view", program.view?.let(::wordFor))
-    when (program.language) {
-        ProgramLanguage.ROBOLANG -> put(TEXT, linesOf(program.files.single().text))
-        ProgramLanguage.JAVA -> list("files", program.files, ::elementOf)
+    if (program.language.mayHaveFiles) {
+        list("files", program.files, ::elementOf)
+    } else {
+        put(TEXT, linesOf(program.files.single().text))
     }
 }
 

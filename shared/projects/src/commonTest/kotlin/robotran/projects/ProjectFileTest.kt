@@ -1,6 +1,13 @@
 package robotran.projects
 
 import robotran.brick.program.ProgramRun
+import robotran.language.ProgramLanguage
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.toBytes
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
@@ -10,8 +17,10 @@ import robotran.simulation.SessionInput
 import robotran.world.geometry.Pose
 import kotlin.random.Random
 import kotlin.test.Test
+import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
@@ -52,6 +61,19 @@ class ProjectFileTest {
         assertEquals(mapOf("bob" to listOf(a, b), "ann" to emptyList()), FULL_PROJECT.programs)
         assertEquals(FULL_PROJECT.robots.first().programs, listOf(a, b).map { ProjectProgram.of(it) })
         assertNull(ProjectProgram.of(ProgramSource.CompiledClasses("C", emptyMap())))
+    }
+
+    @Test
+    fun `programs for LEGO's firmware keep their files, and an image becomes assembly text`() {
+        assertEquals(FIRMWARE_PROJECT, loaded(writeProject(FIRMWARE_PROJECT)))
+        val (nqc, lasm) = FIRMWARE_PROJECT.programs.values.single()
+        assertEquals(listOf("d.nqc", "e.nqh"), assertIs<ProgramSource.Nqc>(nqc).files.map { it.name })
+        assertEquals("\ttask 0\n\tendt\n", assertIs<ProgramSource.Lasm>(lasm).text)
+        val image = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes.of(STOP))))
+        val program = assertNotNull(ProjectProgram.of(ProgramSource.FirmwareImage("f.rcx", image.toBytes())))
+        assertEquals(ProgramLanguage.LASM to "f.lasm", program.language to program.name)
+        assertContains(program.files.single().text, "\tstop")
+        assertNull(ProjectProgram.of(ProgramSource.FirmwareImage("f.rcx", byteArrayOf())))
     }
 
     @Test
@@ -165,7 +187,7 @@ class ProjectFileTest {
             refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"),
         )
         assertEquals(
-            "robots[0].programs[1].language must be \"robolang\" or \"java\".",
+            "robots[0].programs[1].language must be \"robolang\", \"java\", \"nqc\" or \"lasm\".",
             refusalWith("\"java\"", "\"basic\""),
         )
         assertEquals(
@@ -216,5 +238,10 @@ class ProjectFileTest {
         }) {
             assertIs<ProjectFileResult.Rejected>(readProject(file.copyOf(length)))
         }
+    }
+
+    private companion object {
+        /** The command that stops all tasks. */
+        const val STOP = 0x50
     }
 }

@@ -72,6 +72,24 @@ internal val FULL_PROJECT = Project(
     ),
 )
 
+/** A project with programs for LEGO's own firmware. */
+internal val FIRMWARE_PROJECT = Project(
+    world = BuiltInWorlds.plain,
+    robots = listOf(
+        ProjectRobot(
+            BuiltInWorlds.plain.robots.first().name,
+            listOf(
+                ProjectProgram(
+                    "d.nqc",
+                    ProgramLanguage.NQC,
+                    listOf(SourceFile("d.nqc", "#include \"e.nqh\"\ntask main() { }"), SourceFile("e.nqh", "")),
+                ),
+                ProjectProgram("f.lasm", ProgramLanguage.LASM, listOf(SourceFile("f.lasm", "\ttask 0\n\tendt\n"))),
+            ),
+        ),
+    ),
+)
+
 internal fun loaded(text: String): Project = when (val result = readProject(text)) {
     is ProjectFileResult.Loaded -> result.project
     is ProjectFileResult.Rejected -> throw AssertionError(result.message)

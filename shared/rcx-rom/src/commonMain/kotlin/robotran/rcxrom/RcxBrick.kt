@@ -16,19 +16,25 @@ import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.EnglishBrickMessages
+import robotran.rcxrom.program.RcxFirmware
 import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.RcxShell
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.shell.Shell
 import robotran.rcxrom.state.InfraredState
+import robotran.rcxrom.state.RcxFirmwareState
 import robotran.rcxrom.state.RcxState
 
 /**
  * A virtual RCX with its firmware. It starts as if On-Off had been released at millisecond 0.
  *
- * While no program runs, the buttons work as in the leJOS shell: Prgm selects the next program, Run starts it on
- * release, On-Off switches the brick off on release, and on again. After eight minutes without input the brick switches
- * itself off. While a program runs, View, Prgm and Run belong to the program. On-Off switches the brick off, or ends
+ * Its firmware is that of the selected program, see [RcxProgram.firmware]. If Prgm selects a program of another one, the
+ * brick gets that: it begins anew.
+ *
+ * With leJOS's firmware, the buttons work as in the leJOS shell while no program runs: Prgm selects the next program, Run
+ * starts it on release, On-Off switches the brick off on release, and on again. After eight minutes without input the
+ * brick switches itself off. While a program runs, View, Prgm and Run belong to the program. On-Off switches the brick off, or ends
  * the program if Run is held down as well. When a program ends, the brick brakes its motors. The firmware does all this
  * through ROM calls, which appear in the [log].
  *
@@ -42,9 +48,9 @@ import robotran.rcxrom.state.RcxState
  * @param messages the language of the log and of [RcxState.explanation].
  */
 class RcxBrick(
-    programs: List<RcxProgram?>,
+    private val programs: List<RcxProgram?>,
     air: InfraredAir = InfraredAir(),
-    messages: BrickMessages = EnglishBrickMessages,
+    private val messages: BrickMessages = EnglishBrickMessages,
     firstSlot: Int = 0,
 ) : Brick {
     init {
@@ -55,7 +61,8 @@ class RcxBrick(
 
     /** The hardware parts, for tests that call the ROM as a program does. */
     internal val hardware = Hardware(air, messages)
-    private val shell = Shell(programs, hardware, messages, firstSlot)
+    private var firmware: RcxFirmware? = programs.getOrNull(firstSlot)?.firmware
+    private var shell: RcxShell = load(firstSlot)
 
     override val kind: BrickKind get() = BrickKind.RCX
 
@@ -83,6 +90,9 @@ class RcxBrick(
             shell.isImmediate,
         )
 
+    /** What the firmware knows, such as its variables; null for leJOS's. */
+    val firmwareState: RcxFirmwareState? get() = shell.firmwareState
+
     override val sounds: SoundTrack get() = hardware.speaker.track
 
     override val isSounding: Boolean get() = hardware.speaker.sounding
@@ -100,11 +110,11 @@ class RcxBrick(
     fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
 
     override fun press(button: BrickButton) {
-        if (button.kind == kind && hardware.buttons.hold(button, down = true)) shell.pressed(button)
+        if (button.kind == kind && hardware.buttons.hold(button, down = true)) changeSlot { shell.pressed(button) }
     }
 
     override fun release(button: BrickButton) {
-        if (button.kind == kind && hardware.buttons.hold(button, down = false)) shell.released(button)
+        if (button.kind == kind && hardware.buttons.hold(button, down = false)) changeSlot { shell.released(button) }
     }
 
     /**
@@ -124,8 +134,30 @@ class RcxBrick(
     override fun stopProgram() = shell.stopProgram()
 
     override fun runNow(program: BrickProgram) {
-        if (program is RcxProgram) shell.runNow(program)
+        if (program !is RcxProgram) return
+        loadFirmwareOf(program)
+        shell.runNow(program)
     }
+
+    /** Runs [work] of the shell, which may select a slot. */
+    private inline fun changeSlot(work: () -> Unit) {
+        val slotBefore = shell.selectedSlot
+        work()
+        val slot = shell.selectedSlot
+        if (slot != slotBefore) programs.getOrNull(slot)?.let { loadFirmwareOf(it) }
+    }
+
+    private fun loadFirmwareOf(program: RcxProgram) {
+        if (program.firmware == firmware) return
+        shell.stopProgram()
+        hardware.reset()
+        firmware = program.firmware
+        shell = load(shell.selectedSlot)
+        shell.begin()
+    }
+
+    private fun load(slot: Int): RcxShell =
+        firmware?.load(programs, slot, hardware) ?: Shell(programs, hardware, messages, slot)
 
     /** One millisecond: the program gets [STEPS_PER_MILLISECOND]. */
     override fun tick() {

@@ -12,6 +12,7 @@ import robotran.brick.sound.SoundTrack
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.state.RcxFirmwareState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
@@ -107,6 +108,9 @@ class Session(
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
 
+    /** What the firmware of the [watched] robot's RCX knows; null for leJOS and for other bricks. */
+    val firmwareState: RcxFirmwareState? get() = (brick as? RcxBrick)?.firmwareState
+
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
     val remarks: List<RuntimeWarning> get() = running.robots[watched].remarks
 
@@ -158,6 +162,9 @@ class Session(
 
     /** A copy of the current memory of the [watched] robot's brick; null if it is no RCX. */
     fun memory(): MemorySnapshot? = (brick as? RcxBrick)?.memory()
+
+    /** What the firmware of the [watched] robot's brick knows now; null if it tells nothing, such as leJOS's. */
+    fun firmwareState(): RcxFirmwareState? = (brick as? RcxBrick)?.firmwareState
 
     /**
      * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.

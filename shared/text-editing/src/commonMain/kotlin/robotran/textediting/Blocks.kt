@@ -1,6 +1,7 @@
 package robotran.textediting
 
 import robotran.language.ProgramLanguage
+import robotran.nqc.edit.nqcBlockEffect
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.tokenizeJavaLine
 import robotran.textediting.text.isWordCharacter
@@ -29,6 +30,14 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
             closes = line.trimStart().startsWith('}'),
             opens = braces.lastIndexOf('{') > braces.lastIndexOf('}'),
         )
+    }
+
+    ProgramLanguage.NQC -> {
+        nqcBlockEffect(line).let { BlockEffect(it.closes, it.opens) }
+    }
+
+    ProgramLanguage.LASM -> {
+        BlockEffect(closes = false, opens = false)
     }
 }
 

@@ -50,14 +50,15 @@ fun Draft.unindented(language: ProgramLanguage): Draft =
     withSelectedLines { it.drop(minOf(language.indent.length, indentOf(it).length)) }
 
 /** This text with the selected lines commented out or, if they all are already, uncommented. */
-fun Draft.withCommentToggled(): Draft {
+fun Draft.withCommentToggled(language: ProgramLanguage): Draft {
+    val mark = language.commentMark
     val written = selectedLines().map(lines::line).filter { it.isNotBlank() }
     if (written.isEmpty()) return this
-    if (written.all { it.trimStart().startsWith(COMMENT) }) {
-        return withSelectedLines { indentOf(it) + it.trimStart().removePrefix(COMMENT).removePrefix(" ") }
+    if (written.all { it.trimStart().startsWith(mark) }) {
+        return withSelectedLines { indentOf(it) + it.trimStart().removePrefix(mark).removePrefix(" ") }
     }
     val indent = written.minOf { indentOf(it).length }
-    return withSelectedLines { if (it.isBlank()) it else it.take(indent) + COMMENT + " " + it.drop(indent) }
+    return withSelectedLines { if (it.isBlank()) it else it.take(indent) + mark + " " + it.drop(indent) }
 }
 
 /** This text with the selected lines moved above the line before them. */
@@ -100,4 +101,9 @@ fun Draft.withoutLines(): Draft {
 
 private fun TextSelection.shifted(by: Int) = TextSelection(anchor + by, caret + by)
 
-private const val COMMENT = "//"
+/** What begins a comment to the end of the line. */
+private val ProgramLanguage.commentMark: String
+    get() = when (this) {
+        ProgramLanguage.ROBOLANG, ProgramLanguage.JAVA, ProgramLanguage.NQC -> "//"
+        ProgramLanguage.LASM -> ";"
+    }

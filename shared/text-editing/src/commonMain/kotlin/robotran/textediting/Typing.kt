@@ -25,7 +25,7 @@ fun Draft.withLineBreak(language: ProgramLanguage): Draft {
     val deeper = if (blockEffect(before, language).opens) indent + language.indent else indent
     val rest = text.substring(selection.end, lines.end(lines.lineOf(selection.end)))
     val broken = replaced("\n" + deeper)
-    val closesAtOnce = language == ProgramLanguage.JAVA && deeper != indent && rest.trimStart().startsWith('}')
+    val closesAtOnce = "}" in blockEnds(language) && deeper != indent && rest.trimStart().startsWith('}')
     return if (closesAtOnce) broken.withBehindCaret("\n" + indent, rest) else broken.withoutBlanksBehindCaret(rest)
 }
 
@@ -54,7 +54,8 @@ private fun Draft.withBlockEndAligned(language: ProgramLanguage): Draft {
 
 private fun blockEnds(language: ProgramLanguage) = when (language) {
     ProgramLanguage.ROBOLANG -> setOf("end", "else")
-    ProgramLanguage.JAVA -> setOf("}")
+    ProgramLanguage.JAVA, ProgramLanguage.NQC -> setOf("}")
+    ProgramLanguage.LASM -> emptySet()
 }
 
 /** The indentation of the block that [line] ends; null if there is no such block. */

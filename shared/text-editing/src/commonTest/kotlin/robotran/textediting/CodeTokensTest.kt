@@ -50,6 +50,52 @@ class CodeTokensTest {
     )
 
     @Test
+    fun `a line of NQC is taken apart`() = assertEquals(
+        listOf(
+            CodeTokenKind.KEYWORD to "while",
+            CodeTokenKind.SIGN to "(",
+            CodeTokenKind.BUILT_IN to "SENSOR_1",
+            CodeTokenKind.SIGN to "==",
+            CodeTokenKind.NAME to "border",
+            CodeTokenKind.SIGN to ")",
+            CodeTokenKind.BUILT_IN to "Wait",
+            CodeTokenKind.SIGN to "(",
+            CodeTokenKind.NUMBER to "10",
+            CodeTokenKind.SIGN to ")",
+            CodeTokenKind.SIGN to ";",
+            CodeTokenKind.COMMENT to "// so",
+        ),
+        described("while (SENSOR_1 == border) Wait(10); // so", ProgramLanguage.NQC),
+    )
+
+    @Test
+    fun `a line of assembly text is taken apart`() {
+        assertEquals(
+            listOf(
+                CodeTokenKind.NAME to "again",
+                CodeTokenKind.SIGN to ":",
+                CodeTokenKind.BUILT_IN to "wait",
+                CodeTokenKind.NUMBER to "2",
+                CodeTokenKind.SIGN to ",",
+                CodeTokenKind.NUMBER to "-5",
+                CodeTokenKind.COMMENT to "; so",
+            ),
+            described("again: wait 2, -5 ; so", ProgramLanguage.LASM),
+        )
+        assertEquals(
+            listOf(CodeTokenKind.KEYWORD to "task", CodeTokenKind.NUMBER to "0x1F"),
+            described("\ttask\t0x1F", ProgramLanguage.LASM),
+        )
+    }
+
+    @Test
+    fun `a comment of NQC goes on until it ends`() {
+        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.NQC)
+        assertEquals(listOf(CodeTokenKind.COMMENT), tokens.of(1).map { it.kind })
+        assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), tokens.of(2).map { it.kind })
+    }
+
+    @Test
     fun `a comment goes on until it ends`() {
         assertTrue(tokenizeJavaLine("a /* b", startsInComment = false).endsInComment)
         assertFalse(tokenizeJavaLine("b */ c", startsInComment = true).endsInComment)

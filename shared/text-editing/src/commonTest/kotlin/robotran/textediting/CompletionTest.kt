@@ -40,6 +40,26 @@ class CompletionTest {
     }
 
     @Test
+    fun `NQC offers its functions, names of the program and what an argument is made for`() {
+        val first = offered("task main()\n{\n    OnF|", ProgramLanguage.NQC)?.items?.first()
+        assertEquals("OnFwd(outputs)", first?.label)
+        assertEquals("OnFwd();", first?.inserted)
+        assertTrue("OUT_A" in labels("task main()\n{\n    OnFwd(OU|", ProgramLanguage.NQC))
+        assertTrue("speed" in labels("int speed;\ntask main()\n{\n    Wait(sp|", ProgramLanguage.NQC))
+        assertNull(offered("// OnF|", ProgramLanguage.NQC))
+        assertNull(offered("task main()\n{\n    |", ProgramLanguage.NQC))
+    }
+
+    @Test
+    fun `a line of assembly text begins with a command`() {
+        assertEquals(listOf("wait"), labels("\ttask 0\n\twa|", ProgramLanguage.LASM))
+        assertEquals("task", labels("|", ProgramLanguage.LASM, isExplicit = true).first())
+        assertNull(offered("\twait|", ProgramLanguage.LASM), "It is written.")
+        assertNull(offered("\twait 2, s|", ProgramLanguage.LASM, isExplicit = true))
+        assertNull(offered("; wa|", ProgramLanguage.LASM, isExplicit = true))
+    }
+
+    @Test
     fun `behind some words only a little makes sense`() {
         assertEquals(listOf("left", "right"), labels("turn |", isExplicit = true))
         assertEquals(listOf("down"), labels("pen d|"))

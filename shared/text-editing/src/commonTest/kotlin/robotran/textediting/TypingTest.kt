@@ -42,6 +42,16 @@ class TypingTest {
         assertEquals("while (true) {\n    go();\n}|", typed("while (true) {|", "\ngo();\n}", ProgramLanguage.JAVA))
 
     @Test
+    fun `a curly bracket opens and closes a block of NQC`() = assertEquals(
+        "task main()\n{\n    go();\n}|",
+        typed("task main()|", "\n{\ngo();\n}", ProgramLanguage.NQC),
+    )
+
+    @Test
+    fun `a line of assembly text stands below the one above`() =
+        assertEquals("\twait 2, 1\n\t|", typed("\twait 2, 1|", "\n", ProgramLanguage.LASM))
+
+    @Test
     fun `a new line between two curly brackets makes room between them`() =
         assertEquals("    void go() {\n        |\n    }", typed("    void go() {|}", "\n", ProgramLanguage.JAVA))
 
@@ -79,9 +89,15 @@ class TypingTest {
     @Test
     fun `lines become comments and code again`() {
         val draft = at("repeat forever\n|  beep\n\n    buzz|\nend")
-        val commented = draft.withCommentToggled()
+        val commented = draft.withCommentToggled(ProgramLanguage.ROBOLANG)
         assertEquals("repeat forever\n  // beep\n\n  //   buzz\nend", commented.text)
-        assertEquals(draft.text, commented.withCommentToggled().text)
+        assertEquals(draft.text, commented.withCommentToggled(ProgramLanguage.ROBOLANG).text)
+        val assembly = at("\tplays\t|3\n")
+        assertEquals("\t; plays\t3\n", assembly.withCommentToggled(ProgramLanguage.LASM).text)
+        assertEquals(
+            assembly.text,
+            assembly.withCommentToggled(ProgramLanguage.LASM).withCommentToggled(ProgramLanguage.LASM).text,
+        )
     }
 
     @Test

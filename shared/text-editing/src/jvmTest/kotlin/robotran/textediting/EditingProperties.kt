@@ -185,7 +185,7 @@ private val actions: Arb<Action> = Arb.element(
             Action(EditKind.ERASING) { it.wordErasedForwards() },
             Action(EditKind.OTHER) { it.indented(ProgramLanguage.JAVA) },
             Action(EditKind.OTHER) { it.unindented(ProgramLanguage.JAVA) },
-            Action(EditKind.OTHER) { it.withCommentToggled() },
+            Action(EditKind.OTHER) { it.withCommentToggled(ProgramLanguage.JAVA) },
             Action(EditKind.OTHER) { it.withLinesMovedUp() },
             Action(EditKind.OTHER) { it.withLinesMovedDown() },
             Action(EditKind.OTHER) { it.withLinesDuplicated() },

@@ -16,6 +16,8 @@ sealed interface BrickStatus {
 }
 
 /** A version as the brick tells it: 3.1 for the ROM, 3.32 for a firmware. */
-data class RcxVersion(val major: Int, val minor: Int) {
+data class RcxVersion(val major: Int, val minor: Int) : Comparable<RcxVersion> {
+    override fun compareTo(other: RcxVersion) = compareValuesBy(this, other, { it.major }, { it.minor })
+
     override fun toString() = "$major.$minor"
 }

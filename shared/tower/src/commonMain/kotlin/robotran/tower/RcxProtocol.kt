@@ -36,6 +36,9 @@ internal object Opcode {
     /** Stops all tasks of LEGO's firmware. */
     const val STOP = 0x50
 
+    /** Plays a sound of LEGO's firmware. */
+    const val PLAY_SOUND = 0x51
+
     /** Deletes the firmware; the ROM answers afterwards. */
     const val DELETE_FIRMWARE = 0x65
 
@@ -50,6 +53,9 @@ internal object Opcode {
 
     /** Selects a slot of LEGO's firmware, which stops its tasks. */
     const val SELECT_SLOT = 0x91
+
+    /** Asks LEGO's firmware for entries of the datalog: the first one, how many. */
+    const val READ_DATALOG = 0xA4
 
     /** Starts the firmware that was downloaded. */
     const val UNLOCK_FIRMWARE = 0xA5
@@ -152,12 +158,18 @@ internal object Tries {
     /** A request of a few bytes. leJOS-RCX tries alive five times. */
     const val REQUEST = 10
 
+    /** The same, if parts of answers have come. */
+    const val WHEN_HEARD = 30
+
     /** Serial attempts without a single byte of echo after which there is no tower. */
     const val WITHOUT_ECHO = 3
 
     /** Attempts to begin a leJOS download after an alive that was answered at once, and after one that was not. */
     const val LEJOS_BEGIN_WHEN_CLEAR = 6
     const val LEJOS_BEGIN = 24
+
+    /** Asking a brick that may be of another kind for its versions. */
+    const val VERSIONS_OF_OTHERS = 3
 
     /** A block, before a download begins again with smaller ones. */
     const val BLOCK = 3
@@ -170,6 +182,10 @@ internal object Tries {
 
     /** Deletions after a download to LEGO's firmware that ended early: the pupil waits for them. */
     const val CLEAN_UP = 3
+
+    /** Entries of the datalog of one size, and of the smallest size. */
+    const val DATALOG = 3
+    const val SMALLEST_DATALOG = 30
 
     /** Unlockings of a firmware. */
     const val UNLOCK = 5
@@ -228,9 +244,11 @@ object LegoLimits {
     /** nqc warns below this; a transfer takes minutes, and a brick that restarts in it loses everything. */
     const val MIN_MILLIVOLTS = 6600
 
-    /** Tasks of a program. */
-    const val TASKS = 10
+    /** The oldest version of firmware 2.0. Source: the names of its files. */
+    val VERSION_2 = RcxVersion(3, 28)
 
-    /** Subroutines of a program. */
-    const val SUBROUTINES = 8
+    /**
+     * Entries of a datalog at most, with the first, which counts them: more than the memory of a brick has room for.
+     */
+    const val DATALOG_ENTRIES = 0x8000 / 3
 }

@@ -15,8 +15,23 @@ sealed interface TransferResult {
     /** The brick has confirmed everything that was sent. */
     data class Complete(val bytes: Int, val repeats: Int) : TransferResult
 
-    /** The brick does not hold a complete program or firmware, as far as the tower can know. */
-    data class Failed(val error: TowerError) : TransferResult
+    /** The brick has not confirmed everything. [remains] is what it holds instead. */
+    data class Failed(val error: TowerError, val remains: Remains = Remains.AS_BEFORE) : TransferResult
+}
+
+/** What a brick holds after a transfer that has failed. */
+enum class Remains {
+    /** Nothing was changed. */
+    AS_BEFORE,
+
+    /** It has no program that it could run; with LEGO's firmware, none in the slot that was sent to. */
+    NO_PROGRAM,
+
+    /** It has no firmware, and so no programs. */
+    NO_FIRMWARE,
+
+    /** What was sent, what was there before, or nothing: the brick was not heard any more. */
+    UNKNOWN,
 }
 
 /** What can go wrong between app and brick. */
@@ -30,11 +45,14 @@ sealed interface TowerError {
     /** The tower works, but no brick answers: off, too far, or in bright light. */
     data object BrickSilent : TowerError
 
-    /** A brick answers, but without leJOS's firmware: LEGO's, or none. */
-    data object NoLejos : TowerError
+    /** A brick answers, but without leJOS's firmware. It has LEGO's of version [lego], or none if that is null. */
+    data class NoLejos(val lego: RcxVersion? = null) : TowerError
 
-    /** A brick answers, but not with LEGO's firmware, which the request needs. */
+    /** A brick answers, but without LEGO's firmware, which the request needs: it has leJOS or no firmware. */
     data object NoLegoFirmware : TowerError
+
+    /** The program is for LEGO's firmware 2.0, and the brick has [version], an earlier one. */
+    data class LegoFirmwareTooOld(val version: RcxVersion) : TowerError
 
     /** Answers came, but too many were damaged or lost: light, distance, a second brick, weak batteries. */
     data object BadConnection : TowerError

@@ -158,6 +158,7 @@ class Workshop(
             document = document.state.copy(
                 hasGoals = run.state.world.goals.isNotEmpty(),
                 canSend = programs.state.brick == BrickKind.RCX,
+                hasFirmwareImage = programs.state.program.isForLegoFirmware,
             ),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),

@@ -50,7 +50,7 @@ class LongProgramTest {
     fun `all files of a Java program share the room`() {
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         write("/* ${"b".repeat(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / 2)} */")
-        workshop.handle(ProgramEvent.ClassAdded)
+        workshop.handle(ProgramEvent.FileAdded)
         val before = workshop.state.programText
         write("/* ${"b".repeat(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / 2)} */")
         assertEquals(before, workshop.state.programText)

@@ -69,7 +69,7 @@ class NxtInAppTest {
         workshop.use(BrickKind.NXT)
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         assertContains(workshop.state.programText, "import lejos.nxt.*;")
-        workshop.handle(ProgramEvent.ClassAdded)
+        workshop.handle(ProgramEvent.FileAdded)
         assertContains(workshop.state.programText, "import lejos.nxt.*;")
         workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
@@ -196,9 +196,9 @@ class NxtInAppTest {
         workshop.use(BrickKind.NXT)
         workshop.compilePrograms()
         workshop.handle(ProgramEvent.TranslationShown(true))
-        assertContains(assertNotNull(workshop.state.programs.translation).java, "import lejos.nxt.")
+        assertContains(assertNotNull(workshop.state.programs.translation).text, "import lejos.nxt.")
         workshop.use(BrickKind.RCX)
         workshop.compilePrograms()
-        assertContains(assertNotNull(workshop.state.programs.translation).java, "import josx.")
+        assertContains(assertNotNull(workshop.state.programs.translation).text, "import josx.")
     }
 }

@@ -170,7 +170,7 @@ class WorkshopJavaTest {
     fun `a new Java program can run as it is`() = workshop(firstDrive) { workshop ->
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         assertEquals("Program.java", workshop.state.programName)
-        workshop.handle(ProgramEvent.ClassAdded)
+        workshop.handle(ProgramEvent.FileAdded)
         assertEquals(listOf("Program.java", "Helper.java"), workshop.state.program.files.map { it.name })
         workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
@@ -216,7 +216,7 @@ class WorkshopJavaTest {
     @Test
     fun `a class of a program can be taken away and brought back, but not the last one`() =
         workshop(firstDrive) { workshop ->
-            workshop.handle(ProgramEvent.ClassAdded)
+            workshop.handle(ProgramEvent.FileAdded)
             val both = workshop.state.program
             workshop.handle(ProgramEvent.FileClosed(0))
             assertEquals(listOf(both.files[1]), workshop.state.program.files)
@@ -227,7 +227,7 @@ class WorkshopJavaTest {
             assertEquals(both, workshop.state.program)
             assertEquals(0, workshop.state.programs.shownFile)
             workshop.handle(ProgramEvent.FileClosed(1))
-            workshop.handle(ProgramEvent.ClassAdded)
+            workshop.handle(ProgramEvent.FileAdded)
             assertFalse(workshop.state.programs.canReopen, "there is a class of this name again")
         }
 

@@ -37,7 +37,7 @@ class WorkshopPropertyTest {
         Arb.int(-1..5).map(ProgramEvent::ProgramChosen),
         Arb.int(-1..5).map(ProgramEvent::FileChosen),
         Arb.int(-1..5).map(ProgramEvent::ProgramClosed),
-        Arb.constant(ProgramEvent.ClassAdded),
+        Arb.constant(ProgramEvent.FileAdded),
         Arb.constant(ProgramEvent.ProgramReopened),
     )
 

@@ -63,7 +63,7 @@ internal fun prepareReadingOfFiles(): Unit = js(
         const most = 16000000;
         const mostFiles = 2000;
         const mostFolders = 8;
-        const readable = /\.(robotran|json|robo|java|zip|txt|url|webloc|html|htm|md)$/i;
+        const readable = /\.(robotran|json|robo|java|nqc|nqh|lasm|rcx|zip|txt|url|webloc|html|htm|md)$/i;
         globalThis.robotranFiles = async (files) => {
             const lines = [];
             for (const file of Array.from(files)) {

@@ -71,6 +71,11 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedNxjRuns: DirectoryProperty
 
+        /** Those of NQC, with ROM logs. */
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedNqcRuns: DirectoryProperty
+
         /** Projects that the page runs, each with its expected report. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
@@ -116,6 +121,7 @@ abstract class BrowserTest
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)
                 exec.environment("EXPECTED_NXT_RUNS", expectedNxtRuns.get().asFile.path)
                 exec.environment("EXPECTED_NXJ_RUNS", expectedNxjRuns.get().asFile.path)
+                exec.environment("EXPECTED_NQC_RUNS", expectedNqcRuns.get().asFile.path)
                 exec.environment("EXPECTED_PROJECT_RUNS", expectedProjectRuns.get().asFile.path)
                 exec.environment("EXPECTED_GRADES", expectedGrades.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)

@@ -63,6 +63,7 @@ class WebAppPlugin : Plugin<Project> {
             task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
             task.expectedNxtRuns.set(project.rootProject.file("shared/simulation/src/commonTest/resources/nxt-runs"))
             task.expectedNxjRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/nxj-runs"))
+            task.expectedNqcRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/nqc-runs"))
             task.expectedGrades.set(project.rootProject.file("shared/assignments/src/commonTest/resources/grades"))
             task.results.set(project.layout.buildDirectory.dir("test-results/${task.name}"))
         }

@@ -29,6 +29,11 @@ internal sealed interface FoundContent {
 internal enum class FoundKind(vararg val extensions: String) {
     ROBOLANG(".robo"),
     JAVA(".java"),
+    NQC(".nqc", ".nqh"),
+    LASM(".lasm"),
+
+    /** A compiled program for LEGO's own firmware. */
+    RCX_IMAGE(".rcx"),
     ZIP(".zip"),
 
     /** A project, a text with links, or both kinds renamed by a mail program. */

@@ -82,9 +82,11 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
     private fun directGroups(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> {
         val java = direct.filter { it.kind == FoundKind.JAVA }
         val isOneProgram = java.size > 1 && java.count(::hasMain) < 2
-        val single = direct.filterNot { isOneProgram && it in java }.map { file ->
+        val nqc = NqcFiles(direct)
+        val single = direct.filterNot { (isOneProgram && it in java) || it in nqc.included }.map { file ->
             val name = if (isOnly) file.path[depth - 1] else stemOf(file.name)
-            FileGroup(null, prefix + name, file.shownPath, listOf(file.at(listOf(file.name))), false, isOnly)
+            val files = (listOf(file) + nqc.includedBy(file)).map { it.at(listOf(it.name)) }
+            FileGroup(null, prefix + name, file.shownPath, files, false, isOnly)
         }
         if (!isOneProgram) return single
         val main = java.firstOrNull(::hasMain) ?: java.first()

@@ -5,7 +5,11 @@ import robotran.brick.program.BrickProgram
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.programs.fault
+import robotran.programs.nqcProgramsOf
+import robotran.programs.toLasm
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -52,6 +56,7 @@ internal class GroupReader(private val assignment: Project, private val language
                 is FoundContent.Problem -> return problems.plusAssign(content.reason)
                 is FoundContent.Bytes -> content.bytes
             }
+            if (file.kind == FoundKind.RCX_IMAGE) return addImage(file, bytes)
             val text = when {
                 bytes.size > JsonLimits.MAXIMUM_BYTES -> null
                 else -> textOf(bytes)
@@ -78,6 +83,13 @@ internal class GroupReader(private val assignment: Project, private val language
                     sources += file to text
                 }
             }
+        }
+
+        /** It becomes assembly text. */
+        private fun addImage(file: FoundFile, bytes: ByteArray) {
+            val image = ProgramSource.FirmwareImage(file.name, bytes)
+            val lasm = image.toLasm() ?: return problems.plusAssign("${file.name}: ${image.fault(language)}")
+            sources += file.at(file.path.dropLast(1) + lasm.name) to lasm.text
         }
 
         fun read(): ReadFiles {
@@ -150,14 +162,7 @@ internal class GroupReader(private val assignment: Project, private val language
         /** All Java files are one program; of files with the same name the newest counts. */
         private fun ofPrograms(): Candidate? {
             val newest = sources.groupBy { it.first.name }.values.map { same -> same.maxBy { it.first.modified ?: 0 } }
-            val (java, robolang) = newest.partition { it.first.kind == FoundKind.JAVA }
-            val programs = robolang.map { (file, text) ->
-                ProjectProgram(file.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(file.name, text)))
-            } + listOfNotNull(
-                java.map { (file, text) -> SourceFile(file.name, text) }.takeIf { it.isNotEmpty() }?.let {
-                    ProjectProgram(it.first().name, ProgramLanguage.JAVA, it)
-                },
-            )
+            val programs = programsOf(newest.map { (file, text) -> file.kind to SourceFile(file.name, text) })
             if (programs.isEmpty()) return null
             val modified = newest.maxOf { it.first.modified ?: 0 }
             val submission = if (programs.size > BrickProgram.MAX_PROGRAMS) {
@@ -168,6 +173,17 @@ internal class GroupReader(private val assignment: Project, private val language
                 Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs))
             }
             return candidate(submission, modified)
+        }
+
+        private fun programsOf(files: List<Pair<FoundKind, SourceFile>>): List<ProjectProgram> {
+            val sources = files.groupBy({ it.first }, { it.second })
+            val java = sources[FoundKind.JAVA].orEmpty()
+            val alone = sources[FoundKind.ROBOLANG].orEmpty() + sources[FoundKind.LASM].orEmpty()
+            val programs = alone.map { file ->
+                ProgramSource.of(checkNotNull(ProgramLanguage.ofFile(file.name)), file.name, listOf(file))
+            } + nqcProgramsOf(sources[FoundKind.NQC].orEmpty()) +
+                listOfNotNull(java.firstOrNull()?.let { ProgramSource.Java(it.name, java) })
+            return programs.mapNotNull { ProjectProgram.of(it) }
         }
 
         /** @param link from which it came; null for files. */

@@ -1,6 +1,8 @@
 package robotran.assignments.comparing
 
 import robotran.language.ProgramLanguage
+import robotran.nqc.edit.NqcTokenKind
+import robotran.nqc.edit.nqcTokens
 import robotran.projects.ProjectProgram
 import robotran.robolang.SourceTokenKind
 import robotran.robolang.robolangTokensOfLines
@@ -12,6 +14,8 @@ import robotran.robolang.robolangTokensOfLines
 internal fun normalTokens(program: ProjectProgram): List<String> = when (program.language) {
     ProgramLanguage.ROBOLANG -> program.files.asSequence().flatMap { robolang(it.text) }
     ProgramLanguage.JAVA -> program.files.asSequence().sortedBy { it.name }.flatMap { java(it.text) }
+    ProgramLanguage.NQC -> program.files.asSequence().flatMap { nqc(it.text) }
+    ProgramLanguage.LASM -> program.files.asSequence().flatMap { lasm(it.text) }
 }.take(MAXIMUM_TOKENS).toList()
 
 private fun robolang(text: String): Sequence<String> = text.lineSequence().zip(
@@ -24,6 +28,25 @@ private fun robolang(text: String): Sequence<String> = text.lineSequence().zip(
             else -> line.substring(token.start, token.end).lowercase()
         }
     }
+}
+
+private fun nqc(text: String): Sequence<String> {
+    var isInComment = false
+    return text.lineSequence().flatMap { line ->
+        val tokens = nqcTokens(line, isInComment).also { isInComment = it.endsInComment }.tokens
+        tokens.mapNotNull { token ->
+            when (token.kind) {
+                NqcTokenKind.COMMENT -> null
+                NqcTokenKind.NAME -> NAME
+                else -> line.substring(token.start, token.end)
+            }
+        }
+    }
+}
+
+/** Labels are named after addresses, so a command's words are its mnemonic and numbers. */
+private fun lasm(text: String): Sequence<String> = text.lineSequence().flatMap { line ->
+    LASM_WORD.findAll(line.substringBefore(';')).map { if (LASM_LABEL.matches(it.value)) NAME else it.value }
 }
 
 /** Keeps the words of Java, the names after a dot, and class names before a dot, such as `Motor.A.forward`. */
@@ -59,6 +82,9 @@ private const val NAME = "name"
 private val JAVA_TOKEN = Regex(
     "//[^\\n]*|\"[^\"\\n]*\"|'[^'\\n]*'|[A-Za-z_][A-Za-z_0-9]*|[0-9][0-9A-Za-z_.]*|[^\\s]",
 )
+
+private val LASM_WORD = Regex("[A-Za-z_]\\w*|-?\\d+")
+private val LASM_LABEL = Regex("[st]\\d{7}")
 
 private val JAVA_WORDS = (
     "abstract boolean break byte case catch char class continue default do double else extends final finally float " +

@@ -61,13 +61,7 @@ private fun beginning(project: Project, assignment: Assignment): List<ProjectPro
 }
 
 private fun blankFor(program: ProjectProgram): ProjectProgram {
-    val name = if (program.language ==
-        ProgramLanguage.JAVA
-    ) {
-        program.name
-    } else {
-        "program${ProgramLanguage.ROBOLANG.extension}"
-    }
+    val name = if (program.language == ProgramLanguage.JAVA) program.name else "program${program.language.extension}"
     return ProjectProgram(name, program.language, listOf(SourceFile(name, "")), program.view)
 }
 

@@ -3,6 +3,7 @@ package robotran.assignments.grading
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.GradingMessages
 import robotran.language.Language
+import robotran.programs.FirmwareSettings
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
@@ -26,6 +27,7 @@ import kotlin.coroutines.cancellation.CancellationException
  * @param language of goals and errors.
  * @param java how Java programs run.
  * @param milliseconds of virtual time that a run takes at most; null for the time limit of its world.
+ * @param firmware how programs for LEGO's own firmware are compiled.
  */
 class HandInGrader(
     private val assignment: Project,
@@ -34,8 +36,9 @@ class HandInGrader(
     private val language: Language,
     java: JavaSettings = assignment.settings.java,
     private val milliseconds: Int? = null,
+    firmware: FirmwareSettings = FirmwareSettings(),
 ) {
-    private val compiler = ProgramCompiler(PENBOT_TARGET, java, language)
+    private val compiler = ProgramCompiler(PENBOT_TARGET, java, language, firmware)
 
     /** Compiles the programs of [submission] for each world of the plan. */
     suspend fun prepare(submission: Submission.Usable): Preparation = try {

@@ -16,7 +16,9 @@ private fun linesOfCode(program: ProjectProgram): Int = program.files.sumOf { fi
             robolangTokens(line).any { it.kind != SourceTokenKind.COMMENT }
         }
 
-        ProgramLanguage.JAVA -> javaLines(file.text)
+        ProgramLanguage.JAVA, ProgramLanguage.NQC -> javaLines(file.text)
+
+        ProgramLanguage.LASM -> file.text.lineSequence().count { it.substringBefore(';').isNotBlank() }
     }
 }
 

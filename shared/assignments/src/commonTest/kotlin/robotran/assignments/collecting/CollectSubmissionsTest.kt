@@ -10,6 +10,12 @@ import robotran.assignments.robolang
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.language.ProgramLanguage
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.toBytes
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
@@ -51,6 +57,22 @@ class CollectSubmissionsTest {
         assertEquals(listOf("anna.robo"), programs(found[0]))
         assertEquals(2, assertIs<Submission.Usable>(found[3]).handIn?.tries?.plus(1))
         assertEquals(emptyList(), found.flatMap(::remarks))
+    }
+
+    @Test
+    fun `programs in NQC come with what they include, and images as assembly text`() = runTest {
+        val image = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes.of(0x50))))
+        val found = collect(
+            file("subs/anna.nqc", "#include \"moves.nqh\"\ntask main() { go(); }"),
+            file("subs/moves.nqh", "void go() { }"),
+            CollectedFile("subs/ben.rcx", image.toBytes()),
+            file("subs/cem.lasm", "\ttask 0\n\tendt\n"),
+            file("subs/dora.rcx", "no image"),
+        )
+        assertEquals(listOf("anna", "ben", "cem", "dora"), names(found))
+        assertEquals(listOf("anna.nqc", "moves.nqh"), programs(found[0]))
+        assertEquals(listOf("ben.lasm"), programs(found[1]))
+        assertTrue(reason(found[3]).startsWith("dora.rcx: "), reason(found[3]))
     }
 
     @Test

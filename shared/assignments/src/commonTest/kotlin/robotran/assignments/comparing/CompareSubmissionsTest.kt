@@ -5,6 +5,8 @@ import robotran.assignments.ASSIGNMENT
 import robotran.assignments.collecting.Submission
 import robotran.assignments.java
 import robotran.assignments.robolang
+import robotran.language.ProgramLanguage
+import robotran.programs.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -63,6 +65,16 @@ class CompareSubmissionsTest {
         assertEquals(listOf(SimilarPair(0, 1, 1.0)), pairs(submission(robolang(maze)), submission(robolang(same))))
         assertEquals(listOf(SimilarPair(0, 1, 1.0)), pairs(submission(java(go)), submission(java(javaSame))))
         assertEquals(emptyList(), pairs(submission(robolang(maze)), submission(java(go))))
+    }
+
+    @Test
+    fun `programs in NQC are compared without comments, blanks and names`() {
+        val turn = (1..12).joinToString("\n", "int steps;\ntask main()\n{\n", "\n}\n") {
+            "    OnFwd(OUT_A); Wait($it * 10); steps += $it; if (SENSOR_1 == $it) Off(OUT_C);"
+        }
+        val same = "/* mine\n */" + turn.replace("steps", "n").replace(" += ", "+=").replace("    ", "\t")
+        val nqc = { text: String -> ProjectProgram("a.nqc", ProgramLanguage.NQC, listOf(SourceFile("a.nqc", text))) }
+        assertEquals(listOf(SimilarPair(0, 1, 1.0)), pairs(submission(nqc(turn)), submission(nqc(same))))
     }
 
     @Test

@@ -8,4 +8,8 @@ object EnglishProgramMessages : ProgramMessages {
 
     override fun noImageFor(brick: String) =
         "This program is for an $brick. Only programs for an RCX can be built for a real brick."
+
+    override fun noImageForFirmware() =
+        "This program is for LEGO's own firmware, so it cannot be in an image for leJOS. Build it alone, to a file " +
+            "such as program.rcx."
 }

@@ -9,4 +9,8 @@ object GermanProgramMessages : ProgramMessages {
 
     override fun noImageFor(brick: String) =
         "Dieses Programm ist für einen $brick. Nur Programme für einen RCX lassen sich für einen echten Stein bauen."
+
+    override fun noImageForFirmware() =
+        "Dieses Programm ist für LEGOs eigene Firmware, also passt es in kein Abbild für leJOS. Baue es allein, in " +
+            "eine Datei wie programm.rcx."
 }

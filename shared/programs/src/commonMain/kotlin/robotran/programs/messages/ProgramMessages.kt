@@ -14,6 +14,9 @@ interface ProgramMessages {
     /** An image was asked for of a program for this brick, which is no RCX. */
     fun noImageFor(brick: String): String
 
+    /** An image for leJOS was asked for of a program for LEGO's own firmware. */
+    fun noImageForFirmware(): String
+
     companion object {
         fun of(language: Language): ProgramMessages =
             language.choose(EnglishProgramMessages, SpanishProgramMessages, GermanProgramMessages)

@@ -8,4 +8,8 @@ object SpanishProgramMessages : ProgramMessages {
 
     override fun noImageFor(brick: String) =
         "Este programa es para un $brick. Solo los programas para un RCX se pueden preparar para un ladrillo real."
+
+    override fun noImageForFirmware() =
+        "Este programa es para el firmware propio de LEGO, así que no cabe en una imagen para leJOS. Prepáralo solo, " +
+            "en un archivo como programa.rcx."
 }

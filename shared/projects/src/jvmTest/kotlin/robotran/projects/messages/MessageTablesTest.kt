@@ -3,6 +3,9 @@ package robotran.projects.messages
 import robotran.javacompiler.messages.JavaMessages
 import robotran.json.messages.JsonMessages
 import robotran.language.Language
+import robotran.legofirmware.messages.AssemblyMessages
+import robotran.legofirmware.messages.FirmwareMessages
+import robotran.legofirmware.messages.RunMessages
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
 import robotran.nxt.messages.NxtMessages
@@ -18,6 +21,7 @@ import java.lang.reflect.Modifier
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.legofirmware.messages.ImageMessages as RcxImageMessages
 import robotran.world.messages.RobotMessages as RobotBuildMessages
 
 /** Checks every message of every table in all languages, found by reflection, so that none can be forgotten. */
@@ -112,6 +116,9 @@ class MessageTablesTest {
             TinyVmMessages::class.java to TinyVmMessages::of,
             ImageMessages::class.java to ImageMessages::of,
             ListingMessages::class.java to { ImageMessages.of(it).listing },
+            RcxImageMessages::class.java to { FirmwareMessages.of(it).image },
+            AssemblyMessages::class.java to { FirmwareMessages.of(it).assembly },
+            RunMessages::class.java to { FirmwareMessages.of(it).run },
             ProgramMessages::class.java to ProgramMessages::of,
             SimulationMessages::class.java to SimulationMessages::of,
             JsonMessages::class.java to JsonMessages::of,

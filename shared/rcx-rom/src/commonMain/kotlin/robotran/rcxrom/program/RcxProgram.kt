@@ -8,6 +8,9 @@ import robotran.brick.program.ProgramRun
 interface RcxProgram : BrickProgram {
     override val kind: BrickKind get() = BrickKind.RCX
 
+    /** The firmware that it runs on; null for leJOS's. */
+    val firmware: RcxFirmware? get() = null
+
     /** Starts a new run at the first statement. The run controls the robot only through [rom]. */
     fun start(rom: Rom): ProgramRun
 }

@@ -12,6 +12,7 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.EnglishBrickMessages
+import robotran.rcxrom.program.ShellHardware
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorExpectations
@@ -19,13 +20,14 @@ import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Speaker
 
 /** The parts of a brick and the ROM that controls them, without an active firmware. */
-internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessages = EnglishBrickMessages) {
+internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessages = EnglishBrickMessages) :
+    ShellHardware {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L
         private set
 
     /** Whether the timer drives motors, sounds and sensors. */
-    var timerRuns = true
+    override var timerRuns = true
 
     /** Whether the processor sleeps until On-Off wakes it. */
     var asleep = false
@@ -43,7 +45,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     val log = CallLog()
     val sounds = SoundRoutines(memory, speaker, messages)
 
-    val rom = VirtualRom(
+    override val rom = VirtualRom(
         memory,
         log,
         MotorRoutines(memory, motors, messages).routines + LcdRoutines(lcd, messages).routines +
@@ -82,7 +84,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     val batteryRaw: Int get() = memory.readWord(Registers.CONVERTER_OF_BATTERY) shr Registers.CONVERTER_SHIFT
 
     /** Whether the loudspeaker stays silent unless a new sound is requested. */
-    val isSilent: Boolean get() = !timerRuns || memory.readByte(Speaker.PLAYING_FLAG) == 0
+    override val isSilent: Boolean get() = !timerRuns || memory.readByte(Speaker.PLAYING_FLAG) == 0
 
     /** Puts the processor to sleep. If On-Off is held, it wakes up at once. */
     private fun sleep() {
@@ -90,8 +92,27 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     }
 
     /** Wakes the processor when On-Off is pressed. */
-    fun wake() {
+    override fun wake() {
         asleep = false
+    }
+
+    /** Stops what the timer drives, so that the firmware that begins then initializes the brick. */
+    fun reset() {
+        motors.shutdown()
+        speaker.silence()
+        timerRuns = false
+        asleep = false
+    }
+
+    override val isAsleep: Boolean get() = asleep
+
+    override val pressedButtons: Set<BrickButton> get() = buttons.pressed
+
+    override fun asFirmware(work: () -> Unit) = speaker.asFirmware(work)
+
+    override fun startExpectations(place: () -> Pair<Int, String?>) {
+        expectations.place = place
+        expectations.startRun()
     }
 
     /** Advances time by one millisecond. */

@@ -10,6 +10,7 @@ import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.RcxShell
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.SystemSounds
 
@@ -22,7 +23,7 @@ internal class Shell(
     private val hardware: Hardware,
     private val messages: BrickMessages,
     firstSlot: Int,
-) {
+) : RcxShell {
     private val rom = hardware.rom
     private val buttons = hardware.buttons
     private val firmware = Firmware(rom, hardware.speaker)
@@ -37,40 +38,34 @@ internal class Shell(
     private var powerOffTime = 0L
     private var isSwitchingOff = false
 
-    /** Whether the current or last run is of a program that [runNow] got. */
-    var isImmediate = false
+    override var isImmediate = false
         private set
 
-    var poweredOn = false
+    override var poweredOn = false
         private set
 
-    /** Index of the program that Run starts. */
-    var selectedSlot = firstSlot
+    override var selectedSlot = firstSlot
         private set
 
-    val runState: RunState
+    override val runState: RunState
         get() {
             val run = run ?: return ending.state
             return ending.shownFailure?.let { RunState.Failed(it) } ?: RunState.Running(run.sourceLine, run.sourceFile)
         }
 
-    /** The warnings of the run, or of the last one if none runs. */
-    val remarks: List<RuntimeWarning> get() = run?.remarks ?: previousWarnings
+    override val remarks: List<RuntimeWarning> get() = run?.remarks ?: previousWarnings
 
     /** See [ProgramExit.explanation]. */
-    val explanation: String? get() = ending.explanation
-
-    init {
-        hardware.expectations.place = { (run?.sourceLine ?: 0) to run?.sourceFile }
-    }
+    override val explanation: String? get() = ending.explanation
 
     /** Starts for the first time, after the batteries were inserted and the firmware loaded. */
-    fun begin() {
+    override fun begin() {
+        if (!hardware.timerRuns) firmware.initialize()
         poweredOn = true
         showReady(SystemSounds.TWO_BEEPS)
     }
 
-    fun pressed(button: BrickButton) {
+    override fun pressed(button: BrickButton) {
         if (button == BrickButton.ON_OFF) {
             runWasHeldWithOnOff = false
             hardware.wake()
@@ -81,7 +76,7 @@ internal class Shell(
         if (button == BrickButton.PRGM && programs.isNotEmpty()) firmware.play(SystemSounds.BEEP)
     }
 
-    fun released(button: BrickButton) {
+    override fun released(button: BrickButton) {
         val wasPressedInShell = pressedInShell.remove(button)
         when {
             button == BrickButton.ON_OFF -> onOffReleased()
@@ -91,7 +86,7 @@ internal class Shell(
         }
     }
 
-    fun stopProgram() {
+    override fun stopProgram() {
         hardware.wake()
         if (run != null) {
             endProgram()
@@ -101,7 +96,7 @@ internal class Shell(
     }
 
     /** See [robotran.rcxrom.RcxBrick.runNow]. */
-    fun runNow(program: RcxProgram) {
+    override fun runNow(program: RcxProgram) {
         hardware.wake()
         when {
             run != null -> endProgram()
@@ -112,16 +107,14 @@ internal class Shell(
         start(program, isImmediate = true)
     }
 
-    /** The current run if it can be debugged, otherwise null. */
-    val debuggableRun: DebuggableRun? get() = run as? DebuggableRun
+    override val debuggableRun: DebuggableRun? get() = run as? DebuggableRun
 
-    /** Whether the program is paused in the middle of its share of this millisecond. */
-    val isPaused: Boolean get() = pausedSteps > 0
+    override val isPaused: Boolean get() = pausedSteps > 0
 
     /**
      * Advances the shell by one millisecond: answers messages, and switches the brick off when it was idle for long.
      */
-    fun tick() {
+    override fun tick() {
         when {
             isSwitchingOff -> if (hardware.isSilent) finishSwitchingOff()
             !isReady -> return
@@ -134,7 +127,7 @@ internal class Shell(
      * Runs the program for its share of one millisecond, or for the rest of it after a pause: at most [steps], none
      * while it waits. The program also stands still while On-Off is held down, because leJOS waits for its release.
      */
-    fun resumeProgram(steps: Int) {
+    override fun resumeProgram(steps: Int) {
         val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
         if (rom.milliseconds < waitUntil || standsStill || ending.shownFailure != null || hardware.asleep) return
         val share = if (isPaused) pausedSteps else steps
@@ -179,6 +172,7 @@ internal class Shell(
         ending.forget()
         firmware.showRunning()
         waitUntil = rom.milliseconds
+        hardware.expectations.place = { (run?.sourceLine ?: 0) to run?.sourceFile }
         hardware.expectations.startRun()
         run = program.start(rom)
     }

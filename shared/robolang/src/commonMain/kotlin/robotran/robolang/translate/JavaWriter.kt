@@ -54,6 +54,11 @@ internal class JavaWriter(private var depth: Int = 0, private val sourceLines: S
         depth++
     }
 
+    /** Begins a block whose first line is written. */
+    fun enter() {
+        depth++
+    }
+
     /** Ends one block and begins the next, such as `} else {`. */
     fun reopen(text: String, sourceLine: Int) {
         if (sourceLine != LineMap.NO_LINE) commentsAbove(sourceLine)

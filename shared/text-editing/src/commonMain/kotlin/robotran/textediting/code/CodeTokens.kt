@@ -2,6 +2,8 @@ package robotran.textediting.code
 
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.nqc.edit.NqcTokenKind
+import robotran.nqc.edit.nqcTokens
 import robotran.robolang.SourceTokenKind
 import robotran.robolang.robolangTokens
 import robotran.textediting.text.TextLines
@@ -26,15 +28,24 @@ class CodeTokens(
     fun of(line: Int): List<CodeToken> = tokensOf(lines.line(line), language, startsInComment(line), brick)
 
     private fun commentStarts(): BooleanArray? {
-        if (language == ProgramLanguage.ROBOLANG || "/*" !in lines.text) return null
+        if (language !in WITH_LONG_COMMENTS || "/*" !in lines.text) return null
         val starts = BooleanArray(lines.count)
         var inComment = false
         for (line in 0..<lines.count) {
             starts[line] = inComment
             val text = lines.line(line)
-            if (inComment || "/*" in text) inComment = tokenizeJavaLine(text, inComment).endsInComment
+            if (inComment || "/*" in text) inComment = endsInComment(text, inComment)
         }
         return starts
+    }
+
+    private fun endsInComment(line: String, startsInComment: Boolean): Boolean = when (language) {
+        ProgramLanguage.NQC -> nqcTokens(line, startsInComment).endsInComment
+        else -> tokenizeJavaLine(line, startsInComment).endsInComment
+    }
+
+    private companion object {
+        val WITH_LONG_COMMENTS = setOf(ProgramLanguage.JAVA, ProgramLanguage.NQC)
     }
 }
 
@@ -47,6 +58,8 @@ fun tokensOf(
 ): List<CodeToken> = when (language) {
     ProgramLanguage.ROBOLANG -> robolangTokens(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
     ProgramLanguage.JAVA -> tokenizeJavaLine(line, startsInComment, brick).tokens
+    ProgramLanguage.NQC -> nqcTokens(line, startsInComment).tokens.map { CodeToken(kindOf(it.kind), it.start, it.end) }
+    ProgramLanguage.LASM -> tokenizeLasmLine(line)
 }
 
 private fun kindOf(kind: SourceTokenKind): CodeTokenKind = when (kind) {
@@ -57,4 +70,14 @@ private fun kindOf(kind: SourceTokenKind): CodeTokenKind = when (kind) {
     SourceTokenKind.TEXT -> CodeTokenKind.TEXT
     SourceTokenKind.SIGN -> CodeTokenKind.SIGN
     SourceTokenKind.COMMENT -> CodeTokenKind.COMMENT
+}
+
+private fun kindOf(kind: NqcTokenKind): CodeTokenKind = when (kind) {
+    NqcTokenKind.KEYWORD, NqcTokenKind.DIRECTIVE -> CodeTokenKind.KEYWORD
+    NqcTokenKind.BUILT_IN -> CodeTokenKind.BUILT_IN
+    NqcTokenKind.NAME -> CodeTokenKind.NAME
+    NqcTokenKind.NUMBER -> CodeTokenKind.NUMBER
+    NqcTokenKind.TEXT -> CodeTokenKind.TEXT
+    NqcTokenKind.SIGN -> CodeTokenKind.SIGN
+    NqcTokenKind.COMMENT -> CodeTokenKind.COMMENT
 }

@@ -23,5 +23,7 @@ fun completionsAt(
     return when (language) {
         ProgramLanguage.ROBOLANG -> completeRobolang(draft, help, isExplicit, brick)
         ProgramLanguage.JAVA -> completeJava(draft, help, isExplicit, brickOfJava(draft.lines, brick))
+        ProgramLanguage.NQC -> completeNqc(draft, help, isExplicit)
+        ProgramLanguage.LASM -> completeLasm(draft, help, isExplicit)
     }
 }

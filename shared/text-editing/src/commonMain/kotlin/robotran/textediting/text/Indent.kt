@@ -6,5 +6,6 @@ import robotran.language.ProgramLanguage
 val ProgramLanguage.indent: String
     get() = when (this) {
         ProgramLanguage.ROBOLANG -> "  "
-        ProgramLanguage.JAVA -> "    "
+        ProgramLanguage.JAVA, ProgramLanguage.NQC -> "    "
+        ProgramLanguage.LASM -> "\t"
     }

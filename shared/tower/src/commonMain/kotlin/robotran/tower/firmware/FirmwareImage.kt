@@ -1,13 +1,15 @@
 package robotran.tower.firmware
 
 import robotran.tower.BrickMemory
+import robotran.tower.RcxVersion
 
 /**
  * A firmware as it is sent.
  *
  * @property start where the ROM begins to execute it.
+ * @property version of LEGO's firmware, as its file tells it; null if it does not, or for another one.
  */
-class FirmwareImage(val bytes: ByteArray, val start: Int, val kind: FirmwareKind) {
+class FirmwareImage(val bytes: ByteArray, val start: Int, val kind: FirmwareKind, val version: RcxVersion? = null) {
     /** The sum that the ROM forms of the first 19456 bytes, modulo 65536. */
     val checksum: Int = checksumOf(bytes)
 }

@@ -1,6 +1,7 @@
 package robotran.tower.firmware
 
 import robotran.tower.BrickMemory
+import robotran.tower.RcxVersion
 
 /**
  * Reads a firmware file: `lejos.srec`, or LEGO's `firm0328.lgo`.
@@ -84,8 +85,17 @@ private class FirmwareLayout {
         if (header.startsWith(OLD_LEGO_HEADER)) while (end > 0 && bytes[end - 1] == 0.toByte()) end--
         val content = bytes.copyOf(end)
         if (!contains(content, ROM_TEXT)) return FirmwareFile.Rejected(FirmwareFileError.NoRomText)
-        return FirmwareFile.Read(FirmwareImage(content, startAddress, kindOf(content, header)))
+        val kind = kindOf(content, header)
+        val version = if (kind == FirmwareKind.LEGO) legoVersionOf(header) else null
+        return FirmwareFile.Read(FirmwareImage(content, startAddress, kind, version))
     }
+}
+
+/** `FIRM0328.LGO` is 3.28. */
+private fun legoVersionOf(header: String): RcxVersion? {
+    if (header.startsWith(OLD_LEGO_HEADER)) return OLD_LEGO_VERSION
+    val digits = header.lowercase().substringAfter(LEGO_FILE, "").takeWhile { it in '0'..'9' }
+    return digits.takeIf { it.length == 2 }?.let { RcxVersion(major = 3, minor = it.toInt()) }
 }
 
 private fun kindOf(bytes: ByteArray, header: String): FirmwareKind = when {
@@ -113,6 +123,7 @@ private const val START = 9
 
 /** LEGO's firmware 3.09: its file has zeros at the end that are not sent. Source: leJOS-RCX. */
 private const val OLD_LEGO_HEADER = "?LIB_VERSION_L00"
+private val OLD_LEGO_VERSION = RcxVersion(3, 9)
 
 /** LEGO's firmware 3.28 and 3.32: the header is the file's name, such as `FIRM0328.LGO`. */
 private const val LEGO_FILE = "firm03"

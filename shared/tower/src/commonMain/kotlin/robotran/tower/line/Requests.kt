@@ -53,7 +53,10 @@ internal class Requests(port: TowerPort) {
         return message.copyOf().also { it[0] = opcode.toByte() }
     }
 
-    /** Sends [message] at most [tries] times. See [TowerLine.attempt] for the other parameters. */
+    /**
+     * Sends [message] at most [tries] times; a brick that is heard, though badly, may be asked [Tries.WHEN_HEARD] times.
+     * See [TowerLine.attempt] for the other parameters.
+     */
     suspend fun request(
         message: ByteArray,
         answerBytes: Int,
@@ -62,7 +65,8 @@ internal class Requests(port: TowerPort) {
     ): Reply {
         val sent = next(message)
         val failures = Failures()
-        for (attempt in 1..tries) {
+        for (attempt in 1..maxOf(tries, Tries.WHEN_HEARD)) {
+            if (attempt > tries && !(failures.isBrickHeard && tries == Tries.REQUEST)) break
             attempts = attempt
             when (val result = line.attempt(sent, answerBytes, timeout)) {
                 is Attempt.Answered -> return Reply.Answered(result.payload)

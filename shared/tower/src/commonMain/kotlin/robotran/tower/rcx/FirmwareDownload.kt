@@ -3,6 +3,7 @@ package robotran.tower.rcx
 import kotlinx.coroutines.delay
 import robotran.tower.Key
 import robotran.tower.Opcode
+import robotran.tower.Remains
 import robotran.tower.Status
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
@@ -35,20 +36,28 @@ internal suspend fun downloadFirmware(
     val progress = ProgressMeter(firmware.bytes.size, report)
     val sender = BlockSender(requests, ROM_RULES, progress)
     var refusals = 0
-    repeat(Tries.DOWNLOAD) {
-        beginFirmware(requests, firmware)?.let { return TransferResult.Failed(it) }
+    repeat(Tries.DOWNLOAD) { tries ->
+        beginFirmware(requests, firmware)?.let { return failedToBegin(it, isFirst = tries == 0) }
         val blocks = sender.send(firmware.bytes)
-        if (blocks is BlocksResult.Failed) return TransferResult.Failed(blocks.error)
+        if (blocks is BlocksResult.Failed) return without(blocks.error)
         if (blocks == BlocksResult.NoMemory) return REFUSED
         if (blocks == BlocksResult.Complete) {
             when (val unlocked = unlock(requests)) {
                 Unlocked.Running -> return TransferResult.Complete(firmware.bytes.size, progress.repeats)
                 Unlocked.Refused -> if (++refusals == MAX_REFUSALS) return REFUSED
-                is Unlocked.Failed -> return TransferResult.Failed(unlocked.error)
+                is Unlocked.Failed -> return TransferResult.Failed(unlocked.error, Remains.UNKNOWN)
             }
         }
     }
-    return TransferResult.Failed(sender.lastError)
+    return without(sender.lastError)
+}
+
+private fun without(error: TowerError) = TransferResult.Failed(error, Remains.NO_FIRMWARE)
+
+/** A brick that was not heard may have understood, and then has deleted its firmware. */
+private fun failedToBegin(error: TowerError, isFirst: Boolean) = when {
+    isFirst && error != TowerError.FirmwareRefused -> TransferResult.Failed(error, Remains.UNKNOWN)
+    else -> without(error)
 }
 
 private suspend fun beginFirmware(requests: Requests, firmware: FirmwareImage): TowerError? {
@@ -103,7 +112,7 @@ private fun partOfAnswer(rest: ByteArray, message: ByteArray): Unlocked? {
     }
 }
 
-private val REFUSED = TransferResult.Failed(TowerError.FirmwareRefused)
+private val REFUSED = without(TowerError.FirmwareRefused)
 private val ROM_RULES = BlockRules(minBlocks = 1, lastIsZero = false)
 
 /** `Just a bit off the block!` */

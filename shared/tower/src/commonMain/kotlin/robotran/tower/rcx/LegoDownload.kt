@@ -1,12 +1,16 @@
 package robotran.tower.rcx
 
+import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.withContext
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.ChunkKind
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
 import robotran.tower.LegoLimits
-import robotran.tower.LegoPartKind
-import robotran.tower.LegoProgram
-import robotran.tower.LegoProgramPart
 import robotran.tower.Opcode
+import robotran.tower.Remains
 import robotran.tower.Status
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
@@ -28,69 +32,139 @@ import robotran.tower.transfer.ProgressMeter
 internal suspend fun downloadLegoProgram(
     requests: Requests,
     slot: Int,
-    program: LegoProgram,
+    program: RcxImage,
     report: (TransferProgress) -> Unit,
 ): TransferResult {
-    prepare(requests, slot)?.let { return TransferResult.Failed(it) }
-    val total = program.parts.sumOf { it.code.size }
-    val progress = ProgressMeter(total, report)
-    var isComplete = false
-    try {
-        for (part in program.parts.sortedWith(ORDER)) {
-            sendPart(requests, part, progress)?.let { return TransferResult.Failed(it) }
+    refusal(requests, program)?.let { return TransferResult.Failed(it) }
+    val download = LegoDownload(requests, slot, program, report)
+    val error = try {
+        download.send()
+    } catch (cancelled: CancellationException) {
+        withContext(NonCancellable) { download.remove() }
+        throw cancelled
+    }
+    return withContext(NonCancellable) { if (error == null) download.end() else download.failed(error) }
+}
+
+/** Why the brick cannot take [program]; it is asked, and nothing is changed. */
+private suspend fun refusal(requests: Requests, program: RcxImage): TowerError? {
+    val version = when (val versions = legoVersions(requests)) {
+        is TowerResult.Failed -> return versions.error
+        is TowerResult.Success -> versions.value.firmware
+    }
+    if (program.target == FirmwareTarget.RCX2 &&
+        version < LegoLimits.VERSION_2
+    ) {
+        return TowerError.LegoFirmwareTooOld(version)
+    }
+    return when (val battery = readBattery(requests)) {
+        is TowerResult.Failed -> {
+            battery.error
         }
-        isComplete = true
-        return TransferResult.Complete(total, progress.repeats)
-    } finally {
-        if (!isComplete) withContext(NonCancellable) { requests.request(DELETE_TASKS, 0, Tries.CLEAN_UP) }
+
+        is TowerResult.Success -> {
+            battery.value.takeIf { it < LegoLimits.MIN_MILLIVOLTS }
+                ?.let { TowerError.BatteryLow(it) }
+        }
     }
 }
 
-/** Checks firmware and batteries, selects the slot and empties it. */
-private suspend fun prepare(requests: Requests, slot: Int): TowerError? {
-    requests.reach()?.let { return it }
-    when (val versions = readVersions(requests)) {
-        is TowerResult.Failed -> return versions.error
-        is TowerResult.Success -> if (!versions.value.hasFirmware) return TowerError.NoLegoFirmware
-    }
-    when (val battery = readBattery(requests)) {
-        is TowerResult.Failed -> return battery.error
+/** The versions of a brick with LEGO's firmware; an error if it has another one. */
+internal suspend fun legoVersions(requests: Requests): TowerResult<Versions> {
+    requests.reach()?.let { return TowerResult.Failed(it) }
+    return when (val versions = readVersions(requests)) {
+        is TowerResult.Success -> versions.takeIf { it.value.hasFirmware } ?: NO_LEGO_FIRMWARE
 
-        is TowerResult.Success -> if (battery.value < LegoLimits.MIN_MILLIVOLTS) {
-            return TowerError.BatteryLow(battery.value)
+        // A brick that is there, but does not tell its versions, has a firmware of its own.
+        is TowerResult.Failed -> if (versions.error == TowerError.BrickSilent) {
+            requests.reach()?.let { TowerResult.Failed(it) } ?: NO_LEGO_FIRMWARE
+        } else {
+            versions
         }
     }
-    val messages = listOf(byteArrayOf(Opcode.STOP.toByte()), selectSlot(slot), DELETE_TASKS, DELETE_SUBROUTINES)
-    return messages.firstNotNullOfOrNull { (requests.request(it, 0) as? Reply.Failed)?.error }
 }
 
 /** `selectSlot(1)` selects the first slot. */
 internal fun selectSlot(slot: Int): ByteArray = byteArrayOf(Opcode.SELECT_SLOT.toByte(), (slot - 1).toByte())
 
-private suspend fun sendPart(requests: Requests, part: LegoProgramPart, progress: ProgressMeter): TowerError? {
-    val sender = BlockSender(requests, LEGO_RULES, progress)
-    val opcode = if (part.kind == LegoPartKind.TASK) Opcode.BEGIN_TASK else Opcode.BEGIN_SUBROUTINE
-    val begin = byteArrayOf(opcode.toByte(), 0, part.number.toByte(), 0) + twoBytes(part.code.size)
-    repeat(Tries.DOWNLOAD) {
-        when (val reply = requests.request(begin, 1)) {
-            is Reply.Failed -> return reply.error
-            is Reply.Answered -> if (reply.payload.single().toInt() == Status.NO_MEMORY) return noRoom(part)
+/** One download to a brick that can take it. */
+private class LegoDownload(
+    private val requests: Requests,
+    private val slot: Int,
+    program: RcxImage,
+    report: (TransferProgress) -> Unit,
+) {
+    /** A task or subroutine without code does what one does that is not there: nothing. */
+    private val parts = program.chunks.filter { it.code.size > 0 }.sortedWith(ORDER)
+    private val total = program.codeSize
+    private val progress = ProgressMeter(total, report)
+    private var isEmptied = false
+    private var isMainBegun = false
+
+    /** Empties the slot and sends all parts; the error if that fails. */
+    suspend fun send(): TowerError? {
+        val messages = listOf(byteArrayOf(Opcode.STOP.toByte()), selectSlot(slot), DELETE_TASKS, DELETE_SUBROUTINES)
+        for (message in messages) {
+            val reply = requests.request(message, 0)
+            if (reply is Reply.Failed) return reply.error
+            if (message === DELETE_TASKS) isEmptied = true
         }
-        when (val result = sender.send(part.code)) {
-            BlocksResult.Complete -> return null.also { progress.partIsComplete() }
-            BlocksResult.NoMemory -> return noRoom(part)
-            is BlocksResult.Failed -> return result.error
-            is BlocksResult.BeginAgain -> Unit
-        }
+        return parts.firstNotNullOfOrNull { sendPart(it) }
     }
-    return sender.lastError
+
+    private suspend fun sendPart(part: Chunk): TowerError? {
+        if (part.id == ChunkId.MAIN) isMainBegun = true
+        val sender = BlockSender(requests, LEGO_RULES, progress)
+        val opcode = if (part.id.kind == ChunkKind.TASK) Opcode.BEGIN_TASK else Opcode.BEGIN_SUBROUTINE
+        val code = part.code.toByteArray()
+        val begin = byteArrayOf(opcode.toByte(), 0, part.id.number.toByte(), 0) + twoBytes(code.size)
+        repeat(Tries.DOWNLOAD) {
+            when (val reply = requests.request(begin, 1)) {
+                is Reply.Failed -> return reply.error
+                is Reply.Answered -> if (reply.payload.single().toInt() == Status.NO_MEMORY) return noRoom()
+            }
+            when (val result = sender.send(code)) {
+                BlocksResult.Complete -> return null.also { progress.partIsComplete() }
+                BlocksResult.NoMemory -> return noRoom()
+                is BlocksResult.Failed -> return result.error
+                is BlocksResult.BeginAgain -> Unit
+            }
+        }
+        return sender.lastError
+    }
+
+    /** LEGO's firmware does not tell how much room it has. */
+    private fun noRoom() = TowerError.TooLarge(total, maxBytes = null)
+
+    /** All parts are there: the brick plays a sound, which nothing depends on. */
+    suspend fun end(): TransferResult {
+        requests.request(byteArrayOf(Opcode.PLAY_SOUND.toByte(), UP_SOUND), 0, Tries.CLEAN_UP)
+        return TransferResult.Complete(total, progress.repeats)
+    }
+
+    /** Deletes what is in the slot, and tells what is there then. */
+    suspend fun failed(error: TowerError): TransferResult.Failed {
+        val isRemoved = error != TowerError.TowerGone && remove()
+        val isEmpty = isRemoved || (isEmptied && !isMainBegun)
+        return TransferResult.Failed(error, if (isEmpty) Remains.NO_PROGRAM else Remains.UNKNOWN)
+    }
+
+    /** Deletes what is in the slot. False if the brick did not answer, or the slot may not be the selected one. */
+    suspend fun remove(): Boolean {
+        if (!isEmptied) return false
+        val isRemoved = requests.request(DELETE_TASKS, 0, Tries.CLEAN_UP) is Reply.Answered
+        // Subroutines do nothing alone, but take room.
+        if (isRemoved) requests.request(DELETE_SUBROUTINES, 0, Tries.CLEAN_UP)
+        return isRemoved
+    }
 }
 
-/** LEGO's firmware does not tell how much room it has. */
-private fun noRoom(part: LegoProgramPart) = TowerError.TooLarge(part.code.size, maxBytes = null)
-
+private val NO_LEGO_FIRMWARE = TowerResult.Failed(TowerError.NoLegoFirmware)
 private val ORDER =
-    compareBy<LegoProgramPart> { it.kind == LegoPartKind.TASK }.thenBy { it.number == 0 }.thenBy { it.number }
+    compareBy<Chunk> { it.id.kind == ChunkKind.TASK }.thenBy { it.id == ChunkId.MAIN }.thenBy { it.id.number }
 private val LEGO_RULES = BlockRules(minBlocks = 1, lastIsZero = true)
 private val DELETE_TASKS = byteArrayOf(Opcode.DELETE_TASKS.toByte())
 private val DELETE_SUBROUTINES = byteArrayOf(Opcode.DELETE_SUBROUTINES.toByte())
+
+/** The quick rising sound, with which nqc ends a download, too. */
+private const val UP_SOUND: Byte = 5

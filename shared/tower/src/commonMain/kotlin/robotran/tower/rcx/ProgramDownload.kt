@@ -4,7 +4,9 @@ import robotran.tower.Blocks
 import robotran.tower.BrickMemory
 import robotran.tower.Key
 import robotran.tower.Opcode
+import robotran.tower.Remains
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.Tries
@@ -33,27 +35,35 @@ internal suspend fun downloadProgram(
     val isSureToFit = image.size <= BrickMemory.MAX_LEJOS_IMAGE
     val sender = BlockSender(requests, LEJOS_RULES.copy(endIsCertain = isSureToFit), progress)
     var overflows = 0
-    repeat(Tries.DOWNLOAD) {
-        beginProgram(requests, isClear && progress.repeats == 0)?.let { return TransferResult.Failed(it) }
+    repeat(Tries.DOWNLOAD) { tries ->
+        beginProgram(requests, isClear && progress.repeats == 0)?.let { return failedToBegin(it, isFirst = tries == 0) }
         when (val result = sender.send(image)) {
             BlocksResult.Complete -> return TransferResult.Complete(image.size, progress.repeats)
-            is BlocksResult.Failed -> return TransferResult.Failed(result.error)
+            is BlocksResult.Failed -> return TransferResult.Failed(result.error, Remains.NO_PROGRAM)
             is BlocksResult.BeginAgain -> if (result.confirmedBytes >= BrickMemory.MAX_LEJOS_IMAGE) overflows++
             BlocksResult.NoMemory -> Unit
         }
-        if (overflows == MAX_OVERFLOWS) return tooLarge(image, BrickMemory.MAX_LEJOS_IMAGE)
+        if (overflows == MAX_OVERFLOWS) {
+            return tooLarge(image, BrickMemory.MAX_LEJOS_IMAGE).copy(remains = Remains.NO_PROGRAM)
+        }
     }
-    return TransferResult.Failed(sender.lastError)
+    return TransferResult.Failed(sender.lastError, Remains.NO_PROGRAM)
 }
 
 private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failed(TowerError.TooLarge(image.size, maxBytes))
+
+/** leJOS that was not heard may have understood, and then has deleted its program. */
+private fun failedToBegin(error: TowerError, isFirst: Boolean): TransferResult.Failed {
+    val isOther = error is TowerError.NoLejos && isFirst
+    return TransferResult.Failed(error, if (isOther) Remains.AS_BEFORE else Remains.UNKNOWN)
+}
 
 /** Begins a download; the error if the brick does not answer as leJOS. */
 private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerError? {
     val tries = if (isClear) Tries.LEJOS_BEGIN_WHEN_CLEAR else Tries.LEJOS_BEGIN
     val reply = requests.request(byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS, Key.LEJOS.size, tries)
     return when (reply) {
-        is Reply.Answered -> TowerError.NoLejos.takeUnless { reply.payload.contentEquals(Key.LEJOS) }
+        is Reply.Answered -> if (reply.payload.contentEquals(Key.LEJOS)) null else noLejos(requests)
 
         is Reply.Failed -> when {
             reply.error == TowerError.BrickSilent -> silenceAtBegin(requests)
@@ -69,9 +79,15 @@ private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerErr
 /** A brick that answers alive, but does not begin a download, has no leJOS. */
 private suspend fun silenceAtBegin(requests: Requests): TowerError =
     when (val alive = requests.request(byteArrayOf(Opcode.ALIVE.toByte()), 0)) {
-        is Reply.Answered -> TowerError.NoLejos
+        is Reply.Answered -> noLejos(requests)
         is Reply.Failed -> alive.error
     }
+
+/** The brick has another firmware than leJOS, or none. */
+private suspend fun noLejos(requests: Requests): TowerError {
+    val versions = (readVersions(requests, Tries.VERSIONS_OF_OTHERS) as? TowerResult.Success)?.value
+    return TowerError.NoLejos(versions?.firmware?.takeIf { versions.hasFirmware })
+}
 
 /** Wakes the tower and asks whether a brick is there; the error if not. */
 internal suspend fun Requests.reach(): TowerError? {

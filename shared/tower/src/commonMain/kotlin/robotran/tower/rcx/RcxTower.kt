@@ -4,10 +4,11 @@ import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
+import robotran.legofirmware.device.DatalogEntry
+import robotran.legofirmware.image.RcxImage
 import robotran.tower.BrickMemory
 import robotran.tower.BrickStatus
 import robotran.tower.LegoLimits
-import robotran.tower.LegoProgram
 import robotran.tower.Opcode
 import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
@@ -73,11 +74,11 @@ class RcxTower(private val port: TowerPort) {
     /**
      * Sends a program into [slot], 1 to 5, of LEGO's firmware. leJOS has no slots.
      *
-     * If the call fails or is cancelled, the slot has no main task.
+     * If the call is cancelled, the slot has no main task, or what it had before if that was early.
      */
     suspend fun sendLegoProgram(
         slot: Int,
-        program: LegoProgram,
+        program: RcxImage,
         report: (TransferProgress) -> Unit = {},
     ): TransferResult {
         requireSlot(slot)
@@ -87,13 +88,13 @@ class RcxTower(private val port: TowerPort) {
     /** Selects [slot], 1 to 5, of LEGO's firmware, which stops the running program. */
     suspend fun selectLegoSlot(slot: Int): TowerResult<Unit> {
         requireSlot(slot)
-        return command(selectSlot(slot))
+        return legoCommand(selectSlot(slot))
     }
 
     /** Deletes the tasks and subroutines in [slot], 1 to 5, of LEGO's firmware, and leaves the slot selected. */
     suspend fun deleteLegoProgram(slot: Int): TowerResult<Unit> {
         requireSlot(slot)
-        return command(
+        return legoCommand(
             selectSlot(slot),
             byteArrayOf(Opcode.DELETE_TASKS.toByte()),
             byteArrayOf(Opcode.DELETE_SUBROUTINES.toByte()),
@@ -101,15 +102,24 @@ class RcxTower(private val port: TowerPort) {
     }
 
     /** Starts the main task of the selected slot of LEGO's firmware. */
-    suspend fun startLegoProgram(): TowerResult<Unit> = command(byteArrayOf(Opcode.START_TASK.toByte(), MAIN_TASK))
+    suspend fun startLegoProgram(): TowerResult<Unit> = legoCommand(byteArrayOf(Opcode.START_TASK.toByte(), MAIN_TASK))
 
     /** Stops all tasks of LEGO's firmware. */
-    suspend fun stopLegoProgram(): TowerResult<Unit> = command(byteArrayOf(Opcode.STOP.toByte()))
+    suspend fun stopLegoProgram(): TowerResult<Unit> = legoCommand(byteArrayOf(Opcode.STOP.toByte()))
+
+    /**
+     * The datalog of LEGO's firmware, without the first entry, which only counts the others; empty if there is none. The
+     * brick keeps it.
+     *
+     * @param report is called with entries in place of blocks.
+     */
+    suspend fun readLegoDatalog(report: (TransferProgress) -> Unit = {}): TowerResult<List<DatalogEntry>> =
+        exclusively { readDatalog(requests, report) }
 
     /** Sets the clock of LEGO's firmware. */
     suspend fun setLegoClock(hours: Int, minutes: Int): TowerResult<Unit> {
         require(hours in 0..23 && minutes in 0..59) { "$hours:$minutes is no time" }
-        return command(byteArrayOf(Opcode.SET_CLOCK.toByte(), hours.toByte(), minutes.toByte()))
+        return legoCommand(byteArrayOf(Opcode.SET_CLOCK.toByte(), hours.toByte(), minutes.toByte()))
     }
 
     /**
@@ -152,8 +162,11 @@ class RcxTower(private val port: TowerPort) {
     /** Releases the tower. */
     suspend fun close() = port.close()
 
-    private suspend fun command(vararg messages: ByteArray): TowerResult<Unit> = exclusively {
-        requests.reach()?.let { return@exclusively TowerResult.Failed(it) }
+    private suspend fun legoCommand(vararg messages: ByteArray): TowerResult<Unit> = exclusively {
+        when (val versions = legoVersions(requests)) {
+            is TowerResult.Failed -> return@exclusively versions
+            is TowerResult.Success -> Unit
+        }
         for (message in messages) {
             val reply = requests.request(message, 0)
             if (reply is Reply.Failed) return@exclusively TowerResult.Failed(reply.error)

@@ -30,9 +30,9 @@ internal class Versions(val rom: RcxVersion, val firmware: RcxVersion) {
     val hasFirmware get() = firmware != NO_VERSION
 }
 
-internal suspend fun readVersions(requests: Requests): TowerResult<Versions> {
+internal suspend fun readVersions(requests: Requests, tries: Int = Tries.REQUEST): TowerResult<Versions> {
     val message = byteArrayOf(Opcode.VERSIONS.toByte()) + Key.PRIMES
-    return when (val reply = requests.request(message, VERSIONS_BYTES)) {
+    return when (val reply = requests.request(message, VERSIONS_BYTES, tries)) {
         is Reply.Failed -> TowerResult.Failed(reply.error)
         is Reply.Answered -> TowerResult.Success(Versions(versionAt(reply.payload, 0), versionAt(reply.payload, 4)))
     }
@@ -65,7 +65,9 @@ private suspend fun Requests.endBegun(hasBegun: Boolean) {
 
 /** Two bytes of the major version, two digits of the minor one: `00 03 03 02` is 3.32. */
 private fun versionAt(payload: ByteArray, index: Int) =
-    RcxVersion(payload[index + 1].toInt(), payload[index + 2] * DIGITS + payload[index + 3])
+    RcxVersion(number(payload[index + 1]), number(payload[index + 2]) * DIGITS + number(payload[index + 3]))
+
+private fun number(byte: Byte) = byte.toInt() and 0xFF
 
 private fun lowFirst(bytes: ByteArray): Int =
     (bytes[0].toInt() and 0xFF) or (bytes[1].toInt() and 0xFF shl Byte.SIZE_BITS)

@@ -1,5 +1,6 @@
 package robotran.tower.firmware
 
+import robotran.tower.RcxVersion
 import robotran.tower.recordedStreams
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -49,6 +50,19 @@ class FirmwareFileTest {
         assertEquals(FirmwareKind.LEJOS_3_0, firmware(*fileOf(17_234, 0xEFF8)).kind)
         assertEquals(FirmwareKind.UNKNOWN, firmware(*fileOf(17_234, 0xEFF7)).kind)
         assertEquals(FirmwareKind.UNKNOWN, firmware(*fileOf(17_235, 0xEFF8)).kind)
+    }
+
+    @Test
+    fun `a file of LEGO's tells its version in its header`() {
+        fun version(header: String) =
+            firmware(record(0, 0, header.encodeToByteArray()), record(1, 0x8000, text), end).let {
+                it.kind to it.version
+            }
+        assertEquals(FirmwareKind.LEGO to RcxVersion(3, 28), version("FIRM0328.LGO"))
+        assertEquals(FirmwareKind.LEGO to RcxVersion(3, 32), version("a:\\firm0332.lgo"))
+        assertEquals(FirmwareKind.LEGO to RcxVersion(3, 9), version("?LIB_VERSION_L00"))
+        assertEquals(FirmwareKind.LEGO to null, version("firm03x8"))
+        assertEquals(FirmwareKind.UNKNOWN to null, version("another"))
     }
 
     /** A file of [size] bytes with the sum [sum]. */

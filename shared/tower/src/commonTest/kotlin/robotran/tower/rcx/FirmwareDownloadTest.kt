@@ -6,6 +6,7 @@ import kotlinx.coroutines.launch
 import kotlinx.coroutines.test.runTest
 import robotran.tower.BrickStatus
 import robotran.tower.RcxVersion
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
 import robotran.tower.TransferResult
@@ -67,7 +68,8 @@ class FirmwareDownloadTest {
     fun `a firmware that the ROM does not start is refused`() = runTest {
         val line = TestLine(this, SimulatedRom())
         val useless = FirmwareImage(ByteArray(300), 0x8000, FirmwareKind.UNKNOWN)
-        assertEquals(TransferResult.Failed(TowerError.FirmwareRefused), line.tower.sendFirmware(useless))
+        val refused = TransferResult.Failed(TowerError.FirmwareRefused, Remains.NO_FIRMWARE)
+        assertEquals(refused, line.tower.sendFirmware(useless))
         assertIs<SimulatedRom>(line.brick.firmware)
     }
 

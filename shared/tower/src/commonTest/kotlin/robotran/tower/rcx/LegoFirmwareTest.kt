@@ -1,19 +1,27 @@
 package robotran.tower.rcx
 
+import kotlinx.coroutines.async
 import kotlinx.coroutines.cancelAndJoin
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.test.runTest
-import robotran.tower.LegoPartKind
-import robotran.tower.LegoProgram
-import robotran.tower.LegoProgramPart
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.ChunkKind
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
+import robotran.tower.RcxVersion
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
+import robotran.tower.simulated.AliveOnly
 import robotran.tower.simulated.LineFaults
 import robotran.tower.simulated.SimulatedLegoFirmware
 import robotran.tower.simulated.SimulatedLejos
+import robotran.tower.simulated.SimulatedRom
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
@@ -24,10 +32,16 @@ import kotlin.time.Duration.Companion.seconds
 
 class LegoFirmwareTest {
     private val lego = SimulatedLegoFirmware()
-    private val main = LegoProgramPart(LegoPartKind.TASK, 0, ByteArray(450) { it.toByte() })
-    private val second = LegoProgramPart(LegoPartKind.TASK, 3, byteArrayOf(0x51, 1))
-    private val sub = LegoProgramPart(LegoPartKind.SUBROUTINE, 7, ByteArray(30) { 9 })
-    private val program = LegoProgram(listOf(main, second, sub))
+    private val main = ByteArray(450) { it.toByte() }
+    private val sub = ByteArray(30) { 9 }
+    private val program = RcxImage(
+        FirmwareTarget.RCX,
+        listOf(
+            Chunk(ChunkId.MAIN, CodeBytes(main)),
+            Chunk(ChunkId(ChunkKind.TASK, 3), CodeBytes.of(0x51, 1)),
+            Chunk(ChunkId(ChunkKind.SUB, 7), CodeBytes(sub)),
+        ),
+    )
 
     @Test
     fun `a program gets into the slot that was asked for and replaces what is there`() = runTest {
@@ -36,8 +50,8 @@ class LegoFirmwareTest {
         val result = TestLine(this, lego).tower.sendLegoProgram(4, program)
         assertEquals(TransferResult.Complete(482, repeats = 0), result)
         assertEquals(setOf("4 task 0", "4 task 3", "4 sub 7", "1 task 9"), lego.parts.keys)
-        assertContentEquals(main.code, lego.parts["4 task 0"])
-        assertContentEquals(sub.code, lego.parts["4 sub 7"])
+        assertContentEquals(main, lego.parts["4 task 0"])
+        assertContentEquals(sub, lego.parts["4 sub 7"])
     }
 
     @Test
@@ -57,7 +71,7 @@ class LegoFirmwareTest {
             val lego = SimulatedLegoFirmware()
             val line = TestLine(this, lego, faults = LineFaults(seed, loss = 0.02))
             assertIs<TransferResult.Complete>(line.tower.sendLegoProgram(1, program), "seed $seed")
-            assertContentEquals(main.code, lego.parts["1 task 0"])
+            assertContentEquals(main, lego.parts["1 task 0"])
         }
     }
 
@@ -65,8 +79,8 @@ class LegoFirmwareTest {
     fun `a program without room is refused and leaves nothing to run`() = runTest {
         val small = SimulatedLegoFirmware(room = 300)
         val result = TestLine(this, small).tower.sendLegoProgram(1, program)
-        assertEquals(TransferResult.Failed(TowerError.TooLarge(450, null)), result)
-        assertEquals(setOf("1 sub 7"), small.parts.keys)
+        assertEquals(TransferResult.Failed(TowerError.TooLarge(482, null), Remains.NO_PROGRAM), result)
+        assertEquals(emptySet(), small.parts.keys)
     }
 
     @Test
@@ -79,9 +93,53 @@ class LegoFirmwareTest {
     }
 
     @Test
-    fun `leJOS has no slots`() = runTest {
-        val result = TestLine(this, SimulatedLejos()).tower.sendLegoProgram(1, program)
-        assertEquals(TransferResult.Failed(TowerError.NoLegoFirmware), result)
+    fun `a brick with another firmware, or none, keeps what it has`() = runTest {
+        for (other in listOf(SimulatedLejos(), SimulatedRom(), AliveOnly())) {
+            val tower = TestLine(this, other).tower
+            assertEquals(TransferResult.Failed(TowerError.NoLegoFirmware), tower.sendLegoProgram(1, program))
+            assertEquals(TowerResult.Failed(TowerError.NoLegoFirmware), tower.setLegoClock(hours = 1, minutes = 2))
+            assertEquals(TowerResult.Failed(TowerError.NoLegoFirmware), tower.readLegoDatalog())
+        }
+    }
+
+    @Test
+    fun `a program for firmware 2_0 is not sent to firmware 1_0`() = runTest {
+        val old = SimulatedLegoFirmware(version = 9)
+        old.parts["1 task 0"] = byteArrayOf(1)
+        val tower = TestLine(this, old).tower
+        val tooOld = TransferResult.Failed(TowerError.LegoFirmwareTooOld(RcxVersion(3, 9)))
+        assertEquals(tooOld, tower.sendLegoProgram(1, program.copy(target = FirmwareTarget.RCX2)))
+        assertContentEquals(byteArrayOf(1), old.parts["1 task 0"])
+        assertIs<TransferResult.Complete>(tower.sendLegoProgram(1, program))
+        val second = TestLine(this, SimulatedLegoFirmware(version = 28))
+        assertIs<TransferResult.Complete>(second.tower.sendLegoProgram(1, program.copy(target = FirmwareTarget.RCX2)))
+    }
+
+    @Test
+    fun `a sound tells the end, and parts without code are not sent`() = runTest {
+        val line = TestLine(this, lego)
+        val empty = Chunk(ChunkId(ChunkKind.SUB, 0), CodeBytes.of())
+        val result = line.tower.sendLegoProgram(1, program.copy(chunks = program.chunks + empty))
+        assertEquals(TransferResult.Complete(482, 0), result)
+        assertEquals(listOf(5), lego.sounds)
+        assertEquals(setOf("1 task 0", "1 task 3", "1 sub 7"), lego.parts.keys)
+    }
+
+    @Test
+    fun `a brick that is switched off in the middle is told with what its slot can have`() = runTest {
+        val early = TestLine(this, SimulatedLegoFirmware())
+        val unchanged = async { early.tower.sendLegoProgram(1, program) }
+        delay(100)
+        early.brick.isOn = false
+        assertEquals(TransferResult.Failed(TowerError.BrickSilent, Remains.AS_BEFORE), unchanged.await())
+        val half = TestLine(this, SimulatedLegoFirmware())
+        val empty = half.tower.sendLegoProgram(1, program) { if (it.confirmedBlocks == 1) half.brick.isOn = false }
+        assertEquals(TransferResult.Failed(TowerError.BrickSilent, Remains.NO_PROGRAM), empty)
+        val line = TestLine(this, SimulatedLegoFirmware())
+        val result = async { line.tower.sendLegoProgram(1, program) }
+        delay(5.seconds)
+        line.port.unplug()
+        assertEquals(TransferResult.Failed(TowerError.TowerGone, Remains.UNKNOWN), result.await())
     }
 
     @Test

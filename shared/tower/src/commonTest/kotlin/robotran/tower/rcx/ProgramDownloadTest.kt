@@ -9,6 +9,8 @@ import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.currentTime
 import kotlinx.coroutines.test.runTest
 import robotran.tower.BrickMemory
+import robotran.tower.RcxVersion
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
@@ -33,6 +35,8 @@ class ProgramDownloadTest {
     private val lejos = SimulatedLejos()
 
     private fun failed(error: TowerError) = TransferResult.Failed(error)
+
+    private fun lost(error: TowerError) = TransferResult.Failed(error, Remains.NO_PROGRAM)
 
     @Test
     fun `the largest example takes at most a third more than the line allows`() = runTest {
@@ -91,7 +95,7 @@ class ProgramDownloadTest {
         val max = BrickMemory.MAX_LEJOS_2_1_IMAGE
         assertIs<TransferResult.Complete>(TestLine(this, old).tower.sendProgram(image, max))
         assertContentEquals(image, old.program)
-        assertEquals(failed(TowerError.TooLarge(14_000, 13_788)), TestLine(this, lejos).tower.sendProgram(image, max))
+        assertEquals(lost(TowerError.TooLarge(14_000, 13_788)), TestLine(this, lejos).tower.sendProgram(image, max))
         assertNull(lejos.program)
     }
 
@@ -146,7 +150,7 @@ class ProgramDownloadTest {
             line.brick.isOn = false
             val off = currentTime
             val (outcome, end) = result.await()
-            assertEquals(failed(TowerError.BrickSilent), outcome)
+            assertEquals(lost(TowerError.BrickSilent), outcome)
             assertTrue(end - off < 15_000, "$kind: ${end - off} ms")
         }
     }
@@ -161,7 +165,7 @@ class ProgramDownloadTest {
                 off = currentTime
             }
         }
-        assertEquals(failed(TowerError.BrickSilent), result)
+        assertEquals(lost(TowerError.BrickSilent), result)
         assertTrue(currentTime - off < 15_000, "${currentTime - off} ms")
         assertNull(lejos.program)
     }
@@ -172,7 +176,7 @@ class ProgramDownloadTest {
         val result = async { line.tower.sendProgram(largestImage) }
         delay(20.seconds)
         line.port.unplug()
-        assertEquals(failed(TowerError.TowerGone), result.await())
+        assertEquals(lost(TowerError.TowerGone), result.await())
         assertNull(lejos.program)
     }
 
@@ -193,9 +197,10 @@ class ProgramDownloadTest {
 
     @Test
     fun `a brick without leJOS is told as such`() = runTest {
-        for (firmware in listOf(SimulatedRom(), SimulatedLegoFirmware(), AliveOnly())) {
+        val others = mapOf(SimulatedRom() to null, SimulatedLegoFirmware() to RcxVersion(3, 32), AliveOnly() to null)
+        for ((firmware, lego) in others) {
             val start = currentTime
-            assertEquals(failed(TowerError.NoLejos), TestLine(this, firmware).tower.sendProgram(smallImage))
+            assertEquals(failed(TowerError.NoLejos(lego)), TestLine(this, firmware).tower.sendProgram(smallImage))
             assertTrue(currentTime - start < 6_000, "$firmware: ${currentTime - start} ms")
         }
     }

@@ -36,6 +36,44 @@ class FirmwareFileFuzzTest {
         repeat(2_000) { readFirmwareFile(random.nextBytes(random.nextInt(2000))) }
     }
 
+    @Test
+    fun `a whole firmware of LEGO's, damaged somewhere, is refused, or read within the limits`() {
+        for (header in listOf("FIRM0328.LGO", "?LIB_VERSION_L00")) {
+            val file = legoFile(header)
+            assertEquals(FirmwareKind.LEGO, (readFirmwareFile(file) as FirmwareFile.Read).firmware.kind)
+            repeat(300) {
+                var damaged = mutated(file)
+                if (damaged.isNotEmpty() &&
+                    random.nextBoolean()
+                ) {
+                    damaged[random.nextInt(damaged.size)] = random.nextInt(256).toByte()
+                }
+                if (random.nextInt(4) == 0) damaged = mutated(damaged)
+                val result = readFirmwareFile(damaged)
+                if (result is FirmwareFile.Read) {
+                    assertTrue(result.firmware.bytes.size in 1..0x8000)
+                    assertTrue(result.firmware.start in 0x8000..0xFFFF)
+                    assertTrue(result.firmware.version?.let { it.major == 3 && it.minor in 0..99 } ?: true)
+                }
+            }
+        }
+    }
+
+    /** A file as large as a firmware of LEGO's, with other contents. */
+    private fun legoFile(header: String): ByteArray {
+        val text = "Do you byte, when I knock?".encodeToByteArray()
+        val bytes = text + random.nextBytes(24_944 - text.size)
+        val data = bytes.toList().chunked(16).mapIndexed { index, part -> record(1, 0x8000 + index * 16, part) }
+        val lines = listOf(record(0, 0, header.encodeToByteArray().toList())) + data + record(9, 0x8000, emptyList())
+        return lines.joinToString("\r\n").encodeToByteArray()
+    }
+
+    private fun record(type: Int, address: Int, data: List<Byte>): String {
+        val counted = listOf(data.size + 3, address shr 8, address and 0xFF) + data.map { it.toInt() and 0xFF }
+        val digits = (counted + (255 - counted.sum() % 256)).joinToString("") { it.toString(16).padStart(2, '0') }
+        return "S$type" + digits.uppercase()
+    }
+
     /** [file] with a part cut out, doubled, or moved. */
     private fun mutated(file: ByteArray): ByteArray {
         val from = random.nextInt(file.size + 1)

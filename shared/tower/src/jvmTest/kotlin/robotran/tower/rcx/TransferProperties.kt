@@ -9,9 +9,15 @@ import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.runTest
-import robotran.tower.LegoPartKind
-import robotran.tower.LegoProgram
-import robotran.tower.LegoProgramPart
+import robotran.legofirmware.device.DatalogEntry
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.ChunkKind
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
+import robotran.tower.Remains
+import robotran.tower.TowerResult
 import robotran.tower.TransferResult
 import robotran.tower.firmware.FirmwareImage
 import robotran.tower.firmware.FirmwareKind
@@ -23,6 +29,8 @@ import robotran.tower.simulated.SimulatedRom
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.minutes
@@ -72,26 +80,53 @@ class TransferProperties {
     @Test
     fun `a slot of LEGO's firmware holds exactly the program that was sent, or the result is a failure`() {
         var complete = 0
+        var failed = 0
         everyLine { line ->
             val lego = SimulatedLegoFirmware()
+            val before = mapOf("3 task 0" to byteArrayOf(1), "2 task 0" to byteArrayOf(2))
+            lego.parts += before
             val test = TestLine(this, lego, line.kind, line.faults())
-            val code = line.image
-            val program = LegoProgram(
-                listOf(
-                    LegoProgramPart(LegoPartKind.TASK, 0, code),
-                    LegoProgramPart(LegoPartKind.SUBROUTINE, 1, code.copyOf(10)),
-                ),
-            )
+            val program = line.program
             val result = sendDuring(line, test) { test.tower.sendLegoProgram(3, program) }
-            if (result is TransferResult.Complete) {
-                complete++
-                assertContentEquals(code, lego.parts["3 task 0"], "$line")
-                assertContentEquals(code.copyOf(10), lego.parts["3 sub 1"], "$line")
+            val held = lego.parts.filterKeys { it.startsWith("3 ") }.mapValues { it.value.toList() }
+            val sent = program.chunks.associate { it.nameIn(slot = 3) to it.code.toByteArray().toList() }
+            when (result) {
+                is TransferResult.Complete -> complete++.also { assertEquals(sent, held, "$line") }
+
+                is TransferResult.Failed -> failed++.also {
+                    if (result.remains == Remains.AS_BEFORE) assertEquals(listOf<Byte>(1), held["3 task 0"], "$line")
+                    if (result.remains == Remains.NO_PROGRAM) assertNull(held["3 task 0"], "$line")
+                }
+
+                null -> Unit
             }
-            assertTrue(lego.parts["3 task 0"]?.contentEquals(code) ?: true, "half a program: $line")
+            // The main task is the last: if it is there, so is all the rest, or it is the one from before.
+            val isWhole = held["3 task 0"].let { it == null || it == listOf<Byte>(1) } || held == sent
+            assertTrue(isWhole, "half a program: $line")
+            assertContentEquals(byteArrayOf(2), lego.parts["2 task 0"], "another slot: $line")
+        }
+        assertTrue(complete > 30 && failed > 5, "$complete complete, $failed failed")
+    }
+
+    @Test
+    fun `the datalog arrives whole, or the result is a failure, and the brick keeps it`() {
+        var complete = 0
+        everyLine { line ->
+            val lego = SimulatedLegoFirmware()
+            val entries = line.datalog
+            lego.datalog = entries
+            val test = TestLine(this, lego, line.kind, line.faults())
+            val result = during(line, test) { test.tower.readLegoDatalog() }
+            if (result is TowerResult.Success) {
+                complete++
+                assertEquals(entries.map { (type, value) -> DatalogEntry(type, value) }, result.value, "$line")
+            }
+            assertEquals(entries, lego.datalog, "$line")
         }
         assertTrue(complete > 30, "$complete complete")
     }
+
+    private fun Chunk.nameIn(slot: Int) = "$slot ${id.kind.name.lowercase()} ${id.number}"
 
     private fun everyLine(check: suspend TestScope.(TestedLine) -> Unit) = runBlocking {
         checkAll(RUNS, lines) { line -> runTest(timeout = 2.minutes) { check(line) } }
@@ -102,7 +137,9 @@ class TransferProperties {
         line: TestedLine,
         test: TestLine,
         send: suspend () -> TransferResult,
-    ): TransferResult? {
+    ): TransferResult? = during(line, test, send)
+
+    private suspend fun <T : Any> TestScope.during(line: TestedLine, test: TestLine, send: suspend () -> T): T? {
         val result = async { send() }
         val event = launch {
             delay(line.eventAt.milliseconds)
@@ -137,6 +174,20 @@ private class TestedLine(private val seed: Int) {
     val eventAt = random.nextInt(10_000)
     val image = byteArrayOf(0xCA.toByte(), 0xF6.toByte()) + random.nextBytes(random.nextInt(14, 400))
     private val shares = List(4) { if (random.nextBoolean()) 0.0 else random.nextDouble(MAX_SHARE) }
+
+    /** A program of any parts, with random code of any length. */
+    val program = Random(seed).let { parts ->
+        val ids = ChunkKind.entries.flatMap { kind -> List(kind.limit) { ChunkId(kind, it) } }
+            .filter { it == ChunkId.MAIN || parts.nextInt(4) == 0 }
+        RcxImage(
+            FirmwareTarget.entries.random(parts),
+            ids.map { Chunk(it, CodeBytes(parts.nextBytes(parts.nextInt(1, 250)))) },
+        )
+    }
+
+    val datalog = Random(seed).let { log ->
+        List(log.nextInt(120)) { log.nextInt(0x81) to log.nextInt(-32768, 32768) }
+    }
 
     fun faults() = LineFaults(seed, shares[0] * 2, shares[1], shares[2], shares[3], delayMilliseconds = 700)
 

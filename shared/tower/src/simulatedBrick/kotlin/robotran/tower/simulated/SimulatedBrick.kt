@@ -14,6 +14,9 @@ class SimulatedBrick(firmware: SimulatedFirmware) {
     /** A brick that is off, or out of sight, hears nothing. */
     var isOn = true
 
+    /** An opcode whose messages it does not answer; null for none. */
+    var isDeafTo: Int? = null
+
     /** The undamaged messages that the brick has heard. */
     val messages = mutableListOf<ByteArray>()
 
@@ -23,6 +26,7 @@ class SimulatedBrick(firmware: SimulatedFirmware) {
     internal fun hear(byte: Byte): List<Byte>? {
         if (!isOn) return null
         val message = decoder.hear(byte) ?: return null
+        if (opcodeOf(message) == isDeafTo) return null
         messages += message
         val reaction = firmware.handle(message)
         reaction.next?.let { firmware = it }

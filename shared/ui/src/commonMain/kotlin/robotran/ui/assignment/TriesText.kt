@@ -2,7 +2,6 @@ package robotran.ui.assignment
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.language.ProgramLanguage
 import robotran.projects.AssignmentTries
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_best
@@ -40,10 +39,3 @@ internal fun howFar(assignment: AssignmentState?): String =
 /** What the screen calls the world or variation [name], which is empty for the world of the assignment itself. */
 @Composable
 internal fun worldName(name: String): String = name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
-
-/** The same in all languages. */
-internal val ProgramLanguage.ownName: String
-    get() = when (this) {
-        ProgramLanguage.ROBOLANG -> "Robolang"
-        ProgramLanguage.JAVA -> "Java"
-    }

@@ -11,6 +11,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_firmware_image
 import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
@@ -68,7 +69,8 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     ProjectMenuItem(Res.string.make_title, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
     ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
     ProjectMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
-    ProjectMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
+    val kit = if (state.hasFirmwareImage) Res.string.documents_firmware_image else Res.string.documents_kit
+    ProjectMenuItem(kit, "kit") { choose(DocumentEvent.KitRequested) }
     if (state.hasGoals) {
         HorizontalDivider(color = LocalRobotranColours.current.line)
         ProjectMenuItem(Res.string.hand_ins_menu, "hand-ins") { choose(HandInsEvent.Requested) }

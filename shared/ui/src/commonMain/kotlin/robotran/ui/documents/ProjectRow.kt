@@ -125,8 +125,8 @@ private fun SheetPicture(work: ProjectListEntry) {
  * to be fetched for a picture.
  */
 private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
-    val isRobolang = project.robots.all { robot -> robot.programs.all { it.language == ProgramLanguage.ROBOLANG } }
-    if (!isRobolang) return emptyList()
+    val isJava = project.robots.any { robot -> robot.programs.any { it.language == ProgramLanguage.JAVA } }
+    if (isJava) return emptyList()
     return (readRobotLoads(project, reader) as? RobotLoads.Ready)?.loads.orEmpty()
 }
 

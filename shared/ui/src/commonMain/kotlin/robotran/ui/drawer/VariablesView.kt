@@ -37,6 +37,7 @@ import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_calls
 import robotran.ui.resources.run_frame
+import robotran.ui.resources.run_tasks
 import robotran.ui.resources.run_thread
 import robotran.ui.resources.run_thread_asleep
 import robotran.ui.resources.run_thread_running
@@ -58,12 +59,18 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.state.VariablesState
 
 /**
- * The threads and the call stack of the program, and the variables of the selected frame. Changes since the last stop
- * are highlighted.
+ * The threads and the call stack of the program, the variables of the selected frame, and the datalog. Changes since
+ * the last stop are highlighted.
  */
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.threads.isEmpty()) return EmptyDrawer(Res.string.run_variables_empty, EmptyPicture.BOXES, modifier)
+    if (state.threads.isEmpty() && state.datalog.isEmpty()) {
+        return EmptyDrawer(Res.string.run_variables_empty, EmptyPicture.BOXES, modifier)
+    }
+    val save = { onEvent(RunEvent.DatalogSaved) }
+    if (state.threads.isEmpty()) {
+        return DatalogTable(state.datalog, save, modifier.verticalScroll(rememberScrollState()))
+    }
     BoxWithConstraints(modifier) {
         val width = maxWidth
         if (width >= WIDE) {
@@ -74,12 +81,16 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
                     Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()),
                 )
                 VerticalDivider(color = LocalRobotranColours.current.line)
-                Scopes(state.scopes, Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState()))
+                Column(Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState())) {
+                    Scopes(state.scopes, Modifier.fillMaxWidth())
+                    DatalogTable(state.datalog, save, Modifier.fillMaxWidth())
+                }
             }
         } else {
             Column(Modifier.verticalScroll(rememberScrollState())) {
                 Scopes(state.scopes, Modifier.fillMaxWidth())
                 Calls(state, onEvent, Modifier.fillMaxWidth())
+                DatalogTable(state.datalog, save, Modifier.fillMaxWidth())
             }
         }
     }
@@ -89,7 +100,7 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
 private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier) {
     Column(modifier.padding(12.dp)) {
         if (state.threads.size > 1) {
-            SectionName(stringResource(Res.string.run_threads))
+            SectionName(stringResource(if (state.hasTasks) Res.string.run_tasks else Res.string.run_threads))
             for (thread in state.threads) {
                 Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") {
                     onEvent(RunEvent.FrameChosen(thread.number, 0))

@@ -3,7 +3,6 @@ package robotran.ui.learning
 import androidx.compose.ui.graphics.ImageBitmap
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
-import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -40,10 +39,7 @@ internal object ExamplePictures : CardPictures<String> {
 
     private suspend fun programOf(set: ExampleSet, name: String, brick: BrickKind): BrickProgram? {
         val text = set.programs[name] ?: return null
-        val source = when (set.language) {
-            ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, text)
-            ProgramLanguage.JAVA -> ProgramSource.Java(name, listOf(SourceFile(name, text)))
-        }
+        val source = ProgramSource.of(set.language, name, listOf(SourceFile(name, text)))
         val compiler = reader.forTarget(brick.penbotTarget)
         if (compiler.prepareFor(source) is CompilerLoading.Failed) return null
         return (compiler.compileNow(source) as? ProgramResult.Ready)?.program

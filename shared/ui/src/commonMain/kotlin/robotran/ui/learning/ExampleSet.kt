@@ -5,6 +5,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_examples_java
+import robotran.ui.resources.program_examples_nqc
 import robotran.ui.resources.program_examples_nxj
 import robotran.ui.resources.program_examples_robolang
 import robotran.workshop.examples.examplesFor
@@ -17,6 +18,7 @@ import robotran.workshop.examples.examplesFor
 internal enum class ExampleSet(val language: ProgramLanguage, val brick: BrickKind?, val title: StringResource) {
     ROBOLANG(ProgramLanguage.ROBOLANG, null, Res.string.program_examples_robolang),
     LEJOS(ProgramLanguage.JAVA, BrickKind.RCX, Res.string.program_examples_java),
+    NQC(ProgramLanguage.NQC, BrickKind.RCX, Res.string.program_examples_nqc),
     NXJ(ProgramLanguage.JAVA, BrickKind.NXT, Res.string.program_examples_nxj),
     ;
 

@@ -39,7 +39,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
-/** All words of one of the two languages with their explanations, to choose from. */
+/** All words of one of the languages with their explanations, to choose from. */
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.code
@@ -57,7 +57,8 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (ProgramLanguage) -> Unit) {
     val colours = LocalRobotranColours.current
     FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
-        for (language in ProgramLanguage.entries) {
+        // Nobody else asks for assembly.
+        for (language in ProgramLanguage.entries.filter { it != ProgramLanguage.LASM || it == chosen }) {
             val selected = language == chosen
             Row(
                 Modifier
@@ -74,7 +75,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
                         if (brick == BrickKind.NXT) Res.string.learning_help_nxj else Res.string.learning_help_java,
                     )
                 } else {
-                    ROBOLANG
+                    language.ownName
                 }
                 Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
             }
@@ -98,6 +99,3 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
         Text(help.sentence, color = colours.quiet, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
     }
 }
-
-/** A name, the same in every language. */
-private const val ROBOLANG = "Robolang"

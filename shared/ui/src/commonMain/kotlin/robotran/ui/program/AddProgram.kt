@@ -17,6 +17,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Plus
@@ -25,7 +26,11 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
 import robotran.ui.resources.program_examples
 import robotran.ui.resources.program_new_class
+import robotran.ui.resources.program_new_file
 import robotran.ui.resources.program_new_java
+import robotran.ui.resources.program_new_lasm
+import robotran.ui.resources.program_new_more
+import robotran.ui.resources.program_new_nqc
 import robotran.ui.resources.program_new_robolang
 import robotran.ui.resources.program_no_room
 import robotran.ui.resources.program_reopen_named
@@ -38,7 +43,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.ProgramsState
 
-/** The plus button: a new program in either language, an example, or another class of a Java program. */
+/** The plus button: a new program in any language, an example, or another file of a program. */
 @Composable
 internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
@@ -53,10 +58,12 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
             onDismissRequest = { open = false },
             modifier = Modifier.widthIn(min = 300.dp),
         ) {
-            if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
-            if (state.program.language == ProgramLanguage.JAVA) {
-                Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
-            }
+            if (state.hasRoom) NewPrograms(state.brick, choose) else Note(stringResource(Res.string.program_no_room))
+            when (state.program.language) {
+                ProgramLanguage.JAVA -> Res.string.program_new_class
+                ProgramLanguage.NQC -> Res.string.program_new_file
+                ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> null
+            }?.let { words -> Choice(stringResource(words), "new-class") { choose(ProgramEvent.FileAdded) } }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
                 Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") {
                     choose(ProgramEvent.ProgramReopened)
@@ -72,13 +79,19 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
     }
 }
 
+/** Only an RCX has a firmware of LEGO's; its assembly is for the few who ask for more. */
 @Composable
-private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
-    Choice(stringResource(Res.string.program_new_robolang), "new-robolang") {
-        onEvent(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
-    }
-    Choice(stringResource(Res.string.program_new_java), "new-java") {
-        onEvent(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
+private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
+    var hasMore by remember { mutableStateOf(false) }
+    val create = { language: ProgramLanguage -> onEvent(ProgramEvent.NewProgramRequested(language)) }
+    Choice(stringResource(Res.string.program_new_robolang), "new-robolang") { create(ProgramLanguage.ROBOLANG) }
+    Choice(stringResource(Res.string.program_new_java), "new-java") { create(ProgramLanguage.JAVA) }
+    if (brick != BrickKind.RCX) return
+    Choice(stringResource(Res.string.program_new_nqc), "new-nqc") { create(ProgramLanguage.NQC) }
+    if (hasMore) {
+        Choice(stringResource(Res.string.program_new_lasm), "new-lasm") { create(ProgramLanguage.LASM) }
+    } else {
+        Choice(stringResource(Res.string.program_new_more), "new-more") { hasMore = true }
     }
 }
 

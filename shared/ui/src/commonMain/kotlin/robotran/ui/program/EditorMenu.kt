@@ -34,11 +34,11 @@ import robotran.ui.resources.editor_larger
 import robotran.ui.resources.editor_more
 import robotran.ui.resources.editor_rename
 import robotran.ui.resources.editor_smaller
-import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_unindent
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.workshop.state.TranslationKind
 
 /**
  * The menu of the program's tools.
@@ -47,7 +47,9 @@ import robotran.ui.theme.TextSizes
  * @param hasFind whether searching is in the menu.
  * @param sendWords the name of what [onSend] does.
  * @param onSend sends the program to a robot; null if that is not in the menu.
- * @param onTranslation shows or hides the Java; null if that is not in the menu.
+ * @param hasLayout whether the program can be formatted.
+ * @param translations what the program can be shown as by the menu.
+ * @param shown the one of them that is, or would be, shown.
  */
 @Composable
 internal fun EditorMenu(
@@ -55,7 +57,10 @@ internal fun EditorMenu(
     hasFind: Boolean,
     sendWords: StringResource,
     onSend: (() -> Unit)?,
-    onTranslation: (() -> Unit)?,
+    hasLayout: Boolean,
+    translations: List<TranslationKind>,
+    shown: TranslationKind?,
+    onTranslation: (TranslationKind) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     var open by remember { mutableStateOf(false) }
@@ -77,14 +82,16 @@ internal fun EditorMenu(
                     send()
                 }
             }
-            onTranslation?.let { show ->
-                WordsItem(Res.string.editor_translation, "translation-switch") {
+            for (kind in translations) {
+                val tag = if (kind == shown) "translation-switch" else "translation-${kind.name.lowercase()}"
+                WordsItem(kind.words, tag) {
                     open = false
-                    show()
+                    onTranslation(kind)
                 }
             }
-            if (onSend != null || onTranslation != null) HorizontalDivider(color = LocalRobotranColours.current.line)
-            for ((index, group) in toolsFor(hasText, hasFind).withIndex()) {
+            val isSecond = onSend != null || translations.isNotEmpty()
+            if (isSecond) HorizontalDivider(color = LocalRobotranColours.current.line)
+            for ((index, group) in toolsFor(hasText, hasFind, hasLayout).withIndex()) {
                 if (index > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
                 for (tool in group) {
                     ToolItem(tool) {
@@ -139,9 +146,10 @@ private class Tool(
     val isForText: Boolean = false,
 )
 
-private fun toolsFor(hasText: Boolean, hasFind: Boolean): List<List<Tool>> =
+private fun toolsFor(hasText: Boolean, hasFind: Boolean, hasLayout: Boolean): List<List<Tool>> =
     (if (hasFind) listOf(listOf(FIND)) + TOOLS else TOOLS)
         .map { group -> group.filter { hasText || !it.isForText } }
+        .map { group -> group.filter { hasLayout || it.command != EditorCommand.Plain.FORMAT } }
         .filter { it.isNotEmpty() }
 
 private val FIND = Tool(EditorCommand.Plain.FIND, Res.string.editor_find, "Ctrl F")

@@ -21,25 +21,26 @@ import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_find
 import robotran.ui.resources.editor_redo
-import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_undo
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.TranslationKind
 
 /** A slim row above the program: frequent actions, and a menu with the rest and with what has no room in the row. */
 @Composable
 internal fun EditorTools(
     state: ProgramsState,
-    onTranslation: (Boolean) -> Unit,
+    onTranslation: (Boolean, TranslationKind) -> Unit,
     onView: (ProgramView) -> Unit,
     onSend: () -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val isRobolang = state.program.language == ProgramLanguage.ROBOLANG
     val send = sendWords(state.brick)
+    val translation = state.translationKind
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val places = toolPlaces(maxWidth, isRobolang, send)
+        val places = toolPlaces(maxWidth, isRobolang, translation?.words, send)
         Row(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
@@ -60,9 +61,9 @@ internal fun EditorTools(
                 ViewSwitch(state.view, onView)
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
-            if (places.hasTranslation) {
-                PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
-                    onTranslation(!state.translationShown)
+            if (translation != null && places.hasTranslation) {
+                PaneChip(stringResource(translation.words), "translation-switch", state.translationShown) {
+                    onTranslation(!state.translationShown, translation)
                 }
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
@@ -72,8 +73,10 @@ internal fun EditorTools(
                 hasFind = !places.hasFind,
                 sendWords = send,
                 onSend = onSend.takeIf { places.send == SendPlace.MENU },
-                onTranslation = { onTranslation(!state.translationShown) }
-                    .takeIf { isRobolang && !places.hasTranslation },
+                hasLayout = state.program.language != ProgramLanguage.LASM,
+                translations = state.translationKinds.filter { it != translation || !places.hasTranslation },
+                shown = translation,
+                onTranslation = { onTranslation(it != translation || !state.translationShown, it) },
                 onCommand = onCommand,
             )
         }

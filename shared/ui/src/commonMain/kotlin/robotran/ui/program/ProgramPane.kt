@@ -40,6 +40,8 @@ import robotran.ui.program.editor.KeyRow
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
+import robotran.ui.resources.program_hint_lasm
+import robotran.ui.resources.program_hint_nqc
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -53,6 +55,7 @@ import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.ShownProgramRun
+import robotran.workshop.state.TranslationKind
 import robotran.workshop.state.noteOf
 
 /**
@@ -189,7 +192,7 @@ private fun ShownFile(
         if (!isSheetAlone) {
             EditorTools(
                 state,
-                { onEvent(ProgramEvent.TranslationShown(it)) },
+                { shown, kind -> onEvent(ProgramEvent.TranslationShown(shown, kind)) },
                 { onEvent(BlockEvent.ViewChosen(it)) },
                 { onEvent(if (state.brick == BrickKind.RCX) SendEvent.Requested else DocumentEvent.KitRequested) },
             ) {
@@ -216,7 +219,7 @@ private fun ShownFile(
                 marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
             }
         SideBySideOrStacked(
-            state.translationShown && state.program.language == ProgramLanguage.ROBOLANG && !isSheetAlone,
+            state.translationShown && state.translationKind != null && !isSheetAlone,
             state.isEditingBlocks,
             Modifier.weight(1f),
             { part ->
@@ -277,14 +280,19 @@ private fun ShownFile(
             { part ->
                 TranslationPane(
                     translation = state.translation,
+                    kind = state.translationKind ?: TranslationKind.JAVA,
                     isNow = state.isTranslated,
-                    lit = lit?.lineMap?.javaLinesOf(line)?.toSet().orEmpty(),
-                    running = lit?.lineMap?.javaLinesOf(runningLine)?.toSet().orEmpty(),
+                    lit = lit?.linesOf(state.file.name, line)?.toSet().orEmpty(),
+                    running = lit?.linesOf(state.file.name, runningLine)?.toSet().orEmpty(),
                     codeSize = settings.codeSize,
-                    onLine = { javaLine -> lit?.lineMap?.robolangLineOf(javaLine)?.let(actions::goToLine) },
+                    onLine = { shown ->
+                        val origin = lit?.originOf(shown)
+                        if (origin?.file == state.file.name) actions.goToLine(origin.line)
+                    },
+                    onRemark = { actions.goToLine(it.line) },
                     onZoom = actions::zoom,
-                    onKeep = lit?.takeIf { state.hasRoom }?.let { java ->
-                        { onEvent(ProgramEvent.ProgramAdded(PupilProgram(java.fileName, java.java))) }
+                    onKeep = lit?.takeIf { state.hasRoom }?.let { kept ->
+                        { onEvent(ProgramEvent.ProgramAdded(PupilProgram(kept.fileName, kept.text))) }
                     },
                     modifier = part,
                 )
@@ -326,4 +334,6 @@ private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>):
 private fun hintFor(language: ProgramLanguage): StringResource = when (language) {
     ProgramLanguage.ROBOLANG -> Res.string.program_hint
     ProgramLanguage.JAVA -> Res.string.program_hint_java
+    ProgramLanguage.NQC -> Res.string.program_hint_nqc
+    ProgramLanguage.LASM -> Res.string.program_hint_lasm
 }

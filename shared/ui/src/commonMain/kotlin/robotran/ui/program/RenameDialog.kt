@@ -24,6 +24,7 @@ import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_name
 import robotran.ui.resources.editor_name_empty
@@ -31,6 +32,7 @@ import robotran.ui.resources.editor_name_no_class
 import robotran.ui.resources.editor_name_strange
 import robotran.ui.resources.editor_name_taken
 import robotran.ui.resources.editor_remove_class
+import robotran.ui.resources.editor_remove_file
 import robotran.ui.resources.editor_rename
 import robotran.ui.resources.editor_rename_cancel
 import robotran.ui.resources.editor_rename_done
@@ -40,13 +42,14 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 import robotran.workshop.programs.NameProblem
+import robotran.workshop.programs.endingOf
 import robotran.workshop.programs.nameProblem
 import robotran.workshop.state.ProgramsState
 
 /** Asks for a new name of the current file. One of several classes can also be removed by [onRemove]. */
 @Composable
 internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemove: () -> Unit, onLeave: () -> Unit) {
-    val ending = state.program.language.extension
+    val ending = endingOf(state.file.name, state.program.language)
     val old = state.file.name.removeSuffix(ending)
     var typed by remember { mutableStateOf(TextFieldValue(old, TextRange(0, old.length))) }
     val problem = nameProblem(state.programs, state.shownProgram, state.shownFile, typed.text)
@@ -76,7 +79,9 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
                     )
                 }
                 if (state.program.files.size > 1) {
-                    DialogButton(stringResource(Res.string.editor_remove_class), "remove-class", true, onRemove)
+                    val isJava = state.program.language == ProgramLanguage.JAVA
+                    val remove = if (isJava) Res.string.editor_remove_class else Res.string.editor_remove_file
+                    DialogButton(stringResource(remove), "remove-class", true, onRemove)
                 }
             }
         },

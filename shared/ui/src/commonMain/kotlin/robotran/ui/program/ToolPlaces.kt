@@ -8,8 +8,6 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_translation
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.TextSizes
 
@@ -23,12 +21,22 @@ internal enum class SendPlace { WORDS, SIGN, MENU }
  */
 internal data class ToolPlaces(val send: SendPlace, val hasTranslation: Boolean, val hasFind: Boolean = true)
 
-/** The tools for which a row of [width] has room. */
+/**
+ * The tools for which a row of [width] has room.
+ *
+ * @param hasViews whether there is a switch between text and blocks.
+ * @param translationWords the name of the switch for another text; null if there is none.
+ */
 @Composable
-internal fun toolPlaces(width: Dp, isRobolang: Boolean, sendWords: StringResource): ToolPlaces {
+internal fun toolPlaces(
+    width: Dp,
+    hasViews: Boolean,
+    translationWords: StringResource?,
+    sendWords: StringResource,
+): ToolPlaces {
     val send = chipWidth(sendWords) + ToolSizes.SIGN
-    val translation = if (isRobolang) chipWidth(Res.string.editor_translation) + ToolSizes.GAP else 0.dp
-    val view = if (isRobolang) VIEW_WORDS.maxOf { chipWidth(it) } + ToolSizes.SIGN + ToolSizes.GAP else 0.dp
+    val translation = if (translationWords != null) chipWidth(translationWords) + ToolSizes.GAP else 0.dp
+    val view = if (hasViews) VIEW_WORDS.maxOf { chipWidth(it) } + ToolSizes.SIGN + ToolSizes.GAP else 0.dp
     return CHOICES.firstOrNull { places ->
         val sending = when (places.send) {
             SendPlace.WORDS -> send
@@ -38,7 +46,7 @@ internal fun toolPlaces(width: Dp, isRobolang: Boolean, sendWords: StringResourc
         val round = Dimensions.TARGET * if (places.hasFind) ROUND_BUTTONS else ROUND_BUTTONS - 1
         val chips = view + if (places.hasTranslation) translation else 0.dp
         width >= round + ToolSizes.EDGE * 2 + chips + sending
-    }.let { it ?: CHOICES.last() }.let { if (isRobolang) it else it.copy(hasTranslation = false) }
+    }.let { it ?: CHOICES.last() }.let { if (translationWords != null) it else it.copy(hasTranslation = false) }
 }
 
 @Composable

@@ -30,8 +30,8 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.robolang.translate.Translation
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
@@ -46,32 +46,37 @@ import robotran.ui.program.editor.rememberLineLayouts
 import robotran.ui.program.editor.scrolls
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_translation_keep
-import robotran.ui.resources.editor_translation_label
-import robotran.ui.resources.editor_translation_none
 import robotran.ui.resources.editor_translation_old
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
+import robotran.workshop.state.ProgramTranslation
+import robotran.workshop.state.TranslationKind
+import robotran.workshop.state.TranslationRemark
 
 /**
- * A program as Java.
+ * A program as another text.
  *
  * @param translation null if there never was one, such as before the first errors are fixed.
+ * @param kind what it is, or would be, shown as.
  * @param isNow whether it belongs to the current program.
  * @param lit its lines, from 1, that correspond to the line of the caret.
  * @param running its lines, from 1, that correspond to the running line.
  * @param onLine receives the tapped line, from 1.
+ * @param onRemark receives the tapped remark.
  * @param onKeep adds it as a new program; null if there is no room.
  */
 @Composable
 internal fun TranslationPane(
-    translation: Translation?,
+    translation: ProgramTranslation?,
+    kind: TranslationKind,
     isNow: Boolean,
     lit: Set<Int>,
     running: Set<Int>,
     codeSize: Float,
     onLine: (Int) -> Unit,
+    onRemark: (TranslationRemark) -> Unit,
     onZoom: (Float) -> Unit,
     onKeep: (() -> Unit)?,
     modifier: Modifier = Modifier,
@@ -87,7 +92,7 @@ internal fun TranslationPane(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val title = when {
-                translation == null -> stringResource(Res.string.editor_translation_none)
+                translation == null -> stringResource(kind.noneYet)
                 isNow -> translation.fileName
                 else -> stringResource(Res.string.editor_translation_old)
             }
@@ -113,6 +118,7 @@ internal fun TranslationPane(
                 }
             }
         }
+        if (translation != null && isNow) TranslationRemarks(translation.remarks, onRemark)
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
             if (translation != null) {
@@ -127,19 +133,22 @@ internal fun TranslationPane(
 
 @Composable
 private fun TranslatedText(
-    translation: Translation,
+    translation: ProgramTranslation,
     marks: EditorMarks,
     codeSize: Float,
     onLine: (Int) -> Unit,
     onZoom: (Float) -> Unit,
     modifier: Modifier,
 ) {
-    val label = stringResource(Res.string.editor_translation_label)
+    val label = stringResource(translation.kind.label)
     val view = remember { EditorView() }
-    val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
-    val brick = remember(draft) { brickOfJava(draft.lines) }
-    val layouts = rememberLineLayouts(ProgramLanguage.JAVA, brick, codeSize)
-    val pieces = remember(draft) { CodeTokens(draft.lines, ProgramLanguage.JAVA) }
+    val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
+    val language = translation.language
+    val brick = remember(draft) {
+        if (language == ProgramLanguage.JAVA) brickOfJava(draft.lines) else BrickKind.RCX
+    }
+    val layouts = rememberLineLayouts(language, brick, codeSize)
+    val pieces = remember(draft) { CodeTokens(draft.lines, language) }
     val paint = remember(draft, marks) { EditorPaint(draft, marks, hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)
@@ -174,7 +183,7 @@ private fun TranslatedText(
             .testTag("translation-text")
             .semantics {
                 contentDescription = label
-                text = AnnotatedString(translation.java)
+                text = AnnotatedString(translation.text)
             }
             .pointerInput(touch) { listenForZoom(touch) }
             .scrolls(view)

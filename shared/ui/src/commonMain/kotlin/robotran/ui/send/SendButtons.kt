@@ -21,11 +21,15 @@ import robotran.ui.resources.send_again
 import robotran.ui.resources.send_again_after
 import robotran.ui.resources.send_cancel
 import robotran.ui.resources.send_close
+import robotran.ui.resources.send_datalog_read
+import robotran.ui.resources.send_datalog_save
+import robotran.ui.resources.send_empty_slots
 import robotran.ui.resources.send_firmware_choose
 import robotran.ui.resources.send_firmware_other
 import robotran.ui.resources.send_firmware_send
 import robotran.ui.resources.send_mistake_show
 import robotran.ui.resources.send_other_tower
+import robotran.ui.resources.send_to_slots
 import robotran.ui.resources.send_watch
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -39,14 +43,14 @@ import robotran.workshop.state.SendStep
 @Composable
 internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
     val actions = actionsOf(step)
+    // A slot is chosen by its own button, so what else can be done is not the main thing.
+    val main = actions.lastOrNull()?.takeIf { step !is SendStep.ChoosingSlot }
     ButtonRows(modifier) {
         CancelButton(step.isBusy) { onEvent(SendEvent.Cancelled) }
-        for (action in actions.dropLast(1)) {
+        for (action in actions.filter { it != main }) {
             OtherButton(stringResource(action.words), action.tag) { onEvent(action.event) }
         }
-        actions.lastOrNull()?.let { main ->
-            MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
-        }
+        if (main != null) MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
     }
 }
 
@@ -66,14 +70,22 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
 private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
     SendStep.Building, SendStep.Checking, SendStep.NoTowers, SendStep.CompilerFailed -> emptyList()
 
-    is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.Watching -> emptyList()
+    is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.Watching, is SendStep.ReadingDatalog -> emptyList()
+
+    is SendStep.ChoosingSlot -> listOf(SendAction.READ_DATALOG)
+
+    is SendStep.Datalog -> when {
+        step.entries.isEmpty() -> listOf(SendAction.TO_SLOTS)
+        step.savedAs != null -> listOf(SendAction.SAVE_DATALOG, SendAction.TO_SLOTS)
+        else -> listOf(SendAction.TO_SLOTS, SendAction.SAVE_DATALOG)
+    }
 
     is SendStep.HasErrors -> listOf(SendAction.SHOW_MISTAKE)
 
     SendStep.NoCompiler -> listOf(SendAction.AGAIN)
 
     is SendStep.NeedsFirmware -> when {
-        step.file?.usable != null -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
+        step.usable != null -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
         else -> listOf(SendAction.CHOOSE_FILE)
     }
 
@@ -90,12 +102,15 @@ private fun actionsOf(error: SendError): List<SendAction> = when (error) {
         if (error.failure == OpenFailure.NOT_ALLOWED) it else it.asReversed()
     }
 
-    is SendError.OfTower -> when (error.error) {
-        is TowerError.TooLarge -> emptyList()
+    is SendError.OfTower -> when (val cause = error.error) {
+        is TowerError.TooLarge -> if (cause.isOfSlots) listOf(SendAction.EMPTY_SLOTS) else emptyList()
         TowerError.FirmwareRefused -> listOf(SendAction.CHOOSE_FILE)
         else -> listOf(SendAction.OTHER_TOWER, SendAction.AGAIN)
     }
 }
+
+/** LEGO's firmware does not tell its room, which all slots share. */
+private val TowerError.TooLarge.isOfSlots get() = maxBytes == null
 
 private enum class SendAction(val words: StringResource, val tag: String, val event: SendEvent) {
     AGAIN(Res.string.send_again, "send-again", SendEvent.Retried),
@@ -105,5 +120,9 @@ private enum class SendAction(val words: StringResource, val tag: String, val ev
     CHOOSE_FILE(Res.string.send_firmware_choose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
     OTHER_FILE(Res.string.send_firmware_other, "send-choose-firmware", SendEvent.FirmwareFileRequested),
     SEND_FIRMWARE(Res.string.send_firmware_send, "send-firmware", SendEvent.FirmwareConfirmed),
+    EMPTY_SLOTS(Res.string.send_empty_slots, "send-empty-slots", SendEvent.SlotsEmptied),
+    READ_DATALOG(Res.string.send_datalog_read, "send-read-datalog", SendEvent.DatalogRequested),
+    SAVE_DATALOG(Res.string.send_datalog_save, "send-save-datalog", SendEvent.DatalogSaved),
+    TO_SLOTS(Res.string.send_to_slots, "send-to-slots", SendEvent.Retried),
     WATCH(Res.string.send_watch, "send-watch", SendEvent.WatchingRequested),
 }

@@ -58,12 +58,13 @@ internal fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier
 }
 
 internal fun pictureOf(step: SendStep): SendPicture = when (step) {
-    SendStep.Building -> SendPicture.PROGRAM
+    SendStep.Building, is SendStep.ChoosingSlot -> SendPicture.PROGRAM
     is SendStep.HasErrors -> SendPicture.MISTAKE
     SendStep.NoCompiler, SendStep.CompilerFailed -> SendPicture.MISTAKE
     SendStep.NoTowers -> SendPicture.NO_TOWER
     is SendStep.ChoosingTower -> SendPicture.PLUG_IN
     SendStep.Checking, is SendStep.Sending -> SendPicture.SENDING
+    is SendStep.ReadingDatalog, is SendStep.Datalog -> SendPicture.SENDING
     is SendStep.NeedsFirmware, is SendStep.Cancelled -> SendPicture.WRONG_FIRMWARE
     is SendStep.Done -> SendPicture.DONE
     is SendStep.Watching -> if (step.isOver) SendPicture.UNPLUGGED else SendPicture.SENDING
@@ -80,6 +81,7 @@ private fun pictureOf(error: SendError): SendPicture = when (error) {
         TowerError.BadConnection -> SendPicture.OUT_OF_SIGHT
         is TowerError.BatteryLow -> SendPicture.BATTERIES_LOW
         is TowerError.TooLarge -> SendPicture.NO_ROOM
-        TowerError.NoLejos, TowerError.NoLegoFirmware, TowerError.FirmwareRefused -> SendPicture.WRONG_FIRMWARE
+        is TowerError.NoLejos, TowerError.NoLegoFirmware -> SendPicture.WRONG_FIRMWARE
+        is TowerError.LegoFirmwareTooOld, TowerError.FirmwareRefused -> SendPicture.WRONG_FIRMWARE
     }
 }

@@ -4,51 +4,55 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
-import robotran.tower.firmware.FirmwareFile
-import robotran.tower.firmware.FirmwareKind
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerKind
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_building
 import robotran.ui.resources.send_cancelled_firmware
 import robotran.ui.resources.send_cancelled_program
+import robotran.ui.resources.send_cancelled_slot
 import robotran.ui.resources.send_checking
 import robotran.ui.resources.send_choose
 import robotran.ui.resources.send_choose_missing
 import robotran.ui.resources.send_compiler_failed
+import robotran.ui.resources.send_datalog
+import robotran.ui.resources.send_datalog_none
+import robotran.ui.resources.send_datalog_reading
+import robotran.ui.resources.send_datalog_refused
+import robotran.ui.resources.send_datalog_saved
 import robotran.ui.resources.send_done
 import robotran.ui.resources.send_done_help
+import robotran.ui.resources.send_done_slot
 import robotran.ui.resources.send_error_battery
 import robotran.ui.resources.send_error_brick_silent
 import robotran.ui.resources.send_error_brick_silent_help
 import robotran.ui.resources.send_error_busy
 import robotran.ui.resources.send_error_connection
-import robotran.ui.resources.send_error_full
 import robotran.ui.resources.send_error_held
 import robotran.ui.resources.send_error_large
-import robotran.ui.resources.send_error_no_lego
 import robotran.ui.resources.send_error_not_allowed
 import robotran.ui.resources.send_error_refused
 import robotran.ui.resources.send_error_tower_gone
 import robotran.ui.resources.send_error_tower_silent
 import robotran.ui.resources.send_firmware
-import robotran.ui.resources.send_firmware_lego
-import robotran.ui.resources.send_firmware_lejos_2_1
-import robotran.ui.resources.send_firmware_lejos_3_0
-import robotran.ui.resources.send_firmware_none
-import robotran.ui.resources.send_firmware_unknown
 import robotran.ui.resources.send_firmware_where
+import robotran.ui.resources.send_full_slots
+import robotran.ui.resources.send_has_lego
 import robotran.ui.resources.send_keep_still
+import robotran.ui.resources.send_lego_too_old
+import robotran.ui.resources.send_lego_where
 import robotran.ui.resources.send_mistake
 import robotran.ui.resources.send_needs_firmware
+import robotran.ui.resources.send_needs_lego
 import robotran.ui.resources.send_no_compiler
 import robotran.ui.resources.send_no_towers
 import robotran.ui.resources.send_program
 import robotran.ui.resources.send_serial_elsewhere
+import robotran.ui.resources.send_slot
+import robotran.ui.resources.send_slot_help
 import robotran.ui.resources.send_usb_elsewhere
 import robotran.ui.resources.send_watching
 import robotran.ui.resources.send_watching_over
-import robotran.workshop.state.ChosenFirmware
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer
@@ -72,19 +76,30 @@ internal fun sentenceOf(step: SendStep): String = when (step) {
 
     SendStep.Checking -> stringResource(Res.string.send_checking)
 
+    is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot)
+
+    is SendStep.ReadingDatalog -> stringResource(Res.string.send_datalog_reading)
+
+    is SendStep.Datalog -> if (step.entries.isEmpty()) {
+        stringResource(Res.string.send_datalog_none)
+    } else {
+        stringResource(Res.string.send_datalog, step.entries.size)
+    }
+
     is SendStep.Sending -> stringResource(
         step.what.choose(Res.string.send_program, Res.string.send_firmware),
     )
 
-    is SendStep.NeedsFirmware -> step.file?.let { sentenceOf(it) } ?: stringResource(Res.string.send_needs_firmware)
+    is SendStep.NeedsFirmware -> step.file?.let { firmwareSentence(it, step.needsLego) } ?: sentenceOf(step.why)
 
-    is SendStep.Cancelled -> stringResource(
+    is SendStep.Cancelled -> step.slot?.let { stringResource(Res.string.send_cancelled_slot, it) } ?: stringResource(
         step.what.choose(Res.string.send_cancelled_program, Res.string.send_cancelled_firmware),
     )
 
     is SendStep.Failed -> sentenceOf(step.error)
 
-    is SendStep.Done -> stringResource(Res.string.send_done)
+    is SendStep.Done -> step.slot?.let { stringResource(Res.string.send_done_slot, it) }
+        ?: stringResource(Res.string.send_done)
 
     is SendStep.Watching -> stringResource(
         if (step.isOver) Res.string.send_watching_over else Res.string.send_watching,
@@ -102,33 +117,28 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
         else -> null
     }
 
-    is SendStep.Sending -> stringResource(Res.string.send_keep_still)
+    is SendStep.Sending, is SendStep.ReadingDatalog -> stringResource(Res.string.send_keep_still)
 
-    is SendStep.NeedsFirmware -> stringResource(Res.string.send_firmware_where).takeIf { step.file?.usable == null }
+    is SendStep.Datalog -> step.savedAs?.let { stringResource(Res.string.send_datalog_saved, it) }
+        ?: stringResource(Res.string.send_datalog_refused).takeIf { step.isRefused }
+
+    is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot_help)
+
+    is SendStep.NeedsFirmware -> stringResource(
+        if (step.needsLego) Res.string.send_lego_where else Res.string.send_firmware_where,
+    ).takeIf { step.usable == null }
 
     is SendStep.Done -> stringResource(Res.string.send_done_help)
 
-    is SendStep.Failed -> stringResource(Res.string.send_error_brick_silent_help).takeIf {
-        step.error == SendError.OfTower(TowerError.BrickSilent)
-    }
+    is SendStep.Failed -> listOfNotNull(
+        stringResource(Res.string.send_error_brick_silent_help).takeIf {
+            step.error == SendError.OfTower(TowerError.BrickSilent)
+        },
+        remainsSentence(step.remains, step.slot),
+    ).joinToString(" ").ifEmpty { null }
 
     else -> null
 }
-
-@Composable
-private fun sentenceOf(chosen: ChosenFirmware): String = stringResource(
-    when (val file = chosen.file) {
-        is FirmwareFile.Rejected -> Res.string.send_firmware_none
-
-        is FirmwareFile.Read -> when (file.firmware.kind) {
-            FirmwareKind.LEJOS_3_0 -> Res.string.send_firmware_lejos_3_0
-            FirmwareKind.LEJOS_2_1 -> Res.string.send_firmware_lejos_2_1
-            FirmwareKind.UNKNOWN -> Res.string.send_firmware_unknown
-            FirmwareKind.LEGO -> Res.string.send_firmware_lego
-        }
-    },
-    chosen.name,
-)
 
 @Composable
 private fun sentenceOf(error: SendError): String = when (error) {
@@ -152,16 +162,19 @@ private fun sentenceOf(error: TowerError): String = when (error) {
 
     TowerError.BrickSilent -> stringResource(Res.string.send_error_brick_silent)
 
-    TowerError.NoLejos -> stringResource(Res.string.send_needs_firmware)
+    is TowerError.NoLejos -> error.lego?.let { stringResource(Res.string.send_has_lego, "$it") }
+        ?: stringResource(Res.string.send_needs_firmware)
 
-    TowerError.NoLegoFirmware -> stringResource(Res.string.send_error_no_lego)
+    TowerError.NoLegoFirmware -> stringResource(Res.string.send_needs_lego)
+
+    is TowerError.LegoFirmwareTooOld -> stringResource(Res.string.send_lego_too_old, "${error.version}")
 
     TowerError.BadConnection -> stringResource(Res.string.send_error_connection)
 
     is TowerError.BatteryLow -> stringResource(Res.string.send_error_battery, voltsOf(error.millivolts))
 
     is TowerError.TooLarge -> error.maxBytes?.let { stringResource(Res.string.send_error_large, error.bytes, it) }
-        ?: stringResource(Res.string.send_error_full)
+        ?: stringResource(Res.string.send_full_slots)
 
     TowerError.FirmwareRefused -> stringResource(Res.string.send_error_refused)
 }

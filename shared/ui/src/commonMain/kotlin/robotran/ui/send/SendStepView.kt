@@ -20,6 +20,8 @@ import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.scrollHint
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_datalog_entry
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
@@ -59,7 +61,10 @@ private fun StepWords(step: SendStep, onEvent: (SendEvent) -> Unit) {
     adviceOf(step)?.let { Explanation(it) }
     when (step) {
         is SendStep.ChoosingTower -> TowerChoice(step, onEvent)
+        is SendStep.ChoosingSlot -> SlotChoice(step, onEvent)
         is SendStep.Sending -> TransferView(step.progress)
+        is SendStep.ReadingDatalog -> TransferView(step.progress, Res.string.send_datalog_entry)
+        is SendStep.Datalog -> DatalogView(step.entries)
         is SendStep.Watching -> MessageLog(step.messages)
         else -> Unit
     }

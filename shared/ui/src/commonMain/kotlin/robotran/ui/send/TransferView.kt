@@ -10,6 +10,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TransferProgress
 import robotran.ui.documents.Explanation
@@ -20,9 +21,13 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 
-/** How far a transfer is; null before its first block. */
+/**
+ * How far a transfer is; null before its first block.
+ *
+ * @param counted the words for so many of so many blocks.
+ */
 @Composable
-internal fun TransferView(progress: TransferProgress?) {
+internal fun TransferView(progress: TransferProgress?, counted: StringResource = Res.string.send_block) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
         LinearProgressIndicator(
@@ -34,7 +39,7 @@ internal fun TransferView(progress: TransferProgress?) {
             drawStopIndicator = { },
         )
         val words = progress?.let {
-            "${stringResource(Res.string.send_block, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
+            "${stringResource(counted, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
         }
         // An empty line, so that nothing moves when the first block is through.
         Text(

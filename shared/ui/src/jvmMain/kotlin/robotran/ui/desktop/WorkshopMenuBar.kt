@@ -19,6 +19,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.course_list
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
+import robotran.ui.resources.documents_firmware_image
 import robotran.ui.resources.documents_first_page
 import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_menu_edit
@@ -175,7 +176,8 @@ private fun MenuScope.FileItems(
     Choice(Res.string.send_robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
-    Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
+    val kit = if (document.hasFirmwareImage) Res.string.documents_firmware_image else Res.string.documents_kit
+    Choice(kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
     Choice(Res.string.hand_ins_menu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()

@@ -121,6 +121,7 @@ class StringsTest {
             "Robot",
             "Seed",
             "Sensor",
+            "Tasks",
             "Threads",
             "Variables",
             "firmware",

@@ -61,6 +61,17 @@ class ExamplesPageTest {
     }
 
     @Test
+    fun `who works in NQC finds the examples in NQC first`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+        pass(300)
+        onNodeWithTag("example-countdown.nqc").assertIsDisplayed().performClick()
+        pass(300)
+        assertEquals("countdown.nqc", workshop.state.programName)
+        assertEquals(emptyList(), workshop.state.programs.diagnostics)
+    }
+
+    @Test
     fun `a robot with an NXT has its examples in Java first, and they run there`() = onTablet { workshop ->
         workshop.handle(DocumentEvent.NewWithBrick(BrickKind.NXT))
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
@@ -92,6 +103,8 @@ class ExamplesPageTest {
         val other = ExamplePictures.of("tree.robo", SheetColours.LIGHT, ROOM)
         assertTrue(square.pixels() != other.pixels())
         assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
+        val inNqc = ExamplePictures.of("square.nqc", SheetColours.LIGHT, ROOM)
+        assertTrue(inNqc.pixels() != ExamplePictures.of("melody.nqc", SheetColours.LIGHT, ROOM).pixels())
         val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
         val shown = ProgramLanguage.JAVA.examples.keys.filter {
             ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty
@@ -112,7 +125,8 @@ class ExamplesPageTest {
     fun `every example says what it does in every language, in English as its note does`() {
         val tables = Language.entries.map { language ->
             val file = stringsFile(language)
-            val text = file.readText() + file.resolveSibling("nxt.xml").readText()
+            val text =
+                file.readText() + listOf("nxt.xml", "nqc.xml").joinToString("") { file.resolveSibling(it).readText() }
             Regex("<string name=\"(example_.*?)\">(.*?)</string>").findAll(text).associate {
                 it.groupValues[1] to
                     it.groupValues[2]

@@ -20,7 +20,7 @@ class ProgramFilesTest {
     @Test
     fun `one of several classes is taken away where it is renamed, and comes back`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
-        workshop.handle(ProgramEvent.ClassAdded)
+        workshop.handle(ProgramEvent.FileAdded)
         pass(200)
         rest("file-1")
         onNodeWithTag("remove-class").performClick()

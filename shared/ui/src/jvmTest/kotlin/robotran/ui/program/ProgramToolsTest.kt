@@ -113,7 +113,7 @@ class ProgramToolsTest {
     fun `a Robolang program is shown in Java, and a line there leads to its own`() = onTablet { workshop ->
         pressTool("translation-switch")
         pass(300)
-        val java = workshop.state.programs.translation?.java.orEmpty()
+        val java = workshop.state.programs.translation?.text.orEmpty()
         onNodeWithTag("translation-text").assertTextContains("public class Square", substring = true)
         val line = java.lines().indexOfFirst { "FORWARD" in it || "forward(" in it }
         assertTrue(line >= 0, java)

@@ -93,7 +93,7 @@ class ScreenPictures {
                     ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))),
                 )
                 workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
-                workshop.handle(ProgramEvent.ClassAdded)
+                workshop.handle(ProgramEvent.FileAdded)
                 workshop.handle(ProgramEvent.FileChosen(0))
                 workshop.handle(RunEvent.RunPressed)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))

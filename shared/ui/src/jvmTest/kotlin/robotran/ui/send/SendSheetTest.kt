@@ -9,11 +9,14 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.language.Language
+import robotran.tower.Remains
+import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.port.TowerKind
 import robotran.ui.language.InLanguage
@@ -32,6 +35,7 @@ import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.send.USB_TOWER
 import robotran.workshop.state.Pane
+import robotran.workshop.state.SendError
 import robotran.workshop.state.SendState
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Settings
@@ -84,6 +88,9 @@ class SendSheetTest {
             SendEvent.FirmwareFileRequested,
             SendEvent.FirmwareConfirmed,
             SendEvent.WatchingRequested,
+            SendEvent.SlotsEmptied,
+            SendEvent.DatalogRequested,
+            SendEvent.DatalogSaved,
         )
         assertEquals(expected, pressed)
     }
@@ -102,6 +109,44 @@ class SendSheetTest {
             ),
             events,
         )
+    }
+
+    @Test
+    fun `a slot is chosen by a touch, and the last one is named`() = onSheet(411, 891) {
+        show(SendStep.ChoosingSlot(last = 2))
+        onNodeWithContentDescription("Slot 2, as last time").assertExists()
+        onNodeWithContentDescription("Slot 5").assertExists()
+        for (slot in 1..5) {
+            assertWhole("send-slot-$slot", "a phone")
+            onNodeWithTag("send-slot-$slot").performClick()
+        }
+        assertEquals((1..5).map { SendEvent.SlotChosen(it) }, events.toList<SendEvent>())
+    }
+
+    @Test
+    fun `the first values of a datalog are listed with what they are from`() = onSheet(411, 891) {
+        show(SEND_STEPS.getValue("datalog"))
+        val lines = listOf(
+            "75 values from the datalog of your robot:",
+            "1: sensor 1 is 192",
+            "2: timer 1 is 96",
+            "3: variable 31 is 93",
+            "4: clock is 384",
+            "5: kind 153 is 459",
+            "6: sensor 2 is 40",
+            "and 25 more",
+        )
+        for (line in lines) onNodeWithText(line).assertExists()
+        show(SEND_STEPS.getValue("datalog-reading"))
+        onNodeWithTag("send-block").assertTextContains("50 of 123 values, about 5 s left")
+    }
+
+    @Test
+    fun `what the brick has after a fault is told`() = onSheet(411, 891) {
+        show(SendStep.Failed(SendError.OfTower(TowerError.TowerGone), Remains.NO_PROGRAM, slot = 5))
+        onNodeWithText("Slot 5 of the robot is empty now. The other slots are as before.").assertExists()
+        show(SendStep.Failed(SendError.OfTower(TowerError.TowerGone), Remains.NO_FIRMWARE))
+        onNodeWithText("The brick has no firmware now. Nothing is broken: send it again.").assertExists()
     }
 
     @Test
@@ -227,6 +272,10 @@ class SendSheetTest {
             "send-choose-firmware",
             "send-firmware",
             "send-watch",
+            "send-empty-slots",
+            "send-read-datalog",
+            "send-save-datalog",
+            "send-to-slots",
         )
     }
 }

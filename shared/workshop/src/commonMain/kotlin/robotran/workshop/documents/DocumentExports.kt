@@ -3,14 +3,17 @@ package robotran.workshop.documents
 import kotlinx.coroutines.withContext
 import robotran.assignments.doing.pupilCopy
 import robotran.documents.ZipEntry
+import robotran.documents.fileKind
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf
 import robotran.language.ProgramLanguage
+import robotran.legofirmware.image.toBytes
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.brickOf
+import robotran.programs.firmwareImage
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.penbotTarget
@@ -25,7 +28,6 @@ import robotran.robolang.translate.translateRobolang
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
-import robotran.workshop.programs.fileNameFor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
@@ -81,7 +83,7 @@ internal class DocumentExports(
 
     suspend fun saveProgram() {
         val program = current.shownProgram
-        val kind = if (program.language == ProgramLanguage.JAVA) FileKind.JAVA else FileKind.ROBOLANG
+        val kind = program.language.fileKind
         val single = program.files.singleOrNull()
         if (single != null) {
             save(program.name, kind, single.text.encodeToByteArray())
@@ -100,7 +102,14 @@ internal class DocumentExports(
 
     suspend fun saveKit() {
         val program = current.shownProgram
-        if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
+        when (program.language) {
+            ProgramLanguage.ROBOLANG -> saveRobolangKit(program)
+            ProgramLanguage.JAVA -> saveJavaKit(program)
+            ProgramLanguage.NQC, ProgramLanguage.LASM -> saveFirmwareImage(program)
+        }
+    }
+
+    private suspend fun saveRobolangKit(program: PupilProgram) {
         val text = program.files.single().text
         when (val result = compileRobolang(program.name, text, targetOf(program))) {
             is RobolangResult.HasErrors -> {
@@ -141,6 +150,22 @@ internal class DocumentExports(
                         target.kind,
                     ),
                 )
+            }
+        }
+    }
+
+    /** What a real brick with LEGO's firmware runs. */
+    private suspend fun saveFirmwareImage(program: PupilProgram) {
+        val compiler = ProgramCompiler(targetOf(program), language = preferences.language)
+        when (val result = withContext(platform.background) { compiler.compileNow(program.source()) }) {
+            is ProgramResult.HasErrors -> {
+                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
+            }
+
+            is ProgramResult.Ready -> {
+                val image = checkNotNull(result.firmwareImage) { "${program.name} is not for LEGO's firmware." }
+                val name = program.name.removeSuffix(program.language.extension)
+                save(name, FileKind.RCX_IMAGE, image.toBytes())
             }
         }
     }

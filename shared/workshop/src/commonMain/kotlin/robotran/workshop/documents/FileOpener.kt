@@ -190,6 +190,10 @@ internal class FileOpener(
                 FileKind.COURSE,
                 FileKind.ROBOLANG,
                 FileKind.JAVA,
+                FileKind.NQC,
+                FileKind.NQC_HEADER,
+                FileKind.LASM,
+                FileKind.RCX_IMAGE,
                 FileKind.ZIP,
             )
     }

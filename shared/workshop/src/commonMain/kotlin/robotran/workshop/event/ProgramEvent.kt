@@ -5,6 +5,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.TranslationKind
 
 /** A user action on the programs. */
 sealed interface ProgramEvent : WorkshopEvent {
@@ -34,8 +35,8 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** Applies the fix of [diagnostic]. */
     data class FixApplied(val diagnostic: ProgramDiagnostic) : ProgramEvent
 
-    /** Shows or hides the Java translation of a Robolang program. */
-    data class TranslationShown(val shown: Boolean) : ProgramEvent
+    /** Shows or hides the current program as another text; of several, [kind], or the one shown last for null. */
+    data class TranslationShown(val shown: Boolean, val kind: TranslationKind? = null) : ProgramEvent
 
     /** Shows the programs of the robot [name]. */
     data class RobotChosen(val name: String) : ProgramEvent
@@ -52,8 +53,8 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** Creates an empty program in [language]. */
     data class NewProgramRequested(val language: ProgramLanguage) : ProgramEvent
 
-    /** Adds a class to the current Java program. */
-    data object ClassAdded : ProgramEvent
+    /** Adds a class to the current Java program, or a file to the current one in NQC, which then includes it. */
+    data object FileAdded : ProgramEvent
 
     /**
      * Renames the file with the index [index] of the current program to [name], which must be valid, see [nameProblem].

@@ -75,6 +75,9 @@ sealed interface RunEvent : WorkshopEvent {
     /** Saves the visible ROM calls to a file. */
     data object LogSaved : RunEvent
 
+    /** Saves the datalog of LEGO's firmware to a file. */
+    data object DatalogSaved : RunEvent
+
     /** Shows or hides [lane] in the chart. */
     data class LaneSwitched(val lane: ChartLane) : RunEvent
 }

@@ -19,6 +19,18 @@ sealed interface SendEvent : WorkshopEvent {
     /** Begins again with the same tower. */
     data object Retried : SendEvent
 
+    /** Sends the program into [slot], 1 to 5, of LEGO's own firmware. */
+    data class SlotChosen(val slot: Int) : SendEvent
+
+    /** Deletes the programs in all slots of LEGO's own firmware, then sends the program. */
+    data object SlotsEmptied : SendEvent
+
+    /** Reads the datalog of LEGO's own firmware. */
+    data object DatalogRequested : SendEvent
+
+    /** Saves the datalog that was read as CSV. */
+    data object DatalogSaved : SendEvent
+
     /** Lets the user choose a firmware file. */
     data object FirmwareFileRequested : SendEvent
 

@@ -20,6 +20,13 @@ fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (t
         BrickKind.RCX -> lejosExampleTexts
         BrickKind.NXT -> nxjExampleTexts
     }
+
+    ProgramLanguage.NQC -> when (brick) {
+        BrickKind.RCX -> nqcExampleTexts
+        BrickKind.NXT -> emptyMap()
+    }
+
+    ProgramLanguage.LASM -> emptyMap()
 }
 
 /**

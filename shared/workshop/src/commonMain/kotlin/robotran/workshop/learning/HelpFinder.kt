@@ -27,7 +27,11 @@ internal class HelpFinder(
 
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
-        val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+        val code = when {
+            JAVA_CLASS.containsMatchIn(text) -> ProgramLanguage.JAVA
+            current.shownProgram.isForLegoFirmware -> shownCode
+            else -> ProgramLanguage.ROBOLANG
+        }
         val brick = brickOfImports(text) ?: shownBrick
         return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset, brick), brick)
     }
@@ -43,8 +47,8 @@ internal class HelpFinder(
     fun tryExample(help: HelpState): Boolean {
         val example = help.found?.example ?: return false
         val program = when (help.code) {
-            ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
             ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example, help.brick))
+            else -> PupilProgram("try${help.code.extension}", example)
         }
         return newTabs.add(program, replacing = true)
     }
@@ -61,7 +65,7 @@ internal class HelpFinder(
     }
 
     private companion object {
-        /** Matches Java only; Robolang has no braces. */
+        /** Matches Java only; Robolang has no braces, and NQC no classes. */
         val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
     }
 }

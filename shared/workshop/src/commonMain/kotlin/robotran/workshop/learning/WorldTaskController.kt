@@ -1,5 +1,6 @@
 package robotran.workshop.learning
 
+import robotran.language.ProgramLanguage
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
@@ -90,10 +91,16 @@ internal class WorldTaskController(
     }
 
     private fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
-        PupilProgram(if (it.name.endsWith(JAVA)) "Solution$JAVA" else "solution.robo", it.text)
-    }
-
-    private companion object {
-        const val JAVA = ".java"
+        val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
+        PupilProgram(
+            if (language ==
+                ProgramLanguage.JAVA
+            ) {
+                "Solution.java"
+            } else {
+                "solution${language.extension}"
+            },
+            it.text,
+        )
     }
 }

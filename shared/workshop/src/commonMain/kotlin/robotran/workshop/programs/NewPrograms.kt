@@ -3,6 +3,7 @@ package robotran.workshop.programs
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.brickOf
+import robotran.workshop.platform.FileKind
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 
@@ -15,6 +16,10 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>, b
         ProgramLanguage.JAVA -> uniqueName("Program", language, taken).let {
             PupilProgram(it, firstJava(it.removeSuffix(language.extension), brick))
         }
+
+        ProgramLanguage.NQC -> PupilProgram(uniqueName("program", language, taken), FIRST_NQC)
+
+        ProgramLanguage.LASM -> PupilProgram(uniqueName("program", language, taken), FIRST_LASM)
     }
 }
 
@@ -26,15 +31,38 @@ internal fun newClass(program: PupilProgram, brick: BrickKind): ProgramFile {
     return ProgramFile(name, "import $library.*;\n\nclass $className {\n\n}\n")
 }
 
+/** A file with functions for the NQC program [program]. */
+internal fun newHeader(program: PupilProgram): ProgramFile = ProgramFile(
+    uniqueName("helper", FileKind.NQC_HEADER.extension, program.files.map { it.name }),
+    "void help()\n{\n\n}\n",
+)
+
 /** The file name [name], with a number if it is one of [taken]. */
 internal fun uniqueName(name: String, language: ProgramLanguage, taken: List<String>): String =
-    generateSequence(1) { it + 1 }.map {
-        if (it == 1) {
-            "$name${language.extension}"
-        } else {
-            "$name$it${language.extension}"
-        }
-    }.first { it !in taken }
+    uniqueName(name, language.extension, taken)
+
+private fun uniqueName(name: String, ending: String, taken: List<String>): String =
+    generateSequence(1) { it + 1 }.map { if (it == 1) "$name$ending" else "$name$it$ending" }.first { it !in taken }
+
+/** Drives for two seconds. */
+private val FIRST_NQC = """
+    task main()
+    {
+        OnFwd(OUT_A + OUT_C);
+        Wait(200);
+        Off(OUT_A + OUT_C);
+    }
+""".trimIndent()
+
+/** The same in the commands that the firmware runs. */
+private val FIRST_LASM = listOf(
+    "\ttask\t0",
+    "\tdir\t2, 5 ",
+    "\tout\t5, 2 ",
+    "\twait\t2, 200 ",
+    "\tout\t5, 1 ",
+    "\tendt",
+).joinToString("\n", postfix = "\n")
 
 private fun packageOf(brick: BrickKind) = when (brick) {
     BrickKind.RCX -> "josx.platform.rcx"

@@ -1,17 +1,19 @@
 package robotran.workshop.programs
 
+import robotran.language.Language
+import robotran.legofirmware.FirmwareProgram
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.projects.ProgramView
 import robotran.robolang.RobolangProgram
-import robotran.robolang.translate.Translation
-import robotran.robolang.translate.translateRobolang
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramTranslation
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.TranslationKind
 import robotran.workshop.state.notesOf
 
 /**
@@ -20,14 +22,14 @@ import robotran.workshop.state.notesOf
  * @property memories the editor states of its files, in order.
  * @property result the compile result; null if it was changed since the last compilation.
  * @property notes the diagnostics of its lines; until it is compiled again, the old ones.
+ * @param translations those made so far.
  */
 internal class ProgramBuffer private constructor(
     val program: PupilProgram,
     val memories: List<ProgramFileMemory>,
     val result: ProgramResult?,
     val notes: List<InlineDiagnostic>,
-    private val earlierTranslation: Translation?,
-    knownTranslation: Lazy<Translation?>? = null,
+    private val translations: KnownTranslations = KnownTranslations(),
 ) {
     /** A program that was just opened and is shown as [view]. */
     constructor(program: PupilProgram, view: ProgramView) : this(
@@ -35,44 +37,47 @@ internal class ProgramBuffer private constructor(
         program.files.map { ProgramFileMemory(Draft(it.text), view = view) },
         null,
         emptyList(),
-        null,
     )
-
-    /** Translates only on demand. */
-    private val lazyTranslation: Lazy<Translation?> =
-        knownTranslation ?: lazy(LazyThreadSafetyMode.NONE) { robolang?.let(::translateRobolang) ?: earlierTranslation }
 
     /** How the program is shown. */
     val view: ProgramView get() = memories.first().view
 
     val diagnostics: List<ProgramDiagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 
-    /** The Java translation of a Robolang program. With errors, the last valid translation, if it was used. */
-    val translation: Translation? get() = lazyTranslation.value
+    /**
+     * This program as another text, with remarks in [language]; translates only on demand. With errors, the last valid
+     * translation, if it was used.
+     */
+    fun translation(kind: TranslationKind, language: Language): ProgramTranslation? =
+        translations.current.getOrPut(kind to language) { translated(kind, language) ?: translations.earlier(kind) }
 
-    /** Whether [translation] belongs to the current program. */
-    val isTranslated: Boolean get() = robolang != null
+    /** Whether the translations belong to the current program. */
+    val isTranslated: Boolean get() = runnable is RobolangProgram || runnable is FirmwareProgram
 
-    private val robolang: RobolangProgram? get() = (result as? ProgramResult.Ready)?.program as? RobolangProgram
-    private val lastTranslation: Translation?
-        get() = if (lazyTranslation.isInitialized()) translation else earlierTranslation
+    private val runnable get() = (result as? ProgramResult.Ready)?.program
+
+    private fun translated(kind: TranslationKind, language: Language): ProgramTranslation? = when (kind) {
+        TranslationKind.JAVA -> (runnable as? RobolangProgram)?.asJava(program.name)
+        TranslationKind.NQC -> (runnable as? RobolangProgram)?.asNqc(program.name, language)
+        TranslationKind.ASSEMBLY -> (runnable as? FirmwareProgram)?.asAssembly(program)
+    }
 
     /** The same program with the compile result [result]. */
     fun read(result: ProgramResult): ProgramBuffer =
-        ProgramBuffer(program, memories, result, notesOf(result), earlierTranslation)
+        ProgramBuffer(program, memories, result, notesOf(result), translations.older())
 
     /** The same program without a compile result. */
-    fun unread(): ProgramBuffer = ProgramBuffer(program, memories, null, notes, lastTranslation)
+    fun unread(): ProgramBuffer = ProgramBuffer(program, memories, null, notes, translations.older())
 
     /** This program with [memory] for the file with the index [index]. */
     fun with(index: Int, memory: ProgramFileMemory): ProgramBuffer {
         val before = memories[index]
         val remembered = memories.mapIndexed { other, old -> if (other == index) memory else old }
         val edit = editBetween(before.draft, memory.draft)
-            ?: return ProgramBuffer(program, remembered, result, notes, earlierTranslation, lazyTranslation)
+            ?: return ProgramBuffer(program, remembered, result, notes, translations)
         val file = program.files[index].name
         val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines, memory.draft.lines) }
-        return ProgramBuffer(program.withText(index, memory.draft.text), remembered, null, moved, lastTranslation)
+        return ProgramBuffer(program.withText(index, memory.draft.text), remembered, null, moved, translations.older())
     }
 
     /** This program with the files of [other]; those of the same name keep their editor states, to be undone. */
@@ -93,9 +98,9 @@ internal class ProgramBuffer private constructor(
 
     /** This program without [note], which was fixed. */
     fun without(note: InlineDiagnostic): ProgramBuffer =
-        ProgramBuffer(program, memories, result, notes - note, earlierTranslation, lazyTranslation)
+        ProgramBuffer(program, memories, result, notes - note, translations)
 
     /** This program with other [files] and their editor states. */
     fun withFiles(files: List<Pair<ProgramFile, ProgramFileMemory>>): ProgramBuffer =
-        ProgramBuffer(PupilProgram(files.map { it.first }), files.map { it.second }, null, notes, lastTranslation)
+        ProgramBuffer(PupilProgram(files.map { it.first }), files.map { it.second }, null, notes, translations.older())
 }

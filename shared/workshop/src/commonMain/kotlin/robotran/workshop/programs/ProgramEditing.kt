@@ -2,6 +2,7 @@ package robotran.workshop.programs
 
 import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
+import robotran.nqc.edit.formatNqc
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
 import robotran.robolang.format.FormatResult
@@ -65,7 +66,7 @@ internal class ProgramEditing(
                 opened(newProgram(event.language, robot.list.programs, robot.brick)),
             )
 
-            ProgramEvent.ClassAdded -> addClass(robot)
+            ProgramEvent.FileAdded -> addFile(robot)
 
             is ProgramEvent.FileRenamed -> rename(robot, event)
 
@@ -133,6 +134,8 @@ internal class ProgramEditing(
         val text = when (robot.entry.program.language) {
             ProgramLanguage.JAVA -> formatJava(draft.text)
             ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
+            ProgramLanguage.NQC -> formatNqc(draft.text)
+            ProgramLanguage.LASM -> return
         }
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = Draft(text)
@@ -187,13 +190,23 @@ internal class ProgramEditing(
         choose(robot, 0)
     }
 
-    private fun addClass(robot: RobotPrograms) {
+    private fun addFile(robot: RobotPrograms) {
+        val file = when (robot.entry.program.language) {
+            ProgramLanguage.JAVA -> newClass(robot.entry.program, robot.brick)
+            ProgramLanguage.NQC -> newHeader(robot.entry.program).also { include(robot, it.name) }
+            ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> return
+        }
         val entry = robot.entry
-        if (entry.program.language != ProgramLanguage.JAVA) return
-        val file = newClass(entry.program, robot.brick)
         val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex
+    }
+
+    /** What NQC does not include, it does not see. */
+    private fun include(robot: RobotPrograms, name: String) {
+        val main = robot.entry.memories.first()
+        val draft = main.draft.changedTo("#include \"$name\"\n${main.draft.text}")
+        robot.list.change(robot.shownProgram, robot.entry.with(0, main.written(draft, EditKind.OTHER)))
     }
 
     private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
@@ -202,7 +215,10 @@ internal class ProgramEditing(
         if (nameProblem(robot.list.programs, robot.shownProgram, event.index, event.name) != null) return
         robot.list.change(
             robot.shownProgram,
-            entry.withFileRenamed(event.index, fileNameFor(event.name, entry.program.language)),
+            entry.withFileRenamed(
+                event.index,
+                fileNameFor(event.name, entry.program.files[event.index].name, entry.program.language),
+            ),
         )
     }
 

@@ -12,8 +12,8 @@ import robotran.projects.ProgramView
 import robotran.workshop.state.PupilProgram
 
 /**
- * The programs of one robot, in the order of its brick's slots, with their compile results. Robolang is compiled on
- * every keystroke; Java, and very long Robolang programs, by [compilePending] once typing pauses.
+ * The programs of one robot, in the order of its brick's slots, with their compile results. They are compiled on every
+ * keystroke; Java, and very long programs, by [compilePending] once typing pauses.
  *
  * @param view how the program in a slot is shown first.
  */
@@ -83,13 +83,13 @@ internal class ProgramList(
     private fun compileIfShort(entry: ProgramBuffer): ProgramBuffer {
         val program = entry.program
         val isShort =
-            program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= MAX_COMPILED_AT_ONCE
+            program.language != ProgramLanguage.JAVA && program.characters <= MAX_COMPILED_AT_ONCE
         return if (entry.result == null && isShort) entry.read(compiler.compileNow(program.source())) else entry
     }
 
     private companion object {
         /**
-         * The max length of Robolang programs compiled on every keystroke; this takes a small part of the frame time.
+         * The max length of programs compiled on every keystroke; this takes a small part of the frame time.
          */
         const val MAX_COMPILED_AT_ONCE = 12_000
     }

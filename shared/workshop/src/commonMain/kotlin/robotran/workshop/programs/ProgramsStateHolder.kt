@@ -34,6 +34,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.TranslationKind
 import robotran.workshop.state.immediate
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -53,6 +54,7 @@ class ProgramsStateHolder(
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().placement.name
     private var translationShown = false
+    private var lastTranslation = TranslationKind.JAVA
     private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
@@ -70,7 +72,10 @@ class ProgramsStateHolder(
 
     fun handle(event: ProgramEvent) {
         if (event is ProgramEvent.RobotChosen) shownRobot = event.name
-        if (event is ProgramEvent.TranslationShown) translationShown = event.shown
+        if (event is ProgramEvent.TranslationShown) {
+            translationShown = event.shown
+            lastTranslation = event.kind ?: lastTranslation
+        }
         if (event == ProgramEvent.SearchRequested) openSearch()
         if (event == ProgramEvent.SearchOpened) searchRequested = false
         editing.handle(event, shown)
@@ -331,6 +336,9 @@ class ProgramsStateHolder(
     private fun stateNow(): ProgramsState {
         val robot = shown
         val entry = robot.entry
+        val isRobolang = entry.program.language == ProgramLanguage.ROBOLANG
+        val kinds = TranslationKind.of(entry.program.language, robot.brick)
+        val kind = lastTranslation.takeIf { it in kinds } ?: kinds.firstOrNull()
         return ProgramsState(
             robots = robots.map { it.placement },
             shownRobot = robot.placement.name,
@@ -342,7 +350,7 @@ class ProgramsStateHolder(
             canUndo = robot.memory.history.canUndo,
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
-            view = if (entry.program.language == ProgramLanguage.JAVA) ProgramView.TEXT else robot.memory.view,
+            view = if (isRobolang) robot.memory.view else ProgramView.TEXT,
             blocks = robot.memory.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
@@ -352,7 +360,8 @@ class ProgramsStateHolder(
             compileStatus = compileStatus,
             errorPointedOut = editing.errorPointedOut,
             translationShown = translationShown,
-            translation = if (translationShown) entry.translation else null,
+            translationKind = kind,
+            translation = kind?.takeIf { translationShown }?.let { entry.translation(it, preferences.language) },
             isTranslated = entry.isTranslated,
             searchRequested = searchRequested,
             otherBrick = otherBrickOf(robot),

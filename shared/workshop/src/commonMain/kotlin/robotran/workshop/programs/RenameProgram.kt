@@ -10,9 +10,13 @@ import robotran.workshop.state.PupilProgram
 /** Why a file name is invalid. */
 enum class NameProblem { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
 
-/** The file name for the input [typed], with or without extension, in [language]. */
-internal fun fileNameFor(typed: String, language: ProgramLanguage): String =
-    typed.trim().removeSuffix(language.extension) + language.extension
+/** The ending of the file [name] of a program in [language]: what NQC includes may have another one. */
+fun endingOf(name: String, language: ProgramLanguage): String =
+    if (language == ProgramLanguage.NQC && '.' in name) name.substring(name.lastIndexOf('.')) else language.extension
+
+/** The name that the file [old] of a program in [language] gets by the input [typed], with or without ending. */
+internal fun fileNameFor(typed: String, old: String, language: ProgramLanguage): String =
+    endingOf(old, language).let { typed.trim().removeSuffix(it) + it }
 
 /**
  * The reason why the file with the index [index] of a program cannot be named [typed]; null if it can.
@@ -22,8 +26,9 @@ internal fun fileNameFor(typed: String, language: ProgramLanguage): String =
  */
 fun nameProblem(programs: List<PupilProgram>, slot: Int, index: Int, typed: String): NameProblem? {
     val program = programs[slot]
-    val name = fileNameFor(typed, program.language)
-    val bare = name.removeSuffix(program.language.extension)
+    val old = program.files[index].name
+    val name = fileNameFor(typed, old, program.language)
+    val bare = name.removeSuffix(endingOf(old, program.language))
     val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } +
         program.files.filterIndexed { other, _ -> other != index }.map { it.name }
     return when {
@@ -35,19 +40,31 @@ fun nameProblem(programs: List<PupilProgram>, slot: Int, index: Int, typed: Stri
     }
 }
 
-/** This program with the file at the index [index] renamed to [name]. In Java, also renames its class in all files. */
+/**
+ * This program with the file at the index [index] renamed to [name]. In Java, also renames its class in all files, in
+ * NQC what includes it.
+ */
 internal fun ProgramBuffer.withFileRenamed(index: Int, name: String): ProgramBuffer {
-    val old = program.files[index].name.removeSuffix(program.language.extension)
+    val before = program.files[index].name
+    val old = before.removeSuffix(program.language.extension)
     val new = name.removeSuffix(program.language.extension)
     return withFiles(
         program.files.mapIndexed { other, file ->
-            val text = if (program.language == ProgramLanguage.JAVA) renamedInJava(file.text, old, new) else file.text
+            val text = when (program.language) {
+                ProgramLanguage.JAVA -> renamedInJava(file.text, old, new)
+                ProgramLanguage.NQC -> renamedInIncludes(file.text, before, name)
+                ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> file.text
+            }
             val memory = memories[other]
             val draft = memory.draft.copy(text = text, selection = memory.draft.selection.within(text.length))
             ProgramFile(if (other == index) name else file.name, text) to memory.written(draft, EditKind.OTHER)
         },
     )
 }
+
+private fun renamedInIncludes(text: String, old: String, new: String): String =
+    Regex("(?m)^([ \\t]*#[ \\t]*include[ \\t]+\")" + Regex.escape(old) + "\"")
+        .replace(text) { "${it.groupValues[1]}$new\"" }
 
 private const val MAX_CHARACTERS = 60
 

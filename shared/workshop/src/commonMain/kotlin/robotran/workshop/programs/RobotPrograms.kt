@@ -103,11 +103,10 @@ internal class RobotPrograms(
     /** The breakpoints of the program in [slot]. */
     fun breakpoints(slot: Int): Set<Breakpoint> {
         val entry = list.entries.getOrNull(slot) ?: return emptySet()
-        val file = { index: Int ->
-            entry.program.files[index].name.takeIf {
-                entry.program.language == ProgramLanguage.JAVA
-            }
-        }
+        val program = entry.program
+        // Programs of other languages have files in their lines only if there are several.
+        val hasFiles = program.language == ProgramLanguage.JAVA || program.files.size > 1
+        val file = { index: Int -> program.files[index].name.takeIf { hasFiles } }
         return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory ->
             memory.breakpoints.map { Breakpoint(it, file(index)) }
         }

@@ -1,6 +1,7 @@
 package robotran.workshop.run
 
 import robotran.brick.log.CallLogFilter
+import robotran.legofirmware.run.FirmwareState
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
 import robotran.runcontrol.PlaybackState
@@ -78,10 +79,14 @@ internal class DrawerUpdater {
 
     private fun updateVariables(player: RunPlayer): VariablesState {
         val threads = player.session.threads
-        val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState()
+        // The datalog stays when the program has ended.
+        val firmware = player.session.firmwareState as? FirmwareState
+        val datalog = firmware?.datalog.orEmpty()
+        val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState(datalog = datalog)
         val thread = threads.find { it.number == chosen?.first } ?: current
         val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
-        return VariablesState(threads, thread.number, frame, variables.update(player.session, thread.number, frame))
+        val scopes = variables.update(player.session, thread.number, frame)
+        return VariablesState(threads, thread.number, frame, scopes, hasTasks = firmware != null, datalog = datalog)
     }
 
     private fun updateLog(player: RunPlayer): LogState {

@@ -3,6 +3,7 @@ package robotran.workshop.run
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.brick.log.toLogText
+import robotran.legofirmware.device.DatalogEntry
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
@@ -10,7 +11,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.state.LogState
 import robotran.workshop.state.Notice
 
-/** Exports the visible ROM calls. */
+/** Exports the visible ROM calls, and the datalog. */
 internal class RomLogExport(
     private val platform: Platform,
     private val scope: CoroutineScope,
@@ -26,10 +27,14 @@ internal class RomLogExport(
     }
 
     /** Saves them to a text file named after [program]. */
-    fun save(log: LogState, program: String) {
-        val bytes = log.entries.toLogText().encodeToByteArray()
+    fun save(log: LogState, program: String) = save(program, FileKind.TEXT, log.entries.toLogText())
+
+    /** Saves the datalog as a table named after [program]. */
+    fun save(datalog: List<DatalogEntry>, program: String) = save("$program datalog", FileKind.CSV, datalog.toCsv())
+
+    private fun save(name: String, kind: FileKind, text: String) {
         scope.launch {
-            val saving = platform.files.save("$program${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
+            val saving = platform.files.save("$name${kind.extension}", kind, text.encodeToByteArray())
             if (saving is Saving.Failed) notices.show(Notice.ForeignError(saving.reason))
         }
     }

@@ -111,6 +111,7 @@ class RunStateHolder(
             is RunEvent.LogFiltered -> drawer.filter(event.filter)
             RunEvent.LogCopied -> export.copy(state.drawer.log)
             RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
+            RunEvent.DatalogSaved -> export.save(state.drawer.variables.datalog, programs.state.program.name)
             is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
         }
         idleDetector.disturb()

@@ -1,18 +1,27 @@
 package robotran.workshop.send
 
+import robotran.legofirmware.image.RcxImage
 import robotran.programs.ProgramDiagnostic
 import robotran.workshop.state.PupilProgram
 
-/** Makes of a pupil's program the image that leJOS's firmware runs. */
+/** Makes of a pupil's program what the firmware of a real brick runs. */
 interface ImageBuilder {
     /** Builds [program], which may take seconds, most of them for loading the Java compiler. */
     suspend fun build(program: PupilProgram): ProgramImageResult
 }
 
+/** A program as it is sent. */
+sealed interface BuiltProgram {
+    /** @property maxBytes how large an image a brick with the project's version of leJOS takes. */
+    class Lejos(val image: ByteArray, val maxBytes: Int) : BuiltProgram
+
+    /** A program for LEGO's own firmware. */
+    class Lego(val image: RcxImage) : BuiltProgram
+}
+
 /** The result of building an image. */
 sealed interface ProgramImageResult {
-    /** @property maxBytes how large an image a brick with the project's version of leJOS takes. */
-    class Ready(val image: ByteArray, val maxBytes: Int) : ProgramImageResult
+    data class Ready(val program: BuiltProgram) : ProgramImageResult
 
     /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
     data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramImageResult

@@ -4,7 +4,9 @@ import kotlinx.coroutines.withContext
 import robotran.programs.CompilerLoading
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
+import robotran.programs.firmwareImage
 import robotran.projects.PENBOT_TARGET
 import robotran.tinyvm.config.BrickRoom
 import robotran.workshop.platform.Platform
@@ -13,7 +15,7 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.state.PupilProgram
 import kotlin.coroutines.cancellation.CancellationException
 
-/** Builds images as the project's settings for Java say. */
+/** Builds images for the firmware that a program is for; those for leJOS as the project's settings for Java say. */
 internal class ProgramImageBuilder(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -21,13 +23,14 @@ internal class ProgramImageBuilder(
 ) : ImageBuilder {
     override suspend fun build(program: PupilProgram): ProgramImageResult {
         val compiler = ProgramCompiler(PENBOT_TARGET, current.project.settings.java, preferences.language)
+        val source = program.source()
         // Robolang becomes Java first, so both languages need its compiler.
-        val loading = compiler.prepareFor(ProgramSource.Java(program.name, emptyList()))
+        val needed = source as? ProgramSource.ForLegoFirmware ?: ProgramSource.Java(program.name, emptyList())
+        val loading = compiler.prepareFor(needed)
         if (loading is CompilerLoading.Failed) return ProgramImageResult.NoCompiler
         return try {
-            when (val built = withContext(platform.background) { compiler.buildImage(listOf(program.source())) }) {
-                is ImageBuildResult.Built -> ProgramImageResult.Ready(built.image.bytes, maxBytes())
-                is ImageBuildResult.HasErrors -> ProgramImageResult.HasErrors(built.diagnostics)
+            withContext(platform.background) {
+                if (source is ProgramSource.ForLegoFirmware) compiler.forLego(source) else compiler.forLejos(source)
             }
         } catch (cancelled: CancellationException) {
             throw cancelled
@@ -36,6 +39,24 @@ internal class ProgramImageBuilder(
             ProgramImageResult.CompilerFailed
         }
     }
+
+    private suspend fun ProgramCompiler.forLejos(source: ProgramSource) =
+        when (val built = buildImage(listOf(source))) {
+            is ImageBuildResult.Built -> ProgramImageResult.Ready(BuiltProgram.Lejos(built.image.bytes, maxBytes()))
+            is ImageBuildResult.HasErrors -> ProgramImageResult.HasErrors(built.diagnostics)
+        }
+
+    private fun ProgramCompiler.forLego(source: ProgramSource.ForLegoFirmware) =
+        when (val compiled = compileNow(source)) {
+            is ProgramResult.Ready -> {
+                val image = checkNotNull(compiled.firmwareImage) { "${source.name} is not for LEGO's firmware." }
+                ProgramImageResult.Ready(BuiltProgram.Lego(image))
+            }
+
+            is ProgramResult.HasErrors -> {
+                ProgramImageResult.HasErrors(compiled.diagnostics)
+            }
+        }
 
     private fun maxBytes(): Int = BrickRoom.of(current.project.settings.java.version).maxImageBytes
 }

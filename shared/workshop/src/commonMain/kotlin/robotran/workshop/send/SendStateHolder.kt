@@ -8,15 +8,18 @@ import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
+import robotran.documents.FileKind
+import robotran.legofirmware.device.csvOf
+import robotran.tower.Remains
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
-import robotran.tower.port.OpenedTower
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
-import robotran.tower.port.TowerPort
 import robotran.workshop.event.SendEvent
 import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Saving
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.ProgramTabs
 import robotran.workshop.state.ChosenFirmware
@@ -35,18 +38,25 @@ class SendStateHolder(
     private val current: CurrentProject,
     private val tabs: ProgramTabs,
     private val images: ImageBuilder,
-    private val robots: RobotLinks,
+    robots: RobotLinks,
 ) {
     /** Null while the sheet is closed. */
     var state: SendState? by mutableStateOf(null)
         private set
 
     private var work: Job? = null
-    private var image: ProgramImageResult.Ready? = null
+    private var program: BuiltProgram? = null
+
+    /** The slot of LEGO's firmware that the pupil has chosen for this program; null for none yet. */
+    private var slot: Int? = null
+
+    /** The slot that was chosen for the program before. */
+    private var lastSlot: Int? = null
     private var firmware: ChosenFirmware? = null
-    private var device: TowerDevice? = null
-    private var port: TowerPort? = null
-    private var link: RobotLink? = null
+
+    /** Why the brick needs another firmware, when it was asked last. */
+    private var why: TowerError = TowerError.NoLejos()
+    private val connection = TowerConnection(platform.towers, robots)
 
     fun handle(event: SendEvent) {
         if (event != SendEvent.Requested && state == null) return
@@ -56,6 +66,10 @@ class SendStateHolder(
             is SendEvent.TowerChosen -> run { use(event.device) }
             SendEvent.OtherTowerRequested -> run { lookForTowers(findsAlone = false) }
             SendEvent.Retried -> run { retry() }
+            is SendEvent.SlotChosen -> run { sendInto(event.slot, emptiesOthers = false) }
+            SendEvent.SlotsEmptied -> run { slot?.let { sendInto(it, emptiesOthers = true) } }
+            SendEvent.DatalogRequested -> run { readDatalog() }
+            SendEvent.DatalogSaved -> run { saveDatalog() }
             SendEvent.FirmwareFileRequested -> run { chooseFirmware() }
             SendEvent.FirmwareConfirmed -> run { sendFirmware() }
             SendEvent.MistakeShown -> showMistake()
@@ -70,7 +84,7 @@ class SendStateHolder(
         val before = work
         work = null
         before?.cancel()
-        val opened = forgetPort() ?: return
+        val opened = connection.forget() ?: return
         scope.launch {
             before?.join()
             withContext(NonCancellable) { opened.close() }
@@ -85,7 +99,8 @@ class SendStateHolder(
     private suspend fun build() {
         show(SendStep.Building)
         // Until it is built, no try may send what was built before.
-        image = null
+        program = null
+        slot = null
         when (val result = images.build(current.shownProgram)) {
             is ProgramImageResult.HasErrors -> {
                 show(SendStep.HasErrors(result.diagnostics.first()))
@@ -100,7 +115,7 @@ class SendStateHolder(
             }
 
             is ProgramImageResult.Ready -> {
-                image = result
+                program = result.program
                 lookForTowers(findsAlone = true)
             }
         }
@@ -108,12 +123,12 @@ class SendStateHolder(
 
     /** @param findsAlone whether the only tower, or the one that was used last, is taken without asking. */
     private suspend fun lookForTowers(findsAlone: Boolean) {
-        closePort()
+        connection.close()
         val towers = platform.towers
         if (towers.kinds.isEmpty()) return show(SendStep.NoTowers)
         val devices = towers.available()
-        val found = devices.firstOrNull { it.id == device?.id } ?: devices.singleOrNull()
-        if (findsAlone && found != null) return use(found)
+        val found = devices.firstOrNull { it.id == connection.device?.id } ?: devices.singleOrNull()
+        if (findsAlone && found != null) return check(found)
         show(SendStep.ChoosingTower(devices, kinds()))
     }
 
@@ -124,38 +139,51 @@ class SendStateHolder(
     }
 
     private suspend fun use(device: TowerDevice) {
-        closePort()
-        this.device = device
-        check()
+        connection.close()
+        check(device)
     }
 
+    private suspend fun check() = check(checkNotNull(connection.device) { "No tower was chosen." })
+
     /** Opens the tower unless it is open, looks for a brick and sends the program. */
-    private suspend fun check() {
-        val device = checkNotNull(device) { "No tower was chosen." }
+    private suspend fun check(device: TowerDevice) {
         show(SendStep.Checking)
-        if (port == null) {
-            when (val opened = platform.towers.open(device)) {
-                is OpenedTower.Failed -> return show(SendStep.Failed(SendError.OfPort(opened.reason, device.kind)))
-                is OpenedTower.Open -> use(opened.port)
-            }
-        }
-        val error = link().check()
+        connection.open(device)?.let { return show(SendStep.Failed(SendError.OfPort(it.reason, device.kind))) }
+        val error = link().check(checkNotNull(program) { "The program was not built." })
         if (error == null) sendProgram() else fail(error)
     }
 
-    private suspend fun sendProgram() {
-        val image = checkNotNull(image) { "The program was not built." }
-        when (val result = transfer(Transfer.PROGRAM) { link().sendProgram(image, it) }) {
-            is TransferResult.Complete -> show(SendStep.Done(result.bytes))
-            is TransferResult.Failed -> fail(result.error)
+    private suspend fun sendProgram() = when (val program = checkNotNull(program) { "The program was not built." }) {
+        is BuiltProgram.Lejos -> {
+            end(transfer(Transfer.PROGRAM) { link().sendProgram(program, it) })
+        }
+
+        is BuiltProgram.Lego -> {
+            slot?.let { sendInto(it, emptiesOthers = false) } ?: show(SendStep.ChoosingSlot(lastSlot))
         }
     }
 
+    private suspend fun sendInto(slot: Int, emptiesOthers: Boolean) {
+        val program = program as? BuiltProgram.Lego ?: return
+        this.slot = slot
+        lastSlot = slot
+        // The tower may have been unplugged while the pupil was choosing.
+        val link = connection.link ?: return check()
+        val result = transfer(Transfer.PROGRAM) { link.sendProgram(program, slot, emptiesOthers, it) }
+        end(result, failedSlot = slot.takeUnless { emptiesOthers })
+    }
+
+    /** @param failedSlot the only slot that may be changed if it has failed; null for leJOS, and if all are. */
+    private suspend fun end(result: TransferResult, failedSlot: Int? = null) = when (result) {
+        is TransferResult.Complete -> show(SendStep.Done(result.bytes, slot))
+        is TransferResult.Failed -> fail(result.error, result.remains, failedSlot)
+    }
+
     private suspend fun sendFirmware() {
-        val image = firmware?.usable ?: return
+        val image = (state?.step as? SendStep.NeedsFirmware)?.usable ?: return
         when (val result = transfer(Transfer.FIRMWARE) { link().sendFirmware(image, it) }) {
             is TransferResult.Complete -> check()
-            is TransferResult.Failed -> fail(result.error)
+            is TransferResult.Failed -> fail(result.error, result.remains)
         }
     }
 
@@ -164,27 +192,50 @@ class SendStateHolder(
 
     private suspend fun chooseFirmware() {
         firmware = platform.files.chooseFirmware() ?: return
-        show(SendStep.NeedsFirmware(firmware))
+        show(SendStep.NeedsFirmware(firmware, why))
+    }
+
+    private suspend fun readDatalog() {
+        val link = connection.link ?: return check()
+        show(SendStep.ReadingDatalog(null))
+        when (val read = link.readDatalog { show(SendStep.ReadingDatalog(it)) }) {
+            is TowerResult.Success -> show(SendStep.Datalog(read.value))
+            is TowerResult.Failed -> fail(read.error)
+        }
+    }
+
+    private suspend fun saveDatalog() {
+        val step = state?.step as? SendStep.Datalog ?: return
+        val csv = csvOf(step.entries).encodeToByteArray()
+        when (val saving = platform.files.save(DATALOG_NAME, FileKind.CSV, csv)) {
+            is Saving.Saved -> show(SendStep.Datalog(step.entries, savedAs = saving.name))
+            is Saving.Failed -> show(step.copy(isRefused = true))
+            Saving.Cancelled -> Unit
+        }
     }
 
     private suspend fun watch() {
         val messages = MessageList(platform.clock)
         show(SendStep.Watching(emptyList()))
         link().watch { show(SendStep.Watching(messages.add(it))) }
-        closePort()
+        connection.close()
         show(SendStep.Watching(messages.messages, isOver = true))
     }
 
-    private suspend fun fail(error: TowerError) {
+    private suspend fun fail(error: TowerError, remains: Remains = Remains.AS_BEFORE, slot: Int? = null) {
         // The port of a tower that was unplugged is of no use any more.
-        if (error == TowerError.TowerGone) closePort()
-        val needsFirmware = error == TowerError.NoLejos
-        show(if (needsFirmware) SendStep.NeedsFirmware(firmware) else SendStep.Failed(SendError.OfTower(error)))
+        if (error == TowerError.TowerGone) connection.close()
+        if (error.asksForFirmware) {
+            why = error
+            show(SendStep.NeedsFirmware(firmware, error))
+        } else {
+            show(SendStep.Failed(SendError.OfTower(error), remains, slot))
+        }
     }
 
     private suspend fun retry() = when {
-        image == null -> build()
-        device == null -> lookForTowers(findsAlone = true)
+        program == null -> build()
+        connection.device == null -> lookForTowers(findsAlone = true)
         else -> check()
     }
 
@@ -197,25 +248,10 @@ class SendStateHolder(
     private fun cancel() {
         val step = state?.step
         if (step !is SendStep.Sending) return close()
-        run { show(SendStep.Cancelled(step.what)) }
+        run { show(SendStep.Cancelled(step.what, slot.takeIf { step.what == Transfer.PROGRAM })) }
     }
 
-    private suspend fun closePort() {
-        val opened = forgetPort() ?: return
-        withContext(NonCancellable) { opened.close() }
-    }
-
-    private fun use(opened: TowerPort) {
-        port = opened
-        link = robots.over(opened)
-    }
-
-    private fun forgetPort(): TowerPort? = port.also {
-        port = null
-        link = null
-    }
-
-    private fun link(): RobotLink = checkNotNull(link) { "The tower is not open." }
+    private fun link(): RobotLink = checkNotNull(connection.link) { "The tower is not open." }
 
     private fun kinds() = TowerKind.entries.filter { it in platform.towers.kinds }
 
@@ -233,3 +269,9 @@ class SendStateHolder(
         }
     }
 }
+
+/** Whether another firmware mends it. */
+private val TowerError.asksForFirmware
+    get() = this is TowerError.NoLejos || this == TowerError.NoLegoFirmware || this is TowerError.LegoFirmwareTooOld
+
+private const val DATALOG_NAME = "datalog.csv"

@@ -1,7 +1,11 @@
 package robotran.workshop.send
 
+import robotran.legofirmware.device.DatalogEntry
+import robotran.legofirmware.image.FirmwareTarget
 import robotran.tower.BrickStatus
+import robotran.tower.LegoLimits
 import robotran.tower.ReceivedMessage
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
@@ -14,17 +18,49 @@ import robotran.tower.rcx.RcxTower
 internal class TowerRobotLink(port: TowerPort) : RobotLink {
     private val tower = RcxTower(port)
 
-    override suspend fun check(): TowerError? = when (val status = tower.status()) {
+    override suspend fun check(program: BuiltProgram): TowerError? = when (val status = tower.status()) {
         // A brick that was heard at all is worth a transfer, which tries harder.
         is TowerResult.Failed -> status.error.takeIf { it != TowerError.BadConnection }
 
-        is TowerResult.Success -> TowerError.NoLejos.takeIf { status.value is BrickStatus.LegoFirmware }
+        is TowerResult.Success -> when (program) {
+            is BuiltProgram.Lejos -> missingLejos(status.value)
+            is BuiltProgram.Lego -> missingLego(status.value, program.image.target)
+        }
+    }
+
+    /** Only the download itself tells leJOS from no firmware. */
+    private fun missingLejos(status: BrickStatus): TowerError? =
+        (status as? BrickStatus.LegoFirmware)?.let { TowerError.NoLejos(it.firmware) }
+
+    private fun missingLego(status: BrickStatus, target: FirmwareTarget): TowerError? = when (status) {
+        is BrickStatus.LegoFirmware -> TowerError.LegoFirmwareTooOld(status.firmware)
+            .takeIf { target == FirmwareTarget.RCX2 && status.firmware < LegoLimits.VERSION_2 }
+
+        is BrickStatus.LejosOrNoFirmware, BrickStatus.Unknown -> TowerError.NoLegoFirmware
     }
 
     override suspend fun sendProgram(
-        image: ProgramImageResult.Ready,
+        program: BuiltProgram.Lejos,
         progress: (TransferProgress) -> Unit,
-    ): TransferResult = tower.sendProgram(image.image, image.maxBytes, progress)
+    ): TransferResult = tower.sendProgram(program.image, program.maxBytes, progress)
+
+    override suspend fun sendProgram(
+        program: BuiltProgram.Lego,
+        slot: Int,
+        emptiesOthers: Boolean,
+        progress: (TransferProgress) -> Unit,
+    ): TransferResult {
+        if (emptiesOthers) {
+            for (other in 1..LegoLimits.SLOTS) {
+                val deleted = tower.deleteLegoProgram(other)
+                if (deleted is TowerResult.Failed) return TransferResult.Failed(deleted.error, Remains.UNKNOWN)
+            }
+        }
+        return tower.sendLegoProgram(slot, program.image, progress)
+    }
+
+    override suspend fun readDatalog(progress: (TransferProgress) -> Unit): TowerResult<List<DatalogEntry>> =
+        tower.readLegoDatalog(progress)
 
     override suspend fun sendFirmware(firmware: FirmwareImage, progress: (TransferProgress) -> Unit): TransferResult =
         tower.sendFirmware(firmware, progress)

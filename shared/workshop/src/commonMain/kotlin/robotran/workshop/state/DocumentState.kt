@@ -18,6 +18,7 @@ import robotran.world.World
  * @property hasShareSheet whether links can be shared with other apps.
  * @property hasGoals whether its world has goals, so that hand-ins for it can be graded.
  * @property canSend whether the shown robot has a brick to which programs can be sent; others have a kit.
+ * @property hasFirmwareImage whether the shown program is for LEGO's own firmware: that has no kit, but an image.
  */
 @Immutable
 data class DocumentState(
@@ -30,6 +31,7 @@ data class DocumentState(
     val hasShareSheet: Boolean = false,
     val hasGoals: Boolean = false,
     val canSend: Boolean = true,
+    val hasFirmwareImage: Boolean = false,
 )
 
 /** Why autosave fails. */

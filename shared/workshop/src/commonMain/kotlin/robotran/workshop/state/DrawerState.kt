@@ -6,6 +6,7 @@ import robotran.brick.log.CallLogFilter
 import robotran.brick.log.LoggedCall
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.program.ThreadView
+import robotran.legofirmware.device.DatalogEntry
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
@@ -54,6 +55,8 @@ data class DrawerState(
  * @property thread the index of the selected thread.
  * @property frame the index of the selected frame in its call stack, 0 for the innermost.
  * @property scopes the variables of that frame.
+ * @property hasTasks whether the threads are called tasks, as those of LEGO's firmware are.
+ * @property datalog what programs have written to the datalog of LEGO's firmware.
  */
 @Immutable
 data class VariablesState(
@@ -61,6 +64,8 @@ data class VariablesState(
     val thread: Int = 0,
     val frame: Int = 0,
     val scopes: List<ShownScope> = emptyList(),
+    val hasTasks: Boolean = false,
+    val datalog: List<DatalogEntry> = emptyList(),
 )
 
 /**

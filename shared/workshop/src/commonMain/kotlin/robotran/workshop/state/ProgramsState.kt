@@ -5,7 +5,6 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProgramView
-import robotran.robolang.translate.Translation
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
 import robotran.world.RobotPlacement
@@ -30,8 +29,9 @@ import robotran.world.RobotPlacement
  * @property notes its errors and warnings at their lines; until it is compiled again, the old ones.
  * @property compileStatus the compile progress.
  * @property errorPointedOut whether the user tried to run a program with errors since the last edit.
- * @property translationShown whether the translation of a Robolang program is shown.
- * @property translation the program as Java; null if there is none or it is hidden.
+ * @property translationShown whether programs are also shown as another text, if they have one.
+ * @property translationKind what the current program is, or would be, shown as; null if it is only itself.
+ * @property translation the program as that; null if there is none or it is hidden.
  * @property searchRequested whether the search in the file should open.
  * @property otherBrick the brick that the current program is for, if the robot has another one and the program was
  *   compiled; null otherwise.
@@ -59,7 +59,8 @@ data class ProgramsState(
     val compileStatus: CompileStatus,
     val errorPointedOut: Boolean,
     val translationShown: Boolean,
-    val translation: Translation?,
+    val translationKind: TranslationKind?,
+    val translation: ProgramTranslation?,
     val isTranslated: Boolean,
     val searchRequested: Boolean,
     val otherBrick: BrickKind? = null,
@@ -72,6 +73,9 @@ data class ProgramsState(
 
     /** The brick of that robot. */
     val brick: BrickKind get() = robot.description.brick
+
+    /** What the current program can be shown as. */
+    val translationKinds: List<TranslationKind> get() = TranslationKind.of(program.language, brick)
 
     /** Whether the brick has a free slot. */
     val hasRoom: Boolean get() = programs.size < BrickProgram.MAX_PROGRAMS

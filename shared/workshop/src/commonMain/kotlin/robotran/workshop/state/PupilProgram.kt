@@ -9,7 +9,7 @@ import robotran.textediting.text.Draft
 /**
  * A program as written by the pupil.
  *
- * @property files one file for Robolang, one or more for Java; never empty.
+ * @property files one or more if [ProgramLanguage.mayHaveFiles], otherwise one.
  */
 data class PupilProgram(val files: List<ProgramFile>) {
     constructor(name: String, text: String) : this(listOf(ProgramFile(name, text)))
@@ -17,8 +17,10 @@ data class PupilProgram(val files: List<ProgramFile>) {
     /** The display name. */
     val name: String get() = files.first().name
 
-    val language: ProgramLanguage
-        get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+    val language: ProgramLanguage get() = ProgramLanguage.ofFile(name) ?: ProgramLanguage.ROBOLANG
+
+    /** Whether it is for LEGO's own firmware, not for leJOS. */
+    val isForLegoFirmware: Boolean get() = source() is ProgramSource.ForLegoFirmware
 
     /** Whether there is no code. */
     val isBlank: Boolean get() = files.all { it.text.isBlank() }
@@ -34,10 +36,7 @@ data class PupilProgram(val files: List<ProgramFile>) {
         return isShort && written.lines.count <= ProjectLimits.MAXIMUM_LINES
     }
 
-    internal fun source(): ProgramSource = when (language) {
-        ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, files.first().text)
-        ProgramLanguage.JAVA -> ProgramSource.Java(name, files.map { SourceFile(it.name, it.text) })
-    }
+    internal fun source(): ProgramSource = ProgramSource.of(language, name, files.map { SourceFile(it.name, it.text) })
 
     internal fun withText(file: Int, text: String): PupilProgram =
         copy(files = files.mapIndexed { index, old -> if (index == file) old.copy(text = text) else old })

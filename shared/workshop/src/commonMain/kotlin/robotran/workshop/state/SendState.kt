@@ -1,8 +1,11 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.legofirmware.device.DatalogEntry
 import robotran.programs.ProgramDiagnostic
+import robotran.tower.LegoLimits
 import robotran.tower.ReceivedMessage
+import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.firmware.FirmwareFile
@@ -64,25 +67,66 @@ sealed interface SendStep {
         override val isBusy get() = true
     }
 
+    /**
+     * The pupil chooses a slot of LEGO's own firmware.
+     *
+     * @property last the slot of the last program; null if this is the first one.
+     */
+    data class ChoosingSlot(val last: Int?) : SendStep
+
+    /** @property progress with entries in place of blocks; null until some have come. */
+    data class ReadingDatalog(val progress: TransferProgress?) : SendStep {
+        override val isBusy get() = true
+    }
+
+    /**
+     * What a program has written into the datalog.
+     *
+     * @property entries empty if there is no datalog, too.
+     * @property savedAs the name of its file; null if it was not saved yet.
+     * @property isRefused whether the last try to save it has failed.
+     */
+    data class Datalog(val entries: List<DatalogEntry>, val savedAs: String? = null, val isRefused: Boolean = false) :
+        SendStep
+
     /** @property progress null until the first block is through. */
     data class Sending(val what: Transfer, val progress: TransferProgress?) : SendStep {
         override val isBusy get() = true
     }
 
     /**
-     * The brick needs leJOS's firmware.
+     * The brick needs another firmware.
      *
      * @property file the chosen file; null for none yet.
+     * @property why what the brick has.
      */
-    data class NeedsFirmware(val file: ChosenFirmware? = null) : SendStep
+    data class NeedsFirmware(val file: ChosenFirmware? = null, val why: TowerError = TowerError.NoLejos()) : SendStep {
+        /** Whether it is LEGO's own that is needed, and not leJOS. */
+        val needsLego get() = why !is TowerError.NoLejos
 
-    /** The pupil has cancelled a transfer, so the brick lacks [what]. */
-    data class Cancelled(val what: Transfer) : SendStep
+        /** What can be sent; null if there is no file yet, or not the right one. */
+        val usable: FirmwareImage? get() = file?.usable(needsLego)
+    }
 
-    data class Failed(val error: SendError) : SendStep
+    /**
+     * The pupil has cancelled a transfer, so the brick lacks [what].
+     *
+     * @property slot of LEGO's firmware that was sent to; null for leJOS and for a firmware.
+     */
+    data class Cancelled(val what: Transfer, val slot: Int? = null) : SendStep
 
-    /** The program is in the brick. */
-    data class Done(val bytes: Int) : SendStep
+    /**
+     * @property remains what the brick has now.
+     * @property slot as of [Cancelled].
+     */
+    data class Failed(val error: SendError, val remains: Remains = Remains.AS_BEFORE, val slot: Int? = null) : SendStep
+
+    /**
+     * The program is in the brick.
+     *
+     * @property slot as of [Cancelled].
+     */
+    data class Done(val bytes: Int, val slot: Int? = null) : SendStep
 
     /**
      * Messages from the robot.
@@ -103,9 +147,21 @@ enum class Transfer { PROGRAM, FIRMWARE }
 
 /** A firmware file that the pupil has chosen. */
 data class ChosenFirmware(val name: String, val file: FirmwareFile) {
-    /** What can be sent; null if it is no firmware, or LEGO's, which runs no programs of leJOS. */
-    val usable: FirmwareImage?
-        get() = (file as? FirmwareFile.Read)?.firmware?.takeIf { it.kind != FirmwareKind.LEGO }
+    /** What can be sent; null if it is no firmware, or one that runs no programs of the kind that is sent. */
+    fun usable(needsLego: Boolean): FirmwareImage? {
+        val firmware = (file as? FirmwareFile.Read)?.firmware ?: return null
+        val isRight = when (firmware.kind) {
+            FirmwareKind.LEGO -> needsLego && !isTooOld(firmware)
+            FirmwareKind.LEJOS_2_1, FirmwareKind.LEJOS_3_0 -> !needsLego
+            FirmwareKind.UNKNOWN -> true
+        }
+        return firmware.takeIf { isRight }
+    }
+
+    companion object {
+        /** Whether it is LEGO's firmware 1.0: the app makes programs for 2.0. */
+        fun isTooOld(firmware: FirmwareImage): Boolean = firmware.version?.let { it < LegoLimits.VERSION_2 } ?: false
+    }
 }
 
 /** Why sending has failed. */

@@ -120,6 +120,20 @@ class WorldTaskTest {
     }
 
     @Test
+    fun `who works in NQC is shown a solution in NQC, and solves the world with it`() {
+        choose("table-edge")
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        assertEquals("solution.nqc", workshop.state.programName)
+        val solution = workshop.state.programText
+        workshop.handle(LearningEvent.WorldSolutionRequested(false))
+        assertEquals("program.nqc", workshop.state.programName)
+        tries(solution)
+        workshop.advance(60_000)
+        assertEquals(setOf("table-edge"), workshop.state.learning.worldsDone)
+    }
+
+    @Test
     fun `a solved world leads to its harder variations, with the program that solved it`() {
         choose("square")
         tries(task.solution.text)

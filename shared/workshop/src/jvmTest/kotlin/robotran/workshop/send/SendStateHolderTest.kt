@@ -3,11 +3,20 @@ package robotran.workshop.send
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.legofirmware.device.DatalogEntry
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.RcxImage
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
+import robotran.tower.RcxVersion
 import robotran.tower.ReceivedMessage
+import robotran.tower.Remains
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.firmware.FirmwareKind
@@ -171,23 +180,24 @@ class SendStateHolderTest {
 
     @Test
     fun `a brick without leJOS gets the firmware that the pupil chooses, and then the program`() {
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
         request()
         assertEquals(SendStep.NeedsFirmware(), step)
         files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
         holder.handle(SendEvent.FirmwareFileRequested)
         val chosen = assertNotNull(assertIs<SendStep.NeedsFirmware>(step).file)
-        assertEquals("lejos.srec" to FirmwareKind.UNKNOWN, chosen.name to chosen.usable?.kind)
+        val usable = chosen.usable(needsLego = false)
+        assertEquals("lejos.srec" to FirmwareKind.UNKNOWN, chosen.name to usable?.kind)
         assertEquals(emptyList(), robot.firmwares)
         holder.handle(SendEvent.FirmwareConfirmed)
-        assertEquals(listOf(chosen.usable), robot.firmwares)
+        assertEquals(listOf(usable), robot.firmwares)
         assertIs<SendStep.Done>(step)
         assertEquals(2, robot.programs.size)
     }
 
     @Test
     fun `a firmware whose transfer was cancelled need not be chosen again`() {
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
         request()
         files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
         holder.handle(SendEvent.FirmwareFileRequested)
@@ -196,23 +206,23 @@ class SendStateHolderTest {
         holder.handle(SendEvent.Cancelled)
         assertEquals(SendStep.Cancelled(Transfer.FIRMWARE), step)
         robot.hold = null
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
         holder.handle(SendEvent.Retried)
-        assertNotNull(assertIs<SendStep.NeedsFirmware>(step).file?.usable)
+        assertNotNull(assertIs<SendStep.NeedsFirmware>(step).usable)
     }
 
     @Test
     fun `a file that is no firmware, and the firmware of LEGO, are not sent`() {
         val useless = mapOf("square.robo" to "forward 20".encodeToByteArray(), "f.lgo" to firmwareFile("FIRM0328.LGO"))
         for ((name, bytes) in useless) {
-            robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+            robot.transfers += TransferResult.Failed(TowerError.NoLejos())
             request()
             files.chosen = listOf(OpenedFile(name, bytes))
             holder.handle(SendEvent.FirmwareFileRequested)
             holder.handle(SendEvent.FirmwareConfirmed)
-            val chosen = assertNotNull(assertIs<SendStep.NeedsFirmware>(step).file)
-            assertEquals(name, chosen.name)
-            assertNull(chosen.usable)
+            val needed = assertIs<SendStep.NeedsFirmware>(step)
+            assertEquals(name, needed.file?.name)
+            assertNull(needed.usable)
             holder.handle(SendEvent.Cancelled)
         }
         assertEquals(emptyList(), robot.firmwares)
@@ -220,10 +230,102 @@ class SendStateHolderTest {
 
     @Test
     fun `whoever chooses no file is where they were`() {
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
         request()
         holder.handle(SendEvent.FirmwareFileRequested)
         assertEquals(SendStep.NeedsFirmware(), step)
+    }
+
+    @Test
+    fun `a program for LEGO's firmware asks for its slot, and the next one too, naming the last`() {
+        images.result = ProgramImageResult.Ready(LEGO)
+        request()
+        assertEquals(SendStep.ChoosingSlot(last = null), step)
+        holder.handle(SendEvent.SlotChosen(3))
+        assertEquals(SendStep.Done(LEGO.image.codeSize, slot = 3), step)
+        holder.handle(SendEvent.Cancelled)
+        request()
+        assertEquals(SendStep.ChoosingSlot(last = 3), step)
+        assertEquals(listOf(3 to false), robot.slots)
+    }
+
+    @Test
+    fun `another try takes the slot that was chosen, and whoever cancels is told which slot is empty`() {
+        images.result = ProgramImageResult.Ready(LEGO)
+        robot.transfers += TransferResult.Failed(TowerError.BadConnection, Remains.NO_PROGRAM)
+        request()
+        holder.handle(SendEvent.SlotChosen(2))
+        val failed = SendStep.Failed(SendError.OfTower(TowerError.BadConnection), Remains.NO_PROGRAM, slot = 2)
+        assertEquals(failed, step)
+        robot.hold = CompletableDeferred()
+        holder.handle(SendEvent.Retried)
+        assertIs<SendStep.Sending>(step)
+        holder.handle(SendEvent.Cancelled)
+        assertEquals(SendStep.Cancelled(Transfer.PROGRAM, slot = 2), step)
+        robot.hold = null
+        holder.handle(SendEvent.Retried)
+        assertEquals(SendStep.Done(LEGO.image.codeSize, slot = 2), step)
+    }
+
+    @Test
+    fun `a brick without room can be emptied`() {
+        images.result = ProgramImageResult.Ready(LEGO)
+        robot.transfers += TransferResult.Failed(TowerError.TooLarge(900, null), Remains.NO_PROGRAM)
+        request()
+        holder.handle(SendEvent.SlotChosen(1))
+        assertIs<SendStep.Failed>(step)
+        holder.handle(SendEvent.SlotsEmptied)
+        assertIs<SendStep.Done>(step)
+        assertEquals(listOf(1 to false, 1 to true), robot.slots)
+    }
+
+    @Test
+    fun `a program for LEGO's firmware needs it, and version 2_0 of it`() {
+        images.result = ProgramImageResult.Ready(LEGO)
+        for (why in listOf(TowerError.NoLegoFirmware, TowerError.LegoFirmwareTooOld(RcxVersion(3, 9)))) {
+            robot.checks += why
+            request()
+            assertEquals(why, assertIs<SendStep.NeedsFirmware>(step).why)
+            for (useless in listOf("?LIB_VERSION_L00", "")) {
+                files.chosen =
+                    listOf(OpenedFile("f.lgo", if (useless.isEmpty()) byteArrayOf(1) else firmwareFile(useless)))
+                holder.handle(SendEvent.FirmwareFileRequested)
+                assertNull(assertIs<SendStep.NeedsFirmware>(step).usable)
+            }
+            files.chosen = listOf(OpenedFile("firm0328.lgo", firmwareFile("FIRM0328.LGO")))
+            holder.handle(SendEvent.FirmwareFileRequested)
+            holder.handle(SendEvent.FirmwareConfirmed)
+            assertIs<SendStep.ChoosingSlot>(step)
+            holder.handle(SendEvent.Cancelled)
+        }
+        assertEquals(2, robot.firmwares.size)
+    }
+
+    @Test
+    fun `the datalog is read before a slot is chosen, saved, and a slot can be chosen afterwards`() {
+        images.result = ProgramImageResult.Ready(LEGO)
+        val entries = listOf(DatalogEntry(0x40, 55), DatalogEntry(3, -1))
+        robot.datalog = TowerResult.Success(entries)
+        request()
+        holder.handle(SendEvent.DatalogRequested)
+        assertEquals(SendStep.Datalog(entries), step)
+        holder.handle(SendEvent.DatalogSaved)
+        assertEquals(SendStep.Datalog(entries), step)
+        files.location = "/home/log.csv"
+        files.full = true
+        holder.handle(SendEvent.DatalogSaved)
+        assertEquals(SendStep.Datalog(entries, isRefused = true), step)
+        files.full = false
+        holder.handle(SendEvent.DatalogSaved)
+        assertEquals(SendStep.Datalog(entries, savedAs = "log.csv"), step)
+        val csv = "entry,source,number,value\n1,sensor,1,55\n2,variable,3,-1\n"
+        assertEquals(csv, files.disk.getValue("/home/log.csv").decodeToString())
+        holder.handle(SendEvent.Retried)
+        assertEquals(SendStep.ChoosingSlot(last = null), step)
+        robot.datalog = TowerResult.Failed(TowerError.BadConnection)
+        holder.handle(SendEvent.DatalogRequested)
+        assertEquals(SendStep.Failed(SendError.OfTower(TowerError.BadConnection)), step)
+        assertEquals(emptyList(), robot.slots)
     }
 
     @Test
@@ -326,5 +428,8 @@ class SendStateHolderTest {
 
     private companion object {
         const val PROGRAM = "forward 20\n"
+        val LEGO = BuiltProgram.Lego(
+            RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes.of(0x51, 1)))),
+        )
     }
 }

@@ -4,6 +4,8 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.runTest
+import robotran.brick.controls.MotorMode
+import robotran.brick.controls.MotorPort
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -18,7 +20,10 @@ import robotran.tower.simulated.LineFaults
 import robotran.tower.simulated.SimulatedBrick
 import robotran.tower.simulated.SimulatedLegoFirmware
 import robotran.tower.simulated.SimulatedLejos
+import robotran.tower.simulated.SimulatedRom
 import robotran.tower.simulated.SimulatedTower
+import robotran.tower.simulated.brickAfter
+import robotran.tower.simulated.programIn
 import robotran.workshop.Workshop
 import robotran.workshop.documents.MemoryFilePicker
 import robotran.workshop.event.ProgramEvent
@@ -79,6 +84,36 @@ class SimulatedBrickTest {
         workshop.handle(SendEvent.FirmwareConfirmed)
         assertSent(endOf(workshop))
         assertEquals(0xCA.toByte(), brick.program?.first())
+        workshop.close()
+    }
+
+    @Test
+    fun `a program in NQC gets into the slot that the pupil chooses, and runs there`() = runTest {
+        val lego = SimulatedLegoFirmware()
+        val workshop = workshopBefore(SimulatedBrick(lego), LineFaults(seed = 3, loss = 0.01))
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("drive.nqc", NQC)))
+        assertIs<SendStep.ChoosingSlot>(send(workshop))
+        workshop.handle(SendEvent.SlotChosen(4))
+        assertEquals(4, assertIs<SendStep.Done>(endOf(workshop)).slot)
+        assertEquals(MotorMode.FORWARD, brickAfter(lego.programIn(slot = 4), 500).motor(MotorPort.A).mode)
+        workshop.close()
+    }
+
+    @Test
+    fun `a brick with leJOS gets LEGO's firmware from a file, then the program in NQC`() = runTest {
+        val lego = SimulatedLegoFirmware()
+        val brick = SimulatedBrick(SimulatedRom { lego })
+        val workshop = workshopBefore(brick)
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("drive.nqc", NQC)))
+        assertEquals(TowerError.NoLegoFirmware, assertIs<SendStep.NeedsFirmware>(send(workshop)).why)
+        files.chosen = listOf(OpenedFile("firm0328.lgo", firmwareFile("FIRM0328.LGO")))
+        workshop.handle(SendEvent.FirmwareFileRequested)
+        testScheduler.advanceTimeBy(STEP_MILLISECONDS)
+        workshop.handle(SendEvent.FirmwareConfirmed)
+        assertIs<SendStep.ChoosingSlot>(endOf(workshop))
+        workshop.handle(SendEvent.SlotChosen(1))
+        assertSent(endOf(workshop))
+        assertEquals(setOf("1 task 0"), lego.parts.keys)
         workshop.close()
     }
 
@@ -149,6 +184,7 @@ class SimulatedBrickTest {
     private companion object {
         const val STEP_MILLISECONDS = 200L
         const val ROBOLANG = "forward 20\nbeep\n"
+        const val NQC = "task main() { OnFwd(OUT_A); Wait(100); Off(OUT_A); }\n"
         const val JAVA = "import josx.platform.rcx.*;\n" +
             "public class Beeper { public static void main(String[] args) { Sound.beep(); } }\n"
 

@@ -2,8 +2,10 @@ package robotran.workshop.send
 
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.awaitCancellation
+import robotran.legofirmware.device.DatalogEntry
 import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
+import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.firmware.FirmwareImage
@@ -73,20 +75,40 @@ internal class ScriptedRobot : RobotLinks {
     /** If not null, transfers wait for it before they end. */
     var hold: CompletableDeferred<Unit>? = null
     val programs = mutableListOf<ByteArray>()
+
+    /** The slots of LEGO's firmware that programs were sent to, and whether all were emptied before. */
+    val slots = mutableListOf<Pair<Int, Boolean>>()
     val firmwares = mutableListOf<FirmwareImage>()
+
+    var datalog: TowerResult<List<DatalogEntry>> = TowerResult.Success(emptyList())
 
     /** What the robot sends while it is watched; then the tower is gone. */
     var messages: List<ReceivedMessage> = emptyList()
 
     override fun over(port: TowerPort): RobotLink = object : RobotLink {
-        override suspend fun check(): TowerError? = checks.removeFirstOrNull()
+        override suspend fun check(program: BuiltProgram): TowerError? = checks.removeFirstOrNull()
 
         override suspend fun sendProgram(
-            image: ProgramImageResult.Ready,
+            program: BuiltProgram.Lejos,
             progress: (TransferProgress) -> Unit,
         ): TransferResult {
-            programs += image.image
-            return transfer(image.image, progress)
+            programs += program.image
+            return transfer(program.image, progress)
+        }
+
+        override suspend fun sendProgram(
+            program: BuiltProgram.Lego,
+            slot: Int,
+            emptiesOthers: Boolean,
+            progress: (TransferProgress) -> Unit,
+        ): TransferResult {
+            slots += slot to emptiesOthers
+            return transfer(ByteArray(program.image.codeSize), progress)
+        }
+
+        override suspend fun readDatalog(progress: (TransferProgress) -> Unit): TowerResult<List<DatalogEntry>> {
+            progress(TransferProgress(confirmedBlocks = 1, totalBlocks = 2, repeats = 0, secondsLeft = 1))
+            return datalog
         }
 
         override suspend fun sendFirmware(
@@ -111,8 +133,9 @@ internal class ScriptedRobot : RobotLinks {
 internal class TextImages : ImageBuilder {
     var result: ProgramImageResult? = null
 
-    override suspend fun build(program: PupilProgram): ProgramImageResult =
-        result ?: ProgramImageResult.Ready(program.files.first().text.encodeToByteArray(), maxBytes = 10_000)
+    override suspend fun build(program: PupilProgram): ProgramImageResult = result ?: ProgramImageResult.Ready(
+        BuiltProgram.Lejos(program.files.first().text.encodeToByteArray(), maxBytes = 10_000),
+    )
 }
 
 /** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */

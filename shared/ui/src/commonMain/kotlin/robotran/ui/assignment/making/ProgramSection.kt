@@ -15,7 +15,6 @@ import robotran.blockediting.messages.BlockMessages
 import robotran.language.ProgramLanguage
 import robotran.projects.Assignment
 import robotran.ui.assignment.Quiet
-import robotran.ui.assignment.ownName
 import robotran.ui.documents.Explanation
 import robotran.ui.language.LocalLanguage
 import robotran.ui.parts.QuietButton
@@ -95,7 +94,8 @@ private fun Languages(assignment: Assignment, change: (Assignment) -> Unit) {
         Chip(stringResource(Res.string.make_all), assignment.languages.isEmpty(), "make-language-all") {
             change(assignment.copy(languages = emptyList()))
         }
-        for (language in ProgramLanguage.entries) {
+        // Nobody is asked to write assembly.
+        for (language in ProgramLanguage.entries - ProgramLanguage.LASM) {
             val isOnly = assignment.languages == listOf(language)
             Chip(language.ownName, isOnly, "make-language-${language.name.lowercase()}") {
                 change(assignment.copy(languages = if (isOnly) emptyList() else listOf(language)))

@@ -188,7 +188,7 @@ internal class EditorControl(
             EditorCommand.Plain.DELETE_LINES -> write(draft.withoutLines())
             EditorCommand.Plain.MOVE_LINES_UP -> write(draft.withLinesMovedUp())
             EditorCommand.Plain.MOVE_LINES_DOWN -> write(draft.withLinesMovedDown())
-            EditorCommand.Plain.TOGGLE_COMMENT -> write(draft.withCommentToggled())
+            EditorCommand.Plain.TOGGLE_COMMENT -> write(draft.withCommentToggled(language))
             EditorCommand.Plain.ERASE_BACKWARDS -> erase(draft.erasedBackwards(language))
             EditorCommand.Plain.ERASE_FORWARDS -> erase(draft.erasedForwards())
             EditorCommand.Plain.ERASE_WORD_BACKWARDS -> erase(draft.wordErasedBackwards())

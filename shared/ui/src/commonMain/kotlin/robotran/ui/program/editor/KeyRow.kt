@@ -68,4 +68,7 @@ private val SIGNS = mapOf(
     ProgramLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
     ProgramLanguage.JAVA to
         listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
+    ProgramLanguage.NQC to
+        listOf("(", ")", "{", "}", ";", "_", "=", "<", ">", "+", "-", "*", "/", "#", "[", "]", "&", "|", "!"),
+    ProgramLanguage.LASM to listOf(",", ":", ";", "-"),
 )

@@ -1,0 +1,89 @@
+package robotran.cli.legofirmware
+
+import robotran.brick.kind.BrickKind
+import robotran.cli.console.ExitCode
+import robotran.cli.files.NamedProgram
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.ROBOLANG
+import robotran.cli.files.readProgramFiles
+import robotran.cli.input.RobolangFile
+import robotran.cli.input.lineOf
+import robotran.cli.input.readRobolangFile
+import robotran.cli.messages.CommandMessages
+import robotran.language.Language
+import robotran.programs.FirmwareSettings
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.robolang.messages.NqcTranslationMessages
+import robotran.robolang.nqc.NqcRemark
+import robotran.robolang.nqc.translateToNqc
+
+/** What a Robolang program becomes for LEGO's own firmware. */
+internal sealed interface NqcOfFile {
+    /**
+     * @property program in NQC.
+     * @property lost what NQC cannot do, one line each; the program leaves it out.
+     * @property changed what NQC does nearly the same, one line each.
+     */
+    class Translated(val program: NamedProgram, val lost: List<String>, val changed: List<String>) : NqcOfFile {
+        val text: String get() = program.source.files.single().text
+    }
+
+    /** @property lines what is wrong, one line each. */
+    class Failed(val lines: List<String>, val code: ExitCode) : NqcOfFile
+}
+
+/** Translates the Robolang program [name]. */
+internal fun nqcOf(name: String, language: Language): NqcOfFile =
+    when (val file = readRobolangFile(name, language, BrickKind.RCX)) {
+        is RobolangFile.Unreadable -> {
+            NqcOfFile.Failed(listOf(file.reason), ExitCode.BAD_INPUT)
+        }
+
+        is RobolangFile.HasErrors -> {
+            NqcOfFile.Failed(file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
+        }
+
+        is RobolangFile.Ready -> {
+            val translation = translateToNqc(file.program, NqcTranslationMessages.of(language))
+            val (lost, changed) = translation.remarks.partition { it.isLost }
+            val source = ProgramSource.Nqc(
+                translation.fileName,
+                listOf(SourceFile(translation.fileName, translation.nqc)),
+            )
+            val line = { remark: NqcRemark -> "$name:${remark.range.line}:${remark.range.column}: ${remark.message}" }
+            val messages = CommandMessages.of(language)
+            NqcOfFile.Translated(NamedProgram(name, source), lost.map(line), changed.map { messages.warning(line(it)) })
+        }
+    }
+
+/** Compiles the program [name] for LEGO's own firmware; a program in Robolang becomes NQC first. */
+internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language: Language): FirmwareImageOfFile {
+    if (name.endsWith(ROBOLANG)) {
+        return when (val translated = nqcOf(name, language)) {
+            is NqcOfFile.Failed -> FirmwareImageOfFile.Failed(translated.lines, translated.code)
+            is NqcOfFile.Translated -> imageOf(translated, settings, language)
+        }
+    }
+    return when (val read = readProgramFiles(listOf(name), CommandMessages.of(language))) {
+        is ProgramFiles.Rejected -> {
+            FirmwareImageOfFile.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
+        }
+
+        is ProgramFiles.Read -> {
+            firmwareImageOf(read.programs.single(), settings, language)
+        }
+    }
+}
+
+private fun imageOf(
+    translated: NqcOfFile.Translated,
+    settings: FirmwareSettings,
+    language: Language,
+): FirmwareImageOfFile {
+    if (translated.lost.isNotEmpty()) return FirmwareImageOfFile.Failed(translated.lost, ExitCode.PROGRAM_FAILED)
+    return when (val built = firmwareImageOf(translated.program, settings, language)) {
+        is FirmwareImageOfFile.Failed -> built
+        is FirmwareImageOfFile.Built -> FirmwareImageOfFile.Built(built.image, translated.changed + built.warnings)
+    }
+}

@@ -1,0 +1,37 @@
+package robotran.legofirmware
+
+import robotran.language.Language
+import robotran.legofirmware.image.LineTable
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.messages.FirmwareMessages
+import robotran.legofirmware.run.FirmwareMachine
+import robotran.legofirmware.run.FirmwareRun
+import robotran.legofirmware.run.LegoFirmwareRun
+import robotran.legofirmware.run.ProgramCode
+import robotran.rcxrom.program.RcxFirmware
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
+
+/**
+ * A program for LEGO's firmware, ready to load into a brick. Immutable.
+ *
+ * @property lines where its code comes from, for the log and the debugger.
+ * @property language of the remarks about a run.
+ */
+class FirmwareProgram(
+    override val name: String,
+    val image: RcxImage,
+    val lines: LineTable = LineTable.NONE,
+    private val language: Language = Language.ENGLISH,
+) : RcxProgram {
+    override val firmware: RcxFirmware get() = LegoFirmware(language)
+
+    internal val code = ProgramCode(name, image, lines)
+
+    /** Starts a new run on a firmware of its own, which knows nothing of earlier runs. */
+    override fun start(rom: Rom): LegoFirmwareRun {
+        val machine = FirmwareMachine(rom, FirmwareMessages.of(language).run)
+        machine.begin()
+        return FirmwareRun(machine, code)
+    }
+}

@@ -1,0 +1,17 @@
+package robotran.legofirmware.assembly
+
+import robotran.language.Language
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.messages.FirmwareMessages
+
+/**
+ * Assembles a text of the form that [robotran.legofirmware.listing.assemblyListing] gives. Chunks and symbols get the
+ * order of NQC's compiler: subroutines, tasks, variables; names come from the comments of a listing.
+ *
+ * @param target the firmware that the program is for; commands that only a newer one knows are errors.
+ */
+fun assemble(
+    source: String,
+    language: Language = Language.ENGLISH,
+    target: FirmwareTarget = FirmwareTarget.RCX2,
+): AssemblyResult = Assembler(FirmwareMessages.of(language), target).assemble(source)

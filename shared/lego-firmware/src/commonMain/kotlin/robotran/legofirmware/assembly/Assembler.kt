@@ -1,0 +1,58 @@
+package robotran.legofirmware.assembly
+
+import robotran.legofirmware.image.Chunk
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.ChunkKind
+import robotran.legofirmware.image.CodeLine
+import robotran.legofirmware.image.FirmwareLimits
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.LineTable
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.messages.FirmwareMessages
+
+/** Gives each command its address, then encodes all. */
+internal class Assembler(private val texts: FirmwareMessages, private val target: FirmwareTarget) {
+    private val messages = texts.assembly
+    private val sink = AssemblySink()
+    private val names = Names()
+
+    fun assemble(source: String): AssemblyResult {
+        if (source.length > AssemblyLimits.SOURCE_CHARACTERS) {
+            val message = messages.sourceTooLong(AssemblyLimits.SOURCE_CHARACTERS)
+            sink.error(AssemblyProblem.SOURCE_TOO_LONG, Token("", 1, 1), message)
+            return rejected()
+        }
+        val placer = CommandPlacer(sink, messages)
+        val reader = AssemblyLineReader(sink, messages)
+        source.lineSequence().forEachIndexed { index, line ->
+            names.read(line)
+            reader.read(line, index + 1)?.let { placer.place(it) }
+        }
+        val chunks = placer.finish()
+        val encoder = CommandEncoder(sink, messages, target, chunks)
+        val image = chunks.map { Chunk(it.id, encoder.encode(it)) }
+        warnAbout(image)
+        return if (sink.hasErrors) rejected() else assembled(image, chunks)
+    }
+
+    private fun warnAbout(chunks: List<Chunk>) {
+        val start = Token("", 1, 1)
+        if (chunks.none { it.id == ChunkId.MAIN }) {
+            sink.warn(AssemblyProblem.NO_MAIN_TASK, start, texts.assembly.noMainTask())
+        }
+        val size = chunks.sumOf { it.code.size }
+        if (size > FirmwareLimits.PROGRAM_MEMORY) {
+            val message = texts.image.largeProgram(size, FirmwareLimits.PROGRAM_MEMORY)
+            sink.warn(AssemblyProblem.LARGE_PROGRAM, start, message)
+        }
+    }
+
+    private fun rejected() = AssemblyResult.Rejected(sink.inSourceOrder(isError = true))
+
+    private fun assembled(chunks: List<Chunk>, placed: List<AssembledChunk>): AssemblyResult {
+        val ordered = chunks.sortedWith(compareBy({ it.id.kind == ChunkKind.TASK }, { it.id.number }))
+        val image = RcxImage(target, ordered, names.symbols(ordered.map { it.id }))
+        val lines = placed.associate { chunk -> chunk.id to chunk.commands.map { CodeLine(it.address, it.word.line) } }
+        return AssemblyResult.Assembled(image, LineTable(lines), sink.inSourceOrder(isError = false))
+    }
+}

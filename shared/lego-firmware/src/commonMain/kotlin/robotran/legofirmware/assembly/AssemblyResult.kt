@@ -1,0 +1,18 @@
+package robotran.legofirmware.assembly
+
+import robotran.legofirmware.image.LineTable
+import robotran.legofirmware.image.RcxImage
+
+/** The result of [assemble]. */
+sealed interface AssemblyResult {
+    /**
+     * [image] can run.
+     *
+     * @property lines the line of each command.
+     * @property warnings in source order.
+     */
+    class Assembled(val image: RcxImage, val lines: LineTable, val warnings: List<AssemblyDiagnostic>) : AssemblyResult
+
+    /** The text has mistakes; [diagnostics] are the errors in source order, never empty. */
+    data class Rejected(val diagnostics: List<AssemblyDiagnostic>) : AssemblyResult
+}

@@ -1,0 +1,148 @@
+package robotran.legofirmware
+
+import robotran.brick.controls.BrickButton
+import robotran.legofirmware.assembly.AssemblyLimits
+import robotran.legofirmware.assembly.AssemblyResult
+import robotran.legofirmware.assembly.assemble
+import robotran.legofirmware.image.FirmwareLimits
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.RcxImageResult
+import robotran.legofirmware.image.readRcxImage
+import robotran.legofirmware.image.toBytes
+import robotran.legofirmware.listing.assemblyListing
+import robotran.legofirmware.listing.plainListing
+import robotran.legofirmware.run.FirmwareState
+import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.sensors.SensorCode
+import kotlin.random.Random
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Damages images of the vectors and does with them all that can be done. Returns how many could be read. */
+internal fun tryMutatedImages(count: Int, seed: Int): Int {
+    val random = Random(seed)
+    val originals = Vectors.names.map { Vectors.bytes(it) }
+    return (1..count).count {
+        val bytes = mutated(originals.random(random), random)
+        val read = readRcxImage(bytes) as? RcxImageResult.Read ?: return@count false
+        checkForms(read.image, bytes.size)
+        runOnBrick(read.image)
+        true
+    }
+}
+
+/** A program runs as long as it likes, and with every sensor pressed after a while; what it leaves behind is limited. */
+private fun runOnBrick(image: RcxImage) {
+    val brick = RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines)))
+    brick.press(BrickButton.RUN)
+    brick.release(BrickButton.RUN)
+    repeat(RUN_MILLISECONDS) { brick.tick() }
+    for (port in 0 until SensorCode.PORTS) brick.setRawSensorValue(port, 0)
+    repeat(RUN_MILLISECONDS) { brick.tick() }
+    val instructions = 2 * RUN_MILLISECONDS / 2
+    assertTrue(brick.log.total < CALLS_AT_START + instructions * CALLS_OF_INSTRUCTION, "${brick.log.total} calls")
+    assertTrue(brick.remarks.size <= REMARKS)
+    val state = brick.firmwareState as FirmwareState
+    assertTrue(state.variables.all { it in Short.MIN_VALUE..Short.MAX_VALUE })
+}
+
+/** Texts have a few dozen characters a byte at most; assembling one gives the same program. */
+private fun checkForms(image: RcxImage, bytes: Int) {
+    assertTrue(image.plainListing().length < LISTING_CHARACTERS * (bytes + 1))
+    val listing = image.assemblyListing()
+    assertTrue(listing.text.length < LISTING_CHARACTERS * (bytes + 1))
+    val result = assemble(listing.text)
+    assertTrue(result is AssemblyResult.Assembled, listing.text)
+    assertEquals(image.chunks.sortedBy { it.id }, result.image.chunks.sortedBy { it.id })
+    assertEquals(image, (readRcxImage(image.toBytes()) as RcxImageResult.Read).image)
+}
+
+private fun mutated(original: ByteArray, random: Random): ByteArray {
+    var bytes = original.copyOf()
+    repeat(random.nextInt(1, MOST_MUTATIONS)) {
+        val place = if (bytes.isEmpty()) 0 else random.nextInt(bytes.size)
+        bytes = when (random.nextInt(MUTATIONS)) {
+            0 -> bytes.copyOf(place)
+            1 -> bytes.copyOfRange(0, place) + random.nextInt().toByte() + bytes.copyOfRange(place, bytes.size)
+            2 -> bytes + random.nextBytes(random.nextInt(MOST_MUTATIONS))
+            else -> bytes.also { if (it.isNotEmpty()) it[place] = random.nextInt().toByte() }
+        }
+    }
+    return bytes
+}
+
+/** Damages assembly texts of the vectors and assembles them. Returns how many were right. */
+internal fun tryMutatedTexts(count: Int, seed: Int): Int {
+    val random = Random(seed)
+    val originals = Vectors.names.mapNotNull { Vectors.text("$it.lasm") }
+    return (1..count).count {
+        val text = mutated(originals.random(random), random)
+        when (val result = assemble(text)) {
+            is AssemblyResult.Assembled -> {
+                assertTrue(result.image.chunks.all { it.code.size <= FirmwareLimits.CHUNK_BYTES })
+                assertTrue(result.image.codeSize <= text.length)
+                assertTrue(readRcxImage(result.image.toBytes()) is RcxImageResult.Read)
+                true
+            }
+
+            is AssemblyResult.Rejected -> {
+                assertTrue(result.diagnostics.size in 1..AssemblyLimits.DIAGNOSTICS)
+                val lines = text.lines()
+                for (found in result.diagnostics) {
+                    assertTrue(found.isError && found.message.length < MESSAGE_CHARACTERS, found.message)
+                    assertEquals(found.text, lines[found.line - 1].substring(found.column - 1, found.endColumn - 1))
+                }
+                false
+            }
+        }
+    }
+}
+
+private fun mutated(original: String, random: Random): String {
+    val text = StringBuilder(original)
+    repeat(random.nextInt(1, MOST_MUTATIONS)) {
+        val place = random.nextInt(text.length + 1)
+        val end = minOf(text.length, place + random.nextInt(MOST_MUTATIONS))
+        when (random.nextInt(MUTATIONS)) {
+            0 -> text.deleteRange(place, end)
+            1 -> text.insert(place, text.substring(place, end))
+            2 -> text.insert(place, PIECES.random(random))
+            else -> text.insert(place, random.nextInt(' '.code, 0x180).toChar())
+        }
+    }
+    return text.toString()
+}
+
+private const val RUN_MILLISECONDS = 60
+private const val CALLS_AT_START = 60
+private const val CALLS_OF_INSTRUCTION = 4
+private const val REMARKS = 100
+private const val MOST_MUTATIONS = 6
+private const val MUTATIONS = 6
+private const val LISTING_CHARACTERS = 120
+private const val MESSAGE_CHARACTERS = 400
+private val PIECES = listOf(
+    "\n",
+    "\t",
+    " ",
+    ",",
+    ":",
+    ";",
+    "-",
+    "0x",
+    "99999999999",
+    "task",
+    "endt",
+    "sub",
+    "ends",
+    "\ttask\t1\n",
+    "\tendt\n",
+    "chk",
+    "stop",
+    "byte 1, 2",
+    "t0000008",
+    "\tjmp\tt0000000 \n",
+    "; Var 0 = x\n",
+    "65536",
+    "-32769",
+)

@@ -1,0 +1,196 @@
+package robotran.legofirmware.assembly
+
+import robotran.language.Language
+import robotran.legofirmware.Vectors
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.CodeBytes
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.toBytes
+import robotran.legofirmware.listing.assemblyListing
+import kotlin.test.Test
+import kotlin.test.assertContentEquals
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+class AssembleTest {
+    @Test
+    fun `assembling the original listings gives the original images byte for byte`() {
+        var compared = 0
+        for (name in Vectors.names) {
+            val text = Vectors.text("$name.lasm") ?: continue
+            val result = assertIs<AssemblyResult.Assembled>(assemble(text), name)
+            assertContentEquals(Vectors.bytes(name), result.image.toBytes(), name)
+            compared++
+        }
+        assertEquals(20, compared)
+    }
+
+    @Test
+    fun `disassembling and assembling changes nothing`() {
+        for (name in Vectors.names) {
+            val image = Vectors.image(name)
+            val listing = image.assemblyListing()
+            val result = assertIs<AssemblyResult.Assembled>(
+                assemble(listing.text, target = image.target),
+                name,
+            )
+            assertEquals(image, result.image, name)
+            assertEquals(emptyList(), result.warnings, name)
+            for (chunk in image.chunks) {
+                assertEquals(listing.lines.linesOf(chunk.id), result.lines.linesOf(chunk.id), name)
+            }
+        }
+    }
+
+    @Test
+    fun `labels of one's own, hexadecimal numbers, bytes and comments`() {
+        val source = """
+            |; Var 3 = way
+            |	TASK 0 ; the main task
+            |again: sumv 3, 2, 0x10
+            |	byte 0x51, 3
+            |	stop
+            |	stop 1
+            |	chkl 2, -1, 3, 0, 3, again
+            |	jmp end
+            |end:
+            |endt
+        """.trimMargin()
+        val result = assertIs<AssemblyResult.Assembled>(assemble(source))
+        assertEquals(
+            CodeBytes.of(
+                0x24,
+                3,
+                2,
+                16,
+                0,
+                0x51,
+                3,
+                0x50,
+                0x81,
+                1,
+                0x95,
+                0xC2,
+                0,
+                0xFF,
+                0xFF,
+                3,
+                0xF0,
+                0xFF,
+                0x27,
+                1,
+            ),
+            result.image.chunk(ChunkId.MAIN)?.code,
+        )
+        assertEquals("way", result.image.nameOfVariable(3))
+        assertEquals(listOf(3, 4, 5, 6, 7, 8), result.lines.linesOf(ChunkId.MAIN).map { it.line })
+    }
+
+    @Test
+    fun `mistakes have a place and a sentence`() {
+        assertProblem("plas 1", AssemblyProblem.UNKNOWN_COMMAND, 2..6, "Did you mean \"plays\"?", "plays")
+        assertProblem("5", AssemblyProblem.MISSING_COMMAND, 2..3, "A line begins with a command")
+        assertProblem("setv 1, 2", AssemblyProblem.WRONG_NUMBER_COUNT, 2..6, "\"setv variable, source, argument\"")
+        assertProblem("setv 1 2, 3", AssemblyProblem.MISSING_COMMA, 9..10, "A comma is missing before \"2\".")
+        assertProblem("setv 1, x, 3", AssemblyProblem.NUMBER_NEEDED, 10..11, "\"x\" is no number.")
+        assertProblem("setv 1, , 3", AssemblyProblem.NUMBER_NEEDED, 10..10, "The source is missing.")
+        assertProblem("plays 256", AssemblyProblem.NUMBER_OUT_OF_RANGE, 8..11, "from 0 to 255")
+        assertProblem("out 8, 2", AssemblyProblem.NUMBER_OUT_OF_RANGE, 6..7, "The mask is 8")
+        assertProblem("wait 2, 70000", AssemblyProblem.NUMBER_OUT_OF_RANGE, 10..15, "from -32768 to 65535")
+        assertProblem("jmp 3", AssemblyProblem.LABEL_NEEDED, 6..7, "\"3\" is no label. The form is \"jmp label\".")
+        assertProblem("jmp ende", AssemblyProblem.UNKNOWN_LABEL, 6..10, "Did you mean \"end\"?", "end")
+        assertProblem("jmp other", AssemblyProblem.LABEL_ELSEWHERE, 6..11, "in another task")
+        assertProblem("end: ping", AssemblyProblem.LABEL_TWICE, 2..5, "already on line 2")
+        assertProblem("chk 2, 0, 0, 0, 0, end", AssemblyProblem.TOO_FAR, 2..5, "Use \"chkl\"", "chkl")
+        assertProblem("ping @", AssemblyProblem.UNKNOWN_CHARACTER, 7..8, "The character \"@\"")
+        assertProblem("ends", AssemblyProblem.WRONG_END, 2..6, "\"endt\" closes what is open", "endt", followed = "")
+        assertProblem(
+            "endt\nping",
+            AssemblyProblem.OUTSIDE_CHUNK,
+            1..5,
+            "\"ping\" is outside a task",
+            at = 4,
+            followed = "",
+        )
+        assertProblem("endt\ntask 0", AssemblyProblem.CHUNK_TWICE, 1..5, "already a \"task 0\"", at = 4)
+        assertProblem("endt\ntask 10", AssemblyProblem.NUMBER_OUT_OF_RANGE, 6..8, "from 0 to 9", at = 4)
+        assertProblem("endt\ntask", AssemblyProblem.WRONG_NUMBER_COUNT, 1..5, "\"task number\"", at = 4)
+        assertProblem("", AssemblyProblem.NOT_CLOSED, 1..5, "This \"task\" has no \"endt\".", at = 1, followed = "")
+    }
+
+    @Test
+    fun `firmware 1 has fewer commands, sources and variables`() {
+        assertNewer("speak", "Only firmware 2.0 knows \"speak\"")
+        assertNewer("setv 0, 34, 0", "Only firmware 2.0 knows source 34")
+        assertNewer("setv 32, 2, 0", "no variable 32")
+        assertNewer("setv 0, 0, 40", "no variable 40")
+        assertEquals(listOf(AssemblyProblem.RESTRICTED_SOURCE), warnings("wait 9, 0", FirmwareTarget.RCX))
+        assertEquals(emptyList(), warnings("wait 9, 0", FirmwareTarget.RCX2))
+        assertEquals(listOf(AssemblyProblem.UNKNOWN_SOURCE), warnings("setv 0, 16, 0", FirmwareTarget.RCX2))
+        assertEquals(listOf(AssemblyProblem.REQUEST_ONLY), warnings("poll 9, 0", FirmwareTarget.RCX2))
+    }
+
+    @Test
+    fun `warnings and limits`() {
+        val empty = assertIs<AssemblyResult.Assembled>(assemble("; nothing\n"))
+        assertEquals(listOf(AssemblyProblem.NO_MAIN_TASK), empty.warnings.map { it.code })
+        val full = assertIs<AssemblyResult.Assembled>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt"))
+        assertEquals(listOf(AssemblyProblem.LARGE_PROGRAM), full.warnings.map { it.code })
+        val long = assertIs<AssemblyResult.Rejected>(assemble(" ".repeat(1_000_001)))
+        assertEquals(AssemblyProblem.SOURCE_TOO_LONG, long.diagnostics.single().code)
+        val many = assertIs<AssemblyResult.Rejected>(assemble("x\n".repeat(5000)))
+        assertEquals(AssemblyLimits.DIAGNOSTICS, many.diagnostics.size)
+        val code = "byte 0, 1, 2, 3\n".repeat(16_384)
+        val large = assertIs<AssemblyResult.Rejected>(assemble("task 0\n${code}endt"))
+        assertEquals(AssemblyProblem.CODE_TOO_LONG, large.diagnostics.first().code)
+    }
+
+    @Test
+    fun `diagnostics are in the language of the pupil`() {
+        val sentences = Language.entries.map { language ->
+            val result = assertIs<AssemblyResult.Rejected>(assemble("task 0\n plas 1\nendt", language))
+            result.diagnostics.single().message
+        }
+        assertEquals(
+            listOf(
+                "There is no command \"plas\". Did you mean \"plays\"?",
+                "No hay ninguna orden \"plas\". ¿Querías decir \"plays\"?",
+                "Einen Befehl \"plas\" gibt es nicht. Meinst du \"plays\"?",
+            ),
+            sentences,
+        )
+    }
+
+    private fun assertProblem(
+        line: String,
+        code: AssemblyProblem,
+        columns: IntRange,
+        sentence: String,
+        replacement: String? = null,
+        at: Int = 3,
+        followed: String = "endt\n",
+    ) {
+        val first = if (at == 1) "task 1" else "task 0"
+        val source = "$first\nend: ping\n $line\n${followed}task 2\nother: ping\nendt"
+        val result = assertIs<AssemblyResult.Rejected>(assemble(source), line)
+        val found = result.diagnostics.first()
+        assertEquals(code, found.code, line)
+        assertEquals(at to columns, found.line to found.column..found.endColumn, line)
+        assertTrue(sentence in found.message, found.message)
+        assertEquals(replacement, found.replacement, line)
+    }
+
+    private fun assertNewer(line: String, sentence: String) {
+        val source = "task 0\n$line\nendt"
+        assertIs<AssemblyResult.Assembled>(assemble(source))
+        val found = assertIs<AssemblyResult.Rejected>(
+            assemble(source, target = FirmwareTarget.RCX),
+        ).diagnostics.single()
+        assertEquals(AssemblyProblem.NEWER_FIRMWARE, found.code)
+        assertTrue(sentence in found.message, found.message)
+    }
+
+    private fun warnings(line: String, target: FirmwareTarget): List<AssemblyProblem> =
+        assertIs<AssemblyResult.Assembled>(assemble("task 0\n$line\nendt", target = target)).warnings.map { it.code }
+}

@@ -1,0 +1,96 @@
+package robotran.nqc
+
+import robotran.legofirmware.image.FirmwareLimits
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.api.NqcApi
+import robotran.nqc.api.Prelude
+import robotran.nqc.check.CallCheck
+import robotran.nqc.check.ProgramCheck
+import robotran.nqc.diagnostic.DiagnosticSink
+import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.generate.GeneratedProgram
+import robotran.nqc.generate.ProgramGenerator
+import robotran.nqc.parse.ProgramParser
+import robotran.nqc.preprocess.Pragmas
+import robotran.nqc.preprocess.Preprocessor
+import robotran.nqc.tree.ParsedProgram
+import robotran.nqc.tree.Statement
+
+/** The phases of compiling the program whose main file is [name]. Each needs a program without errors so far. */
+internal class Compilation(
+    private val name: String,
+    private val files: Map<String, String>,
+    private val options: NqcOptions,
+    private val sink: DiagnosticSink,
+) {
+    private val target = options.target
+    private val prelude = Prelude.of(target, options.isOld)
+
+    /** The program; null if it has errors. */
+    fun compile(): NqcProgram? {
+        val preprocessed = Preprocessor(files, prelude.macros, sink).read(name)
+        val parser = ProgramParser(
+            preprocessed.tokens,
+            sink,
+            target,
+            preprocessed.macros,
+            prelude.functions,
+            ::needsSecondFirmware,
+        )
+        val program = parser.program()
+        if (sink.hasErrors) return null
+        ProgramCheck(program, sink).check(name, preprocessed.pragmas.init)
+        val start = start(program, preprocessed.pragmas)
+        val calls = CallCheck(program, start, ::needsSecondFirmware, sink)
+        val subsOfTasks = calls.subsOfTasks()
+        calls.checkSubs()
+        if (sink.hasErrors) return null
+        val generated = generate(program, start, preprocessed.pragmas, subsOfTasks)
+        if (!sink.hasErrors) checkMemory(program, generated)
+        return NqcProgram(name, generated.image, generated.lines)
+    }
+
+    private fun needsSecondFirmware(word: String): Boolean =
+        target == FirmwareTarget.RCX && !options.isOld && word in NqcApi.of(FirmwareTarget.RCX2)
+
+    /** The call of what runs before the main task; null if there is none. */
+    private fun start(program: ParsedProgram, pragmas: Pragmas): Statement? {
+        val init = pragmas.init
+        val main = program.tasks.find { it.name == MAIN }?.range ?: SourceRange.API
+        return when {
+            !pragmas.hasInit -> null
+            init != null -> Statement.Call(init.name, emptyList(), init.range, false)
+            options.isOld -> null
+            else -> Statement.Call(Prelude.INIT_NAME, emptyList(), main, false)
+        }
+    }
+
+    /** Generates code as the original compiler does; if variables do not fit so, with fewer of them. */
+    private fun generate(
+        program: ParsedProgram,
+        start: Statement?,
+        pragmas: Pragmas,
+        subsOfTasks: Map<String, Set<String>>,
+    ): GeneratedProgram {
+        val trial = DiagnosticSink(sink.messages)
+        val first = ProgramGenerator(program, start, pragmas.reserved, subsOfTasks, target, trial, false).generate()
+        if (!first.isOutOfVariables) {
+            sink.add(trial)
+            return first
+        }
+        return ProgramGenerator(program, start, pragmas.reserved, subsOfTasks, target, sink, true).generate()
+    }
+
+    private fun checkMemory(program: ParsedProgram, generated: GeneratedProgram) {
+        val limit = FirmwareLimits.PROGRAM_MEMORY
+        val size = generated.image.codeSize
+        if (size <= limit) return
+        val range = program.tasks.first { it.name == MAIN }.range
+        sink.report(NqcDiagnosticCode.MEMORY_FULL, range, sink.messages.memoryFull(size, limit))
+    }
+
+    private companion object {
+        const val MAIN = "main"
+    }
+}

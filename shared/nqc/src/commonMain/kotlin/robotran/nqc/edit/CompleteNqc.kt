@@ -1,0 +1,122 @@
+package robotran.nqc.edit
+
+import robotran.language.Language
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.api.NqcApi
+import robotran.nqc.api.NqcApiEntry
+import robotran.nqc.api.NqcApiKind
+import robotran.nqc.syntax.Keyword
+import robotran.nqc.syntax.KeywordGroup
+
+/**
+ * What can be written at [caret] of the program [source]; null in comments, texts and numbers. Never throws.
+ *
+ * @param isOld whether the API is that of NQC 1.3.
+ */
+fun completeNqc(
+    source: String,
+    caret: Int,
+    language: Language,
+    target: FirmwareTarget = FirmwareTarget.RCX2,
+    isOld: Boolean = false,
+): NqcCompletions? {
+    val place = CaretPlace.of(source, caret) ?: return null
+    val api = NqcApi.of(target, isOld)
+    val candidates = Candidates(nqcNamesIn(source).filter { !place.isAt(it) }, api, language)
+    val items = when (place.context) {
+        CaretContext.DIRECTIVE -> candidates.directives()
+        CaretContext.TASK_NAME -> candidates.names(NqcNameKind.TASK)
+        CaretContext.OUTSIDE -> candidates.units()
+        CaretContext.STATEMENT -> candidates.statements()
+        CaretContext.VALUE -> candidates.expected(place.call, place.argument) + candidates.values()
+        CaretContext.NEW_NAME -> emptyList()
+    }
+    return NqcCompletions(place.start, place.typed, items.distinctBy { it.label })
+}
+
+/** Everything that can be written somewhere in a program with the [names]. */
+private class Candidates(
+    private val names: List<NqcName>,
+    private val api: Map<String, NqcApiEntry>,
+    private val language: Language,
+) {
+    fun directives(): List<NqcCompletion> = DIRECTIVES.map { NqcCompletion("#$it", NqcCompletionKind.WORD, "#$it ") }
+
+    fun units(): List<NqcCompletion> = UNITS + words(KeywordGroup.DECLARATION) + words(KeywordGroup.UNIT) + directives()
+
+    fun statements(): List<NqcCompletion> = calls() + entries(NqcApiKind.FUNCTION) + STATEMENTS +
+        until() + names(NqcNameKind.VARIABLE) + names(NqcNameKind.MACRO) +
+        words(KeywordGroup.STATEMENT) + words(KeywordGroup.DECLARATION)
+
+    fun values(): List<NqcCompletion> = names(NqcNameKind.VARIABLE) + names(NqcNameKind.MACRO) +
+        entries(NqcApiKind.VALUE).filter { !it.label.startsWith(UNTIL) } + entries(NqcApiKind.CONSTANT) +
+        words(KeywordGroup.VALUE)
+
+    /** The constants and sensors that argument number [argument] of the function [call] is made for. */
+    fun expected(call: String?, argument: Int): List<NqcCompletion> {
+        val entry = api[call] ?: return emptyList()
+        return ExpectedNames.of(entry, argument).mapNotNull { api[it] }.map { completionOf(it) }
+    }
+
+    fun names(kind: NqcNameKind): List<NqcCompletion> =
+        names.filter { it.kind == kind }.distinctBy { it.name }.map { NqcCompletion(it.name, NqcCompletionKind.NAME) }
+
+    private fun calls(): List<NqcCompletion> = names
+        .filter { it.kind == NqcNameKind.SUB || it.kind == NqcNameKind.FUNCTION }
+        .distinctBy { it.name }
+        .map { NqcCompletion("${it.name}()", NqcCompletionKind.FUNCTION, "${it.name}();", it.name.length + 1) }
+
+    private fun entries(kind: NqcApiKind) = api.values.filter { it.kind == kind }.map { completionOf(it) }
+
+    private fun until() = listOfNotNull(api[UNTIL]).map {
+        NqcCompletion(it.signature, NqcCompletionKind.WORD, "$UNTIL ();", UNTIL.length + 2, it.help(language))
+    }
+
+    private fun completionOf(entry: NqcApiEntry): NqcCompletion {
+        val parameters = entry.parameters
+        val kind = when (entry.kind) {
+            NqcApiKind.FUNCTION -> NqcCompletionKind.FUNCTION
+            NqcApiKind.VALUE -> NqcCompletionKind.VALUE
+            NqcApiKind.CONSTANT -> NqcCompletionKind.CONSTANT
+        }
+        val inserted = entry.name + (if (parameters == null) "" else "()") +
+            (if (entry.kind == NqcApiKind.FUNCTION) ";" else "")
+        val caret = if (parameters.isNullOrEmpty()) inserted.length else entry.name.length + 1
+        return NqcCompletion(entry.signature, kind, inserted, caret, entry.help(language))
+    }
+
+    private fun words(group: KeywordGroup) = Keyword.entries.filter { it.group == group }
+        .map { NqcCompletion(it.text, NqcCompletionKind.WORD, help = nqcHelp(it.text, language)) }
+
+    private companion object {
+        const val UNTIL = "until"
+
+        val DIRECTIVES = "define include if ifdef ifndef elif else endif undef pragma error warning".split(' ')
+
+        val UNITS = listOf(
+            block("task main()", "task main()\n{\n    "),
+            block("task", "task "),
+            block("sub", "sub "),
+            block("void", "void "),
+        )
+
+        val STATEMENTS = listOf(
+            block("while ()", "while ("),
+            block("repeat ()", "repeat ("),
+            block("if ()", "if ("),
+            block("for (;;)", "for ("),
+            block("switch ()", "switch ("),
+        )
+
+        /** A block named [label]; the caret is at the end of [beginning]. */
+        fun block(label: String, beginning: String): NqcCompletion {
+            val text = when {
+                beginning.endsWith("\n    ") -> "$beginning\n}"
+                label.endsWith("()") -> "$beginning)\n{\n    \n}"
+                label.startsWith("for") -> "$beginning; ; )\n{\n    \n}"
+                else -> "$beginning()\n{\n    \n}"
+            }
+            return NqcCompletion("$label { }", NqcCompletionKind.BLOCK, text, beginning.length)
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package robotran.nqc.messages
+
+/** The messages about what cannot be read. */
+interface NqcSyntaxMessages {
+    fun unexpected(text: String): String
+
+    fun unexpectedEnd(): String
+
+    fun unknownCharacter(character: String): String
+
+    /** A point within a number. */
+    fun decimalNumber(): String
+
+    fun textAsValue(): String
+
+    fun missingSemicolon(): String
+
+    /** @param sign a bracket. */
+    fun missing(sign: String): String
+
+    /** @param line where the block begins. */
+    fun missingBrace(line: Int): String
+
+    fun extraBrace(): String
+
+    /** @param before the word or sign before the missing value. */
+    fun missingValue(before: String): String
+
+    /** @param word the keyword that is there instead of a name; null if there is something else. */
+    fun missingName(before: String, word: String?): String
+
+    fun missingBlock(before: String): String
+
+    /** @param word `?`, `case` or `default`. */
+    fun missingColon(word: String): String
+
+    fun callAsValue(name: String): String
+
+    fun assignmentAsValue(): String
+
+    fun secondChoice(): String
+
+    fun returnWithValue(): String
+
+    fun functionWithType(name: String): String
+
+    fun inlineWritten(): String
+
+    fun catchAlone(): String
+
+    fun elseAlone(): String
+
+    fun doWithoutWhile(): String
+
+    fun declarationInFor(): String
+
+    fun statementAfterLabel(): String
+
+    fun outsideTask(text: String): String
+
+    fun parameterNeedsType(text: String): String
+
+    fun resourceWritten(): String
+
+    fun sourceTooLong(limit: Int): String
+
+    fun programTooLong(): String
+
+    fun nestedTooDeeply(limit: Int): String
+
+    fun numberTooLarge(): String
+
+    fun noEffect(): String
+
+    /** @param word such as `if`. */
+    fun emptyBody(word: String): String
+}

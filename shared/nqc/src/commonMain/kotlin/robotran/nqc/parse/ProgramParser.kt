@@ -1,0 +1,172 @@
+package robotran.nqc.parse
+
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.config.ParameterLimit
+import robotran.nqc.diagnostic.DiagnosticSink
+import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.syntax.Keyword
+import robotran.nqc.syntax.KeywordGroup
+import robotran.nqc.syntax.Token
+import robotran.nqc.syntax.TokenKind
+import robotran.nqc.tree.FunctionUnit
+import robotran.nqc.tree.ParsedProgram
+import robotran.nqc.tree.Statement
+import robotran.nqc.tree.SubUnit
+import robotran.nqc.tree.TaskUnit
+
+/**
+ * Reads whole programs. Never throws.
+ *
+ * @param words the macros, for suggestions.
+ * @param api the functions that exist from the beginning.
+ * @param needsSecondFirmware whether the API has a name for firmware 2.0 only, which is not the target.
+ * @param limitsOf which constants make sense for the parameters of a function.
+ */
+internal class ProgramParser(
+    tokens: List<Token>,
+    private val sink: DiagnosticSink,
+    private val target: FirmwareTarget,
+    words: Set<String>,
+    private val api: Map<String, FunctionUnit>,
+    needsSecondFirmware: (String) -> Boolean,
+    private val limitsOf: (String) -> List<ParameterLimit?> = { emptyList() },
+) {
+    private val units = HashSet<String>()
+    private val reader = TokenReader(tokens, sink)
+    private val scopes = Scopes(api.keys)
+    private val names =
+        NameResolver(reader, scopes, target, words, { it in units || it in api }, needsSecondFirmware)
+    private val expressions = ExpressionParser(reader, names)
+    private val variables = VariableParser(reader, scopes, names, expressions)
+    private val statements = StatementParser(reader, scopes, expressions, variables)
+    private val parameters = ParameterParser(reader, scopes, names)
+
+    private val globals = mutableListOf<Statement.Declaration>()
+    private val tasks = mutableListOf<TaskUnit>()
+    private val subs = mutableListOf<SubUnit>()
+    private val functions = LinkedHashMap<String, FunctionUnit>()
+
+    /** @param isApi whether the functions belong to the API. */
+    fun program(isApi: Boolean = false): ParsedProgram {
+        while (reader.token.kind != TokenKind.END) {
+            val start = reader.index
+            try {
+                unit(isApi)
+            } catch (_: SyntaxFailure) {
+                skipUnit(start)
+            }
+        }
+        return ParsedProgram(globals, tasks, subs, api + functions)
+    }
+
+    private fun unit(isApi: Boolean) {
+        val token = reader.token
+        when (token.keyword) {
+            Keyword.INT -> {
+                reader.advance()
+                globals += variables.variables()
+                reader.semicolon()
+            }
+
+            Keyword.TASK -> {
+                task()
+            }
+
+            Keyword.SUB -> {
+                sub()
+            }
+
+            Keyword.VOID, Keyword.NO_LISTING -> {
+                function(isApi)
+            }
+
+            Keyword.RESOURCE -> {
+                reader.fail(NqcDiagnosticCode.RESOURCE_WRITTEN, token.range, sink.messages.resourceWritten())
+            }
+
+            else -> {
+                notAUnit(token)
+            }
+        }
+    }
+
+    private fun notAUnit(token: Token): Nothing {
+        if (token.text == INLINE && reader.peek(1).keyword == Keyword.VOID) {
+            val fix = SourceFix(token.range, "").takeIf { token.macro == null }
+            reader.fail(NqcDiagnosticCode.INLINE_WRITTEN, token.range, sink.messages.inlineWritten(), fix)
+        }
+        if (reader.isSign("}")) {
+            val fix = SourceFix(token.range, "").takeIf { token.macro == null }
+            reader.fail(NqcDiagnosticCode.MISSING_BRACE, token.range, sink.messages.extraBrace(), fix)
+        }
+        val isStatement = token.keyword?.group == KeywordGroup.STATEMENT || token.kind == TokenKind.NAME
+        if (isStatement) {
+            reader.fail(NqcDiagnosticCode.OUTSIDE_TASK, token.range, sink.messages.outsideTask(token.text))
+        }
+        reader.unexpected()
+    }
+
+    private fun task() {
+        reader.advance()
+        val name = unitName()
+        reader.opening("(")
+        reader.closing(")")
+        tasks += TaskUnit(name.text, statements.block(), name.range)
+    }
+
+    private fun sub() {
+        reader.advance()
+        val name = unitName()
+        reader.opening("(")
+        if (!reader.isSign(")")) {
+            val range = reader.token.range
+            sink.report(NqcDiagnosticCode.SUB_PARAMETERS, range, sink.messages.subParameters(target.word))
+            scopes.inScope { parameters.parameters() }
+        }
+        reader.closing(")")
+        subs += SubUnit(name.text, statements.block(), name.range)
+    }
+
+    private fun function(isApi: Boolean) {
+        reader.accept(Keyword.NO_LISTING)
+        if (!reader.accept(Keyword.VOID)) reader.unexpected()
+        val name = unitName()
+        reader.opening("(")
+        scopes.inScope {
+            val parameters = parameters.parameters()
+            reader.closing(")")
+            val function = FunctionUnit(name.text, parameters, name.range, isApi, limitsOf(name.text))
+            val brace = reader.token
+            function.body = Statement.Block(emptyList(), isScope = false, brace.range)
+            functions[name.text] = function
+            reader.opening("{")
+            function.body = Statement.Block(statements.statements(brace), isScope = false, brace.range)
+        }
+    }
+
+    private fun unitName(): Token {
+        val name = reader.name()
+        val isFree = scopes.declareUnit(name.text, name.range)
+        names.requireFreeName(isFree, name)
+        units += name.text
+        return name
+    }
+
+    /** Skips the rest of what began at [start] outside of tasks. */
+    private fun skipUnit(start: Int) {
+        if (reader.index == start) reader.advance()
+        var depth = 0
+        while (reader.token.kind != TokenKind.END) {
+            if (depth == 0 && reader.token.keyword?.group in UNIT_GROUPS) return
+            val token = reader.advance()
+            if (token.isSign("{")) depth++
+            if (token.isSign("}")) depth = maxOf(0, depth - 1)
+        }
+    }
+
+    private companion object {
+        const val INLINE = "inline"
+        val UNIT_GROUPS = setOf(KeywordGroup.UNIT, KeywordGroup.DECLARATION)
+    }
+}

@@ -1,0 +1,140 @@
+package robotran.nqc.parse
+
+import robotran.nqc.config.NqcLimits
+import robotran.nqc.diagnostic.DiagnosticSink
+import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.syntax.Keyword
+import robotran.nqc.syntax.KeywordGroup
+import robotran.nqc.syntax.Token
+import robotran.nqc.syntax.TokenKind
+
+/** The tokens of a program, one after the other, and the mistakes that can be seen from one token alone. */
+internal class TokenReader(private val tokens: List<Token>, val sink: DiagnosticSink) {
+    var index = 0
+        private set
+
+    private var nesting = 0
+
+    val token: Token get() = tokens[index]
+
+    /** The token before; the first one at the beginning. */
+    val previous: Token get() = tokens[maxOf(0, index - 1)]
+
+    fun peek(distance: Int): Token = tokens[minOf(index + distance, tokens.lastIndex)]
+
+    fun advance(): Token = token.also { if (index < tokens.lastIndex) index++ }
+
+    fun isSign(sign: String): Boolean = token.isSign(sign)
+
+    fun isKeyword(keyword: Keyword): Boolean = token.keyword == keyword
+
+    /** Skips [sign] if it is here. */
+    fun accept(sign: String): Boolean = isSign(sign).also { if (it) advance() }
+
+    fun accept(keyword: Keyword): Boolean = isKeyword(keyword).also { if (it) advance() }
+
+    /** Where something that is missing should be: after the token before. */
+    val gap: SourceRange get() = previous.range.end
+
+    /** A fix that inserts [text] at [gap]; null if a macro's text would have to change. */
+    fun insertion(text: String): SourceFix? = if (previous.macro == null) SourceFix(gap, text) else null
+
+    /** Skips an opening bracket or brace. */
+    fun opening(sign: String) {
+        if (accept(sign)) return
+        val code = if (sign == "{") NqcDiagnosticCode.MISSING_BLOCK else NqcDiagnosticCode.MISSING_BRACKET
+        val message = if (sign == "{") sink.messages.missingBlock(previous.text) else sink.messages.missing(sign)
+        fail(code, gap, message)
+    }
+
+    /** Skips a closing bracket. */
+    fun closing(sign: String) {
+        if (accept(sign)) return
+        if (isSign("=")) {
+            fail(
+                NqcDiagnosticCode.ASSIGNMENT_AS_VALUE,
+                token.range,
+                sink.messages.assignmentAsValue(),
+                if (token.macro == null) SourceFix(token.range, "==") else null,
+            )
+        }
+        failUnlessKnown()
+        fail(NqcDiagnosticCode.MISSING_BRACKET, gap, sink.messages.missing(sign), insertion(sign))
+    }
+
+    /** Skips a semicolon. If it is missing where a statement can end, the next statement is read all the same. */
+    fun semicolon() {
+        if (accept(";")) return
+        failUnlessKnown()
+        if (!canEndHere()) unexpected()
+        sink.report(NqcDiagnosticCode.MISSING_SEMICOLON, gap, sink.messages.missingSemicolon(), insertion(";"))
+    }
+
+    private fun canEndHere(): Boolean {
+        val isOnOtherLine = token.range.line != previous.range.line || token.range.file != previous.range.file
+        val begins = token.keyword?.group in STATEMENT_GROUPS
+        return token.kind == TokenKind.END || isOnOtherLine || isSign("}") || begins
+    }
+
+    /** Fails at a token that is no part of the language. */
+    private fun failUnlessKnown() {
+        if (token.kind == TokenKind.UNKNOWN) {
+            val isPoint = token.text == "." && previous.kind == TokenKind.NUMBER
+            val message =
+                if (isPoint) sink.messages.decimalNumber() else sink.messages.unknownCharacter(token.text)
+            fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, message)
+        }
+        if (token.kind == TokenKind.TEXT) {
+            fail(NqcDiagnosticCode.TEXT_AS_VALUE, token.range, sink.messages.textAsValue())
+        }
+    }
+
+    /** Fails because nothing that is written like this token can be here. */
+    fun unexpected(): Nothing {
+        failUnlessKnown()
+        if (token.kind == TokenKind.END) {
+            fail(NqcDiagnosticCode.UNEXPECTED_TOKEN, gap, sink.messages.unexpectedEnd())
+        }
+        val text = token.text.take(NqcLimits.QUOTED_CHARACTERS)
+        fail(NqcDiagnosticCode.UNEXPECTED_TOKEN, token.range, sink.messages.unexpected(text))
+    }
+
+    /** Fails because a value should be here. */
+    fun missingValue(): Nothing {
+        failUnlessKnown()
+        fail(NqcDiagnosticCode.MISSING_VALUE, gap, sink.messages.missingValue(previous.text))
+    }
+
+    /** Skips a name and returns it. */
+    fun name(): Token {
+        if (token.kind == TokenKind.NAME) return advance()
+        failUnlessKnown()
+        val word = token.keyword?.text
+        val range = if (word != null) token.range else gap
+        fail(NqcDiagnosticCode.MISSING_NAME, range, sink.messages.missingName(previous.text, word))
+    }
+
+    fun fail(code: NqcDiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null): Nothing {
+        sink.report(code, range, message, fix)
+        throw SyntaxFailure()
+    }
+
+    /** Reads something with [read] that can contain itself. */
+    fun <T> nested(limit: Int, read: () -> T): T {
+        if (nesting >= limit) {
+            fail(NqcDiagnosticCode.NESTED_TOO_DEEPLY, token.range, sink.messages.nestedTooDeeply(limit))
+        }
+        nesting++
+        try {
+            return read()
+        } finally {
+            nesting--
+        }
+    }
+
+    private companion object {
+        val STATEMENT_GROUPS = setOf(KeywordGroup.STATEMENT, KeywordGroup.DECLARATION, KeywordGroup.UNIT)
+    }
+}

@@ -1,0 +1,42 @@
+package robotran.nqc.syntax
+
+import robotran.nqc.diagnostic.SourceRange
+
+/**
+ * A word, number or sign of a program.
+ *
+ * @property text as typed; the content for a [TokenKind.TEXT], the word after `#` for a [TokenKind.DIRECTIVE].
+ * @property range where it is; for a token from a macro, where the macro is used.
+ * @property value of a number.
+ * @property isSeparate whether a blank or comment is before it.
+ * @property macro the macro that it comes from; null if it is typed.
+ */
+internal data class Token(
+    val kind: TokenKind,
+    val text: String,
+    val range: SourceRange,
+    val value: Int = 0,
+    val isSeparate: Boolean = false,
+    val macro: MacroUse? = null,
+) {
+    val keyword: Keyword? get() = if (kind == TokenKind.KEYWORD) Keyword.of(text) else null
+
+    fun isSign(sign: String): Boolean = kind == TokenKind.SIGN && text == sign
+}
+
+/** The use of a macro [name] within the one of [parent]. */
+internal class MacroUse(val name: String, val parent: MacroUse?) {
+    val depth: Int = 1 + (parent?.depth ?: 0)
+
+    /** Whether this use or one around it is of the macro [name]. */
+    fun isWithin(name: String): Boolean {
+        var use: MacroUse? = this
+        while (use != null) {
+            if (use.name == name) return true
+            use = use.parent
+        }
+        return false
+    }
+}
+
+internal enum class TokenKind { NAME, KEYWORD, NUMBER, TEXT, SIGN, DIRECTIVE, END_OF_DIRECTIVE, UNKNOWN, END }

@@ -1,0 +1,23 @@
+package robotran.nqc
+
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.diagnostic.NqcDiagnostic
+import kotlin.test.fail
+
+/** The errors of [source], or its warnings if there are none. */
+internal fun diagnosticsOf(source: String, options: NqcOptions = NqcOptions()): List<NqcDiagnostic> =
+    when (val result = compileNqc("test.nqc", source, options)) {
+        is NqcResult.Ready -> result.warnings
+        is NqcResult.HasErrors -> result.diagnostics
+    }
+
+/** The program of [source], which must have no errors. */
+internal fun programOf(source: String, options: NqcOptions = NqcOptions()): NqcProgram =
+    when (val result = compileNqc("test.nqc", source, options)) {
+        is NqcResult.Ready -> result.program
+        is NqcResult.HasErrors -> fail(result.diagnostics.joinToString("\n"))
+    }
+
+/** The code of the main task as hexadecimal bytes, without what sets the motors up. */
+internal fun codeOf(source: String, target: FirmwareTarget = FirmwareTarget.RCX2): String =
+    programOf("#pragma noinit\n$source", NqcOptions(target)).image.chunks.last { it.id.number == 0 }.code.toString()

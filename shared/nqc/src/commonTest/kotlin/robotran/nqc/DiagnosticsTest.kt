@@ -1,0 +1,136 @@
+package robotran.nqc
+
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+class DiagnosticsTest {
+    @Test
+    fun `fixes lead to programs without mistakes`() {
+        val programs = listOf(
+            "task main() { OnFwd(OUT_A) }",
+            "task main() { OnFwd(OUT_A)\nWait(1); }",
+            "task main() { if (SENSOR_1 = 1) Off(OUT_A); }",
+            "int count; task main() { cont = 1; }",
+            "task main() { OnFdw(OUT_A); }",
+            "task main() { OnFwd(out_a); }",
+            "task Main() { }",
+            "task main() { start othr; } task other() { }",
+            "inline void f() { } task main() { f(); }",
+            "int f() { } task main() { f(); }",
+            "task main() { Wait(1);",
+            "task main() { } }",
+            "#defien A 1\ntask main() { Wait(1); }",
+            "int x; task main() { if (x); x = 1; }",
+            "int x; task main() { while (x < 3); { x++; } }",
+            "int x; task main() { switch (x) { case 1 x = 2; } }",
+            "int x; task main() { switch (x) { case 1: } }",
+            "int x; task main() { x = (1 + 2; }",
+        )
+        for (program in programs) {
+            val found = diagnosticsOf(program).first()
+            val fix = checkNotNull(found.fix) { "$program: $found" }
+            assertTrue(diagnosticsOf(applied(program, fix)).isEmpty(), "$program: ${applied(program, fix)}")
+        }
+    }
+
+    @Test
+    fun `an include in angle brackets is put in quotation marks`() {
+        val fix = checkNotNull(diagnosticsOf("#include <my.nqh>\ntask main() { }").single().fix)
+        assertEquals("#include \"my.nqh\"\ntask main() { }", applied("#include <my.nqh>\ntask main() { }", fix))
+    }
+
+    @Test
+    fun `warnings that the original compiler lacks`() {
+        check("int x; task main() { x = x / 0; }", NqcDiagnosticCode.DIVIDED_BY_ZERO)
+        check("int x; task main() { x = x % 0; }", NqcDiagnosticCode.DIVIDED_BY_ZERO)
+        check("int x; task main() { x = 3 / 0; }", NqcDiagnosticCode.CONSTANT_DIVIDED_BY_ZERO)
+        check("int x; task main() { x = 40000 * 2; }", NqcDiagnosticCode.NUMBER_CUT)
+        check("int a[3]; task main() { a[3] = 1; }", NqcDiagnosticCode.INDEX_OUTSIDE)
+        check("int x; task main() { x == 3; }", NqcDiagnosticCode.NO_EFFECT)
+        check("task main() { OnFwd(8); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { SetPower(OUT_A, 8); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { PlaySound(6); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { PlayTone(440, 300); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { SendMessage(300); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { Wait(-1); }", NqcDiagnosticCode.ARGUMENT_RANGE)
+        check("task main() { } task other() { }", NqcDiagnosticCode.TASK_NEVER_STARTED)
+        check("int x; task main() { for (x = 0; x < 3; x++); { Wait(1); } }", NqcDiagnosticCode.EMPTY_BODY)
+        check("int x; task main() { ${"x = x + 1;\n".repeat(1300)} }", NqcDiagnosticCode.MEMORY_FULL)
+    }
+
+    @Test
+    fun `what only firmware 2 has says so`() {
+        for (call in listOf("SetEvent(1, SENSOR_1, 0);", "ClearTimer(FastTimer(0));", "SetPriority(1);")) {
+            val found = diagnosticsOf("task main() { $call }", NqcOptions(FirmwareTarget.RCX)).single()
+            assertTrue("firmware 2.0" in found.message, found.message)
+        }
+    }
+
+    @Test
+    fun `several mistakes are found at once`() {
+        val source = "task main()\n{\n  x = 1;\n  OnFwd(OUT_A)\n  Wait(1 2);\n  y = 3;\n}\n"
+        assertEquals(listOf(3, 4, 5, 6), diagnosticsOf(source).map { it.range.line })
+    }
+
+    @Test
+    fun `directives in a skipped branch do nothing`() {
+        val branches = "#if 0\n#error no\n#undef A\n#frob\n#elif A\n#else\n#warning no\n#endif\n"
+        val source = "#define A 1\n${branches}task main() { Wait(A); }"
+        assertTrue(diagnosticsOf(source).isEmpty(), diagnosticsOf(source).toString())
+    }
+
+    @Test
+    fun `conditions compute`() {
+        val conditions = listOf(
+            "1 + 2 * 3 == 7",
+            "(1 + 2) * 3 == 9",
+            "!0",
+            "~0 == -1",
+            "defined(A) && !defined(B)",
+            "A << 3 == 16",
+            "7 % 4 == 3",
+            "MISSING == 0",
+            "1 ? 1 : 0",
+            "(1",
+            "1)",
+            "",
+            "1 / 0",
+            "defined A",
+        )
+        val results = conditions.map { condition ->
+            val source = "#define A 2\n#if $condition\ntask main() { }\n#endif"
+            when (val result = compileNqc("x", source)) {
+                is NqcResult.Ready -> "true"
+                is NqcResult.HasErrors -> result.diagnostics.first().code.id
+            }
+        }
+        val expected = List(8) { "true" } +
+            listOf("condition-syntax", "condition-brackets", "condition-brackets", "condition-incomplete") +
+            listOf("condition-syntax", "condition-syntax")
+        assertEquals(expected, results)
+    }
+
+    @Test
+    fun `a decimal number is explained`() {
+        val found = diagnosticsOf("task main() { Wait(0.5); }").single()
+        assertTrue("whole numbers" in found.message, found.message)
+    }
+
+    private fun check(source: String, code: NqcDiagnosticCode) {
+        val found = diagnosticsOf(source)
+        assertEquals(listOf(code), found.map { it.code }.distinct(), "$source $found")
+    }
+
+    private fun applied(source: String, fix: SourceFix): String {
+        val lines = source.lines().toMutableList()
+        val line = lines[fix.range.line - 1]
+        val changed =
+            line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
+        lines[fix.range.line - 1] = changed
+        return lines.joinToString("\n")
+    }
+}

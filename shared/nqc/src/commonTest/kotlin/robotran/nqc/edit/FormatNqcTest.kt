@@ -1,0 +1,59 @@
+package robotran.nqc.edit
+
+import robotran.nqc.NqcResult
+import robotran.nqc.Vectors
+import robotran.nqc.compileNqc
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+class FormatNqcTest {
+    @Test
+    fun `blocks are indented`() {
+        val source = """
+            |#define GO(x) OnFwd(x); \
+            |   Wait(10)
+            |task main() {
+            |while (true)
+            |{
+            |  if (SENSOR_1 == 1)
+            |  Off(OUT_A);
+            |else {   OnFwd(OUT_A);
+            |  }
+            |     }
+            |
+            |
+            |/* a
+            |comment */
+            |    }
+        """.trimMargin()
+        val expected = """
+            |#define GO(x) OnFwd(x); \
+            |   Wait(10)
+            |task main() {
+            |    while (true)
+            |    {
+            |        if (SENSOR_1 == 1)
+            |            Off(OUT_A);
+            |        else {   OnFwd(OUT_A);
+            |        }
+            |    }
+            |
+            |    /* a
+            |    comment */
+            |}
+            |
+        """.trimMargin()
+        assertEquals(expected, formatNqc(source))
+    }
+
+    @Test
+    fun `formatting twice changes nothing, and programs stay the same`() {
+        for ((name, source) in Vectors.programs) {
+            val formatted = formatNqc(source)
+            assertEquals(formatted, formatNqc(formatted), name)
+            assertEquals(codeOf(source), codeOf(formatted), name)
+        }
+    }
+
+    private fun codeOf(source: String) = (compileNqc("f.nqc", source) as? NqcResult.Ready)?.program?.image?.chunks
+}

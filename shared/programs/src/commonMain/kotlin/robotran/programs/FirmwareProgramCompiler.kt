@@ -1,0 +1,127 @@
+package robotran.programs
+
+import robotran.language.Language
+import robotran.legofirmware.FirmwareProgram
+import robotran.legofirmware.assembly.AssemblyDiagnostic
+import robotran.legofirmware.assembly.AssemblyResult
+import robotran.legofirmware.assembly.assemble
+import robotran.legofirmware.image.CodeLine
+import robotran.legofirmware.image.LineTable
+import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.RcxImageResult
+import robotran.legofirmware.image.message
+import robotran.legofirmware.image.readRcxImage
+import robotran.legofirmware.listing.assemblyListing
+import robotran.nqc.NqcOptions
+import robotran.nqc.NqcProgram
+import robotran.nqc.NqcResult
+import robotran.nqc.compileNqc
+import robotran.nqc.diagnostic.NqcDiagnostic
+import robotran.nqc.messages.NqcMessages
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
+import robotran.nqc.diagnostic.SourceRange as NqcRange
+
+/** Makes programs for LEGO's own firmware. */
+internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, private val language: Language) {
+    fun read(source: ProgramSource.ForLegoFirmware): ProgramResult = when (source) {
+        is ProgramSource.Nqc -> readNqc(source)
+        is ProgramSource.Lasm -> readLasm(source)
+        is ProgramSource.FirmwareImage -> readImage(source)
+    }
+
+    private fun readNqc(source: ProgramSource.Nqc): ProgramResult {
+        val main = source.files.first()
+        val options = NqcOptions(settings.target, settings.isOldNqc, includedFiles(source.files))
+        val messages = NqcMessages.of(language)
+        return when (val result = compileNqc(simpleName(main.name), main.text, options, messages)) {
+            is NqcResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source, it) })
+
+            is NqcResult.Ready -> ready(
+                source,
+                result.program.image,
+                linesOf(result.program, isOneFile = source.files.size == 1),
+                result.warnings.map { diagnosticOf(source, it) },
+            )
+        }
+    }
+
+    /** The texts by the names that `#include` gives them, whose folders may be others than in [files]. */
+    private fun includedFiles(files: List<SourceFile>): Map<String, String> {
+        val texts = files.drop(1).associate { simpleName(it.name) to it.text }
+        val included = files.flatMap { nqcIncludes(it.text) }
+        return texts + included.mapNotNull { name -> texts[simpleName(name)]?.let { name to it } }
+    }
+
+    /** What the API does belongs to no line of the pupil's. */
+    private fun linesOf(program: NqcProgram, isOneFile: Boolean) = LineTable(
+        program.lines.mapValues { (_, lines) ->
+            lines.filter { it.range.line > 0 }
+                .map { CodeLine(it.address, it.range.line, simpleName(it.range.file).takeUnless { isOneFile }) }
+        },
+    )
+
+    private fun diagnosticOf(source: ProgramSource.Nqc, diagnostic: NqcDiagnostic): ProgramDiagnostic {
+        val file =
+            source.files.find { simpleName(it.name) == simpleName(diagnostic.range.file) } ?: source.files.first()
+        val fix = diagnostic.fix?.takeIf { it.range.file == diagnostic.range.file }?.let { fix ->
+            rangeOf(fix.range)?.let { SourceFix(it, fix.replacement) }
+        }
+        return ProgramDiagnostic(file.name, rangeOf(diagnostic.range), diagnostic.message, fix)
+    }
+
+    private fun rangeOf(range: NqcRange): SourceRange? =
+        range.takeIf { it.line > 0 }?.let { SourceRange(it.line, it.column, it.endColumn) }
+
+    private fun readLasm(source: ProgramSource.Lasm): ProgramResult =
+        when (val result = assemble(source.text, language, settings.target)) {
+            is AssemblyResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source, it) })
+
+            is AssemblyResult.Assembled -> ready(
+                source,
+                result.image,
+                result.lines,
+                result.warnings.map { diagnosticOf(source, it) },
+            )
+        }
+
+    private fun diagnosticOf(source: ProgramSource.Lasm, diagnostic: AssemblyDiagnostic): ProgramDiagnostic {
+        val range = SourceRange(diagnostic.line, diagnostic.column, diagnostic.endColumn)
+        return ProgramDiagnostic(
+            source.name,
+            range,
+            diagnostic.message,
+            diagnostic.replacement?.let { SourceFix(range, it) },
+        )
+    }
+
+    private fun readImage(source: ProgramSource.FirmwareImage): ProgramResult =
+        when (val result = readRcxImage(source.bytes)) {
+            is RcxImageResult.Refused -> {
+                ProgramResult.HasErrors(listOf(ProgramDiagnostic(source.name, null, result.fault.message(language))))
+            }
+
+            is RcxImageResult.Read -> {
+                val warnings = result.warnings.map { ProgramDiagnostic(source.name, null, it.message(language)) }
+                ready(source, result.image, result.image.assemblyListing().lines, warnings)
+            }
+        }
+
+    private fun ready(source: ProgramSource, image: RcxImage, lines: LineTable, warnings: List<ProgramDiagnostic>) =
+        ProgramResult.Ready(FirmwareProgram(source.name, image, lines, language), warnings)
+}
+
+/** What a brick with LEGO's own firmware runs; null for a program for another firmware. */
+val ProgramResult.Ready.firmwareImage: RcxImage? get() = (program as? FirmwareProgram)?.image
+
+/** The same program as assembly text, whose lines are those of its log; null if it cannot run. */
+fun ProgramSource.FirmwareImage.toLasm(): ProgramSource.Lasm? = when (val result = readRcxImage(bytes)) {
+    is RcxImageResult.Refused -> null
+    is RcxImageResult.Read -> ProgramSource.Lasm(lasmName(name), result.image.assemblyListing().text)
+}
+
+/** Why no brick can run it, in a sentence; null if one can. */
+fun ProgramSource.FirmwareImage.fault(language: Language): String? =
+    (readRcxImage(bytes) as? RcxImageResult.Refused)?.fault?.message(language)
+
+private fun lasmName(image: String): String = image.substringBeforeLast('.') + ".lasm"

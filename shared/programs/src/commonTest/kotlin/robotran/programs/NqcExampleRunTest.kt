@@ -1,0 +1,71 @@
+package robotran.programs
+
+import kotlinx.coroutines.test.runTest
+import robotran.brick.log.toLogText
+import robotran.legofirmware.image.toBytes
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
+import robotran.world.file.BuiltInWorlds
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
+
+/**
+ * The NQC examples, compiled and run like `robotran run`, produce the reports recorded in `resources/nqc-runs`, on each
+ * target; see [JavaExampleRunTest]. `record-runs.sh` records them again.
+ */
+class NqcExampleRunTest {
+    private val compiler = ProgramCompiler(testTarget)
+
+    private suspend fun run(source: ProgramSource): Session {
+        val result = assertIs<ProgramResult.Ready>(compiler.read(source), source.name)
+        assertEquals(emptyList(), result.warnings, source.name)
+        return Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine()).apply {
+            runUnattended(MILLISECONDS)
+            close()
+        }
+    }
+
+    @Test
+    fun `every NQC example makes its recorded run`() = runTest(timeout = 5.minutes) {
+        assertTrue(nqcExamples.size >= 10, "${nqcExamples.size} examples")
+        for ((name, text) in nqcExamples) {
+            val session = run(ProgramSource.Nqc(name, listOf(SourceFile(name, text))))
+            val record = name.removeSuffix(".nqc")
+            val romLog = session.romLog.entries.toLogText()
+            assertEquals(nqcRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= MAX_RECORDED_LOG }, name)
+            assertEquals(nqcRuns["$record.report.json"], session.report().toJson() + "\n", name)
+        }
+    }
+
+    @Test
+    fun `every recorded run is that of an example`() {
+        val examples = nqcExamples.keys.map { it.removeSuffix(".nqc") }.toSet()
+        assertEquals(examples, nqcRuns.keys.map { it.substringBefore('.') }.toSet())
+    }
+
+    @Test
+    fun `an example and its image and assembly text do the same`() = runTest(timeout = 5.minutes) {
+        for ((name, text) in nqcExamples.filterKeys { it in SHORT }) {
+            val source = ProgramSource.Nqc(name, listOf(SourceFile(name, text)))
+            val image = assertNotNull(assertIs<ProgramResult.Ready>(compiler.read(source)).firmwareImage)
+            val compiled = ProgramSource.FirmwareImage("$name.rcx", image.toBytes())
+            val runs = listOf(source, compiled, assertNotNull(compiled.toLasm())).map { run(it) }
+            assertEquals(1, runs.map { it.traceHash }.toSet().size, name)
+        }
+    }
+
+    private companion object {
+        const val MILLISECONDS = 60_000
+
+        /** In characters, as in `record-runs.sh`. */
+        const val MAX_RECORDED_LOG = 4000
+
+        val SHORT = setOf("first-drive.nqc", "square.nqc", "two-things.nqc")
+    }
+}

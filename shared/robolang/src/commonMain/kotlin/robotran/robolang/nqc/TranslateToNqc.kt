@@ -1,0 +1,32 @@
+package robotran.robolang.nqc
+
+import robotran.brick.kind.BrickKind
+import robotran.robolang.RobolangProgram
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishNqcTranslationMessages
+import robotran.robolang.messages.NqcTranslationMessages
+import robotran.robolang.robot.RobotTarget
+import robotran.robolang.translate.JavaWriter
+
+/**
+ * Translates [program] to NQC, as far as whole numbers of 16 bits and LEGO's firmware carry it. Never throws.
+ *
+ * @param messages the remarks in the pupil's language.
+ */
+fun translateToNqc(
+    program: RobolangProgram,
+    messages: NqcTranslationMessages = EnglishNqcTranslationMessages,
+): NqcTranslation {
+    val remarks = Remarks(messages)
+    val robot = program.robot
+    val writer = if (robot is RobotTarget.Rcx && program.kind == BrickKind.RCX) {
+        NqcFile(program, robot, remarks).write()
+    } else {
+        val message = remarks.lost(SourceRange(1, 1, 1), messages.otherBrick())
+        JavaWriter().apply { line("// $message") }
+    }
+    return NqcTranslation(fileNameOf(program.name), writer.text, writer.lineMap, remarks.inOrder())
+}
+
+private fun fileNameOf(program: String): String =
+    program.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".robo").ifEmpty { "program" } + ".nqc"

@@ -1,0 +1,108 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.legofirmware.device.DatalogEntry
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_datalog
+import robotran.ui.resources.run_datalog_entry
+import robotran.ui.resources.run_datalog_more
+import robotran.ui.resources.run_datalog_number
+import robotran.ui.resources.run_datalog_save
+import robotran.ui.resources.run_datalog_source
+import robotran.ui.resources.run_datalog_value
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.codeStyle
+import robotran.ui.theme.focusRing
+import robotran.workshop.run.origin
+
+/** The last values in the datalog of LEGO's firmware, and a button that saves all as a table. Empty without values. */
+@Composable
+internal fun DatalogTable(datalog: List<DatalogEntry>, onSave: () -> Unit, modifier: Modifier) {
+    if (datalog.isEmpty()) return
+    val colours = LocalRobotranColours.current
+    val left = maxOf(0, datalog.size - SHOWN)
+    Column(modifier.padding(12.dp).testTag("datalog")) {
+        Row(
+            Modifier.fillMaxWidth(),
+            horizontalArrangement = Arrangement.SpaceBetween,
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            Text(
+                stringResource(Res.string.run_datalog),
+                Modifier.weight(1f).semantics { heading() },
+                color = colours.quiet,
+                fontSize = TextSizes.SMALL,
+                fontWeight = FontWeight.Medium,
+            )
+            TextButton(
+                onSave,
+                Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("datalog-save").focusRing(),
+            ) {
+                Text(stringResource(Res.string.run_datalog_save), color = colours.focus, fontSize = TextSizes.COMPACT)
+            }
+        }
+        Column(Modifier.widthIn(max = MAX_WIDTH)) {
+            val head = codeStyle(colours.quiet).copy(fontFamily = null, fontSize = TextSizes.SMALL)
+            Cells(
+                stringResource(Res.string.run_datalog_number),
+                stringResource(Res.string.run_datalog_source),
+                stringResource(Res.string.run_datalog_value),
+                head,
+                Modifier.clearAndSetSemantics { },
+            )
+            if (left > 0) {
+                Text(
+                    stringResource(Res.string.run_datalog_more, left),
+                    Modifier.padding(vertical = 4.dp),
+                    color = colours.quiet,
+                    fontSize = TextSizes.SMALL,
+                )
+            }
+            for (index in left until datalog.size) Entry(index + 1, datalog[index])
+        }
+    }
+}
+
+@Composable
+private fun Entry(number: Int, entry: DatalogEntry) {
+    val words = stringResource(Res.string.run_datalog_entry, number, entry.origin, entry.value)
+    val read = Modifier.testTag("datalog-$number").clearAndSetSemantics { contentDescription = words }
+    Cells("$number", entry.origin, "${entry.value}", codeStyle(), read)
+}
+
+@Composable
+private fun Cells(number: String, source: String, value: String, style: TextStyle, modifier: Modifier) {
+    Row(modifier.fillMaxWidth().padding(vertical = 2.dp), Arrangement.spacedBy(12.dp)) {
+        val right = style.copy(textAlign = TextAlign.End)
+        Text(number, Modifier.weight(1f), style = right, maxLines = 1)
+        Text(source, Modifier.weight(2f), style = style, maxLines = 1)
+        Text(value, Modifier.weight(1f), style = right, maxLines = 1)
+    }
+}
+
+/** More would make the drawer slow; the saved table has all. */
+private const val SHOWN = 100
+private val MAX_WIDTH = 420.dp

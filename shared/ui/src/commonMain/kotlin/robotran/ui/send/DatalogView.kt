@@ -1,0 +1,42 @@
+package robotran.ui.send
+
+import androidx.compose.foundation.layout.Column
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import org.jetbrains.compose.resources.stringResource
+import robotran.legofirmware.device.DatalogEntry
+import robotran.legofirmware.device.DatalogSource
+import robotran.legofirmware.device.source
+import robotran.legofirmware.device.sourceNumber
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_datalog_more
+import robotran.ui.resources.send_datalog_other
+import robotran.ui.resources.send_datalog_sensor
+import robotran.ui.resources.send_datalog_timer
+import robotran.ui.resources.send_datalog_variable
+import robotran.ui.resources.send_datalog_watch
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+
+/** The first entries of a datalog, a line each. The saved table has all. */
+@Composable
+internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag("send-datalog")) {
+    entries.take(SHOWN).forEachIndexed { index, entry ->
+        val words = when (entry.source) {
+            DatalogSource.VARIABLE -> Res.string.send_datalog_variable
+            DatalogSource.TIMER -> Res.string.send_datalog_timer
+            DatalogSource.SENSOR -> Res.string.send_datalog_sensor
+            DatalogSource.WATCH -> Res.string.send_datalog_watch
+            DatalogSource.OTHER -> Res.string.send_datalog_other
+        }
+        Line(stringResource(words, index + 1, entry.sourceNumber ?: 0, entry.value))
+    }
+    if (entries.size > SHOWN) Line(stringResource(Res.string.send_datalog_more, entries.size - SHOWN))
+}
+
+@Composable
+private fun Line(words: String) = Text(words, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+
+private const val SHOWN = 50

@@ -1,0 +1,55 @@
+package robotran.ui.send
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.OutlinedButton
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.tower.LegoLimits
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_slot_last
+import robotran.ui.resources.send_slot_number
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.SendEvent
+import robotran.workshop.state.SendStep
+
+/** A button for each slot of LEGO's own firmware, which sends the program. The last one that was used has a thick rim. */
+@Composable
+internal fun SlotChoice(step: SendStep.ChoosingSlot, onEvent: (SendEvent) -> Unit) =
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
+        for (slot in 1..LegoLimits.SLOTS) {
+            SlotButton(slot, slot == step.last, Modifier.weight(1f)) { onEvent(SendEvent.SlotChosen(slot)) }
+        }
+    }
+
+@Composable
+private fun SlotButton(slot: Int, isLast: Boolean, modifier: Modifier, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words = stringResource(if (isLast) Res.string.send_slot_last else Res.string.send_slot_number, slot)
+    OutlinedButton(
+        onClick,
+        modifier
+            .heightIn(min = Dimensions.TARGET)
+            .focusRing(24.dp)
+            .testTag("send-slot-$slot")
+            .semantics { contentDescription = words },
+        colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane),
+        border = if (isLast) BorderStroke(3.dp, colours.onPane) else BorderStroke(1.dp, colours.line),
+        contentPadding = PaddingValues(0.dp),
+    ) { Text("$slot", Modifier.clearAndSetSemantics { }, fontSize = TextSizes.HEADING) }
+}

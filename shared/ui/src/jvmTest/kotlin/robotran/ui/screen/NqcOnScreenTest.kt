@@ -1,0 +1,180 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertContentDescriptionContains
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
+import robotran.ui.program.focusProgram
+import robotran.ui.program.pressTool
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.WorkshopStatus
+import robotran.workshop.text
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** A pupil finds NQC and works with it, on a tablet and on a phone. */
+@OptIn(ExperimentalTestApi::class)
+class NqcOnScreenTest {
+    @Test
+    fun `plus has NQC, and assembly behind more languages`() = onTablet { workshop ->
+        onNodeWithTag("add-program").performClick()
+        pass(300)
+        onNodeWithTag("new-lasm").assertDoesNotExist()
+        onNodeWithTag("new-nqc").performClick()
+        pass(300)
+        assertEquals("program.nqc", workshop.state.programName)
+        onNodeWithTag("view-switch").assertDoesNotExist()
+        onNodeWithText("Show assembly").assertIsDisplayed()
+        onNodeWithTag("add-program").performClick()
+        pass(300)
+        onNodeWithTag("new-more").performClick()
+        pass(300)
+        onNodeWithTag("new-lasm").performClick()
+        pass(300)
+        assertEquals("program.lasm", workshop.state.programName)
+        onNodeWithTag("translation-switch").assertDoesNotExist()
+    }
+
+    @Test
+    fun `a robot with an NXT has no new programs in NQC`() = onTablet { workshop ->
+        workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
+        onNodeWithTag("add-program").performClick()
+        pass(300)
+        onNodeWithTag("new-java").assertExists()
+        onNodeWithTag("new-nqc").assertDoesNotExist()
+        onNodeWithTag("new-more").assertDoesNotExist()
+    }
+
+    @Test
+    fun `a mistake is told under its line and mended, and the program stops at its breakpoint`() {
+        for (show in listOf(::onTablet, ::onPhone)) {
+            show { workshop ->
+                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.write(COUNTING.replace("OnFwd(", "OnForward("))
+                pass(1_500)
+                onNodeWithText("Line $DRIVING:", substring = true).assertExists()
+                workshop.write(COUNTING.replace("rounds = rounds", "round = rounds"))
+                pass(1_500)
+                onNodeWithTag("fix").performClick()
+                pass(300)
+                assertEquals(COUNTING, workshop.text)
+                workshop.handle(ProgramEvent.BreakpointToggled(COUNTED))
+                onNodeWithTag("run").performClick()
+                pass(500)
+                workshop.advance(2_000)
+                assertEquals(WorkshopStatus.Paused(COUNTED), workshop.state.status)
+                workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
+                pass(500)
+                onNodeWithTag("variable-rounds").assertTextContains("0")
+            }
+        }
+    }
+
+    @Test
+    fun `the assembly is beside it, and a line there leads to its own`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
+        pressTool("translation-switch")
+        pass(300)
+        onNodeWithTag("translation-text").assertTextContains("wait\t2, 100", substring = true)
+        onNodeWithTag("translation-keep").performClick()
+        pass(300)
+        assertEquals("count.lasm", workshop.state.programName)
+        assertEquals(emptyList(), workshop.state.diagnostics)
+    }
+
+    @Test
+    fun `Robolang is beside itself in NQC, with what is different`() = onTablet { workshop ->
+        workshop.write("show \"hello\"\nforward 20\n")
+        onNodeWithTag("editor-more").performClick()
+        pass(300)
+        onNodeWithTag("translation-nqc").performClick()
+        pass(300)
+        onNodeWithTag("translation-text").assertTextContains("task main()", substring = true)
+        onNodeWithTag("translation-remarks").assertIsDisplayed()
+        onNodeWithTag("translation-keep").performClick()
+        pass(300)
+        assertEquals(ProgramLanguage.NQC, workshop.state.program.language)
+        assertEquals(emptyList(), workshop.state.diagnostics)
+    }
+
+    @Test
+    fun `a comment in assembly begins with a semicolon`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("beep.lasm", "\ttask\t0\n\tplays\t3\n\tendt\n")))
+        val draft = workshop.state.programs.draft
+        workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("plays")), EditKind.OTHER))
+        pass(100)
+        focusProgram()
+        onNodeWithTag("editor-more").performClick()
+        pass(500)
+        onNodeWithTag("tool-format").assertDoesNotExist()
+        onNodeWithTag("tool-toggle_comment").performClick()
+        pass(500)
+        assertEquals("\ttask\t0\n\t; plays\t3\n\tendt\n", workshop.text)
+    }
+
+    @Test
+    fun `the brick shows what NQC shows, and its datalog is a table that can be saved`() = onTablet { workshop ->
+        val name = "data-logger.nqc"
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(name, ProgramLanguage.NQC.examples.getValue(name))))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(8_000)
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
+        pass(500)
+        assertEquals(10, workshop.state.run.drawer.variables.datalog.size)
+        onNodeWithTag("datalog").assertExists()
+        onNodeWithTag("datalog-1").assertContentDescriptionContains("Entry 1: SENSOR_2", substring = true)
+        onNodeWithTag("datalog-save").assertExists()
+        onNodeWithTag("lcd").assertExists()
+    }
+
+    @Test
+    fun `the menu saves it for LEGO's firmware instead of a kit`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
+        pass(300)
+        onNodeWithTag("work-menu").performClick()
+        pass(300)
+        onNodeWithText("Save for LEGO's firmware…").assertExists()
+        onNodeWithText("For a real robot…").assertDoesNotExist()
+        assertTrue(workshop.state.document.hasFirmwareImage)
+        workshop.handle(DocumentEvent.DialogClosed)
+    }
+
+    private fun Workshop.write(text: String) = handle(ProgramEvent.DraftChanged(Draft(text), EditKind.OTHER))
+
+    private companion object {
+        val COUNTING = """
+            int rounds = 0;
+
+            task main()
+            {
+                repeat (3)
+                {
+                    OnFwd(OUT_A + OUT_C);
+                    Wait(100);
+                    rounds = rounds + 1;
+                }
+                Off(OUT_A + OUT_C);
+            }
+        """.trimIndent() + "\n"
+        val DRIVING = COUNTING.lines().indexOfFirst { "OnFwd" in it } + 1
+        val COUNTED = COUNTING.lines().indexOfFirst { "rounds = rounds" in it } + 1
+    }
+}

@@ -1,0 +1,26 @@
+package robotran.workshop.state
+
+import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
+
+/** What else a program can be shown as, beside its text. */
+enum class TranslationKind {
+    /** Robolang as Java. */
+    JAVA,
+
+    /** Robolang as NQC, for an RCX. */
+    NQC,
+
+    /** NQC as the commands that LEGO's firmware runs. */
+    ASSEMBLY,
+    ;
+
+    companion object {
+        /** The kinds for programs in [language] on a [brick], the usual one first; empty if there are none. */
+        fun of(language: ProgramLanguage, brick: BrickKind): List<TranslationKind> = when (language) {
+            ProgramLanguage.ROBOLANG -> if (brick == BrickKind.RCX) listOf(JAVA, NQC) else listOf(JAVA)
+            ProgramLanguage.NQC -> listOf(ASSEMBLY)
+            ProgramLanguage.JAVA, ProgramLanguage.LASM -> emptyList()
+        }
+    }
+}
