@@ -45,8 +45,9 @@ class ComposePlugin : Plugin<Project> {
             test.systemProperty("user.language", "en")
             // `-PrecordPictures` saves the screenshots of the tests as the new reference images.
             if (project.hasProperty("recordPictures")) test.systemProperty("robotran.recordPictures", "true")
-            TestFolders.givePictures(project, test)
+            TestFolders.givePictures(project, test, ReviewPictures.folder(test))
         }
+        if (targets.jvm) ReviewPictures.register(project)
     }
 
     /** `jvmAndAndroidMain`: code that needs only Java's library. */

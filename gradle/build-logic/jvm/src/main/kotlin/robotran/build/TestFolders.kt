@@ -33,9 +33,9 @@ object TestFolders {
         }
     }
 
-    /** `robotran.pictures`: a folder for screenshots, for manual review. */
-    fun givePictures(project: Project, test: Test) {
-        test.jvmArgumentProviders.add(TestPictures(project.layout.buildDirectory.dir("pictures")))
+    /** `robotran.pictures`: [folder] below `build`, for screenshots, for manual review. */
+    fun givePictures(project: Project, test: Test, folder: String = "pictures") {
+        test.jvmArgumentProviders.add(TestPictures(project.layout.buildDirectory.dir(folder)))
     }
 }
 

@@ -35,7 +35,10 @@ class ShowPictures {
             }
         }
     }
+}
 
+/** The sheet with which pupils show what they made, compared with references. */
+class ShowPicturesTest {
     @Test
     fun `the choice and the poster look as they did`() {
         for (screen in Screen.entries) {
@@ -47,63 +50,61 @@ class ShowPictures {
             }
         }
     }
+}
 
-    private fun picture(screen: Screen, settings: Settings, prepare: Workshop.() -> Unit) = onWorkshop { workshop ->
-        workshop.handle(SettingsEvent.SettingsChanged(settings))
-        workshop.handle(RunEvent.RunPressed)
-        workshop.advance(HALF_DRAWN)
-        workshop.handle(ShowEvent.Requested)
-        workshop.prepare()
-        photograph(workshop, screen.width, screen.height)
-    }
+private fun picture(screen: Screen, settings: Settings, prepare: Workshop.() -> Unit) = onWorkshop { workshop ->
+    workshop.handle(SettingsEvent.SettingsChanged(settings))
+    workshop.handle(RunEvent.RunPressed)
+    workshop.advance(HALF_DRAWN)
+    workshop.handle(ShowEvent.Requested)
+    workshop.prepare()
+    photograph(workshop, screen.width, screen.height)
+}
 
-    private fun <T> onWorkshop(use: (Workshop) -> T): T {
-        val platform = MemoryPlatform(pictures = DrawnWorldPictures(), videos = AnyCamera, posters = AnyPrinter)
-        val workshop = runBlocking { openWorkshop(platform = platform) }
-        try {
-            return use(workshop)
-        } finally {
-            workshop.close()
-        }
-    }
-
-    private object AnyCamera : VideoRecorder by NoVideoRecorder {
-        override val isAvailable: Boolean get() = true
-    }
-
-    private object AnyPrinter : Posters {
-        override val canPrint: Boolean get() = true
-
-        override fun svg(poster: Poster): String = posterSvg(poster)
-
-        override suspend fun print(poster: Poster): Printing = Printing.Cancelled
-    }
-
-    private enum class Screen(val width: Int, val height: Int) {
-        PHONE(411, 891),
-        PHONE_ACROSS(891, 411),
-        TABLET(1280, 800),
-        LAPTOP(1440, 900),
-    }
-
-    private companion object {
-        /** Milliseconds into the square program: somewhere on its third side. */
-        const val HALF_DRAWN = 3_900
-
-        val LOOKS = mapOf(
-            "light" to Settings(lessMotion = true),
-            "dark" to Settings(lessMotion = true, theme = AppTheme.DARK),
-            "german" to Settings(lessMotion = true, language = Language.GERMAN),
-            "200" to Settings(lessMotion = true, textScale = 2f),
-        )
-
-        val STEPS: Map<String, Workshop.() -> Unit> = mapOf(
-            "choice" to {},
-            "speed" to { handle(ShowEvent.MovingChosen(MovingKind.VIDEO)) },
-            "poster" to {
-                handle(ShowEvent.PosterChosen)
-                handle(ShowEvent.PosterChanged("My square", "Ada", isDated = true))
-            },
-        )
+private fun <T> onWorkshop(use: (Workshop) -> T): T {
+    val platform = MemoryPlatform(pictures = DrawnWorldPictures(), videos = AnyCamera, posters = AnyPrinter)
+    val workshop = runBlocking { openWorkshop(platform = platform) }
+    try {
+        return use(workshop)
+    } finally {
+        workshop.close()
     }
 }
+
+private object AnyCamera : VideoRecorder by NoVideoRecorder {
+    override val isAvailable: Boolean get() = true
+}
+
+private object AnyPrinter : Posters {
+    override val canPrint: Boolean get() = true
+
+    override fun svg(poster: Poster): String = posterSvg(poster)
+
+    override suspend fun print(poster: Poster): Printing = Printing.Cancelled
+}
+
+private enum class Screen(val width: Int, val height: Int) {
+    PHONE(411, 891),
+    PHONE_ACROSS(891, 411),
+    TABLET(1280, 800),
+    LAPTOP(1440, 900),
+}
+
+/** Milliseconds into the square program: somewhere on its third side. */
+private const val HALF_DRAWN = 3_900
+
+private val LOOKS = mapOf(
+    "light" to Settings(lessMotion = true),
+    "dark" to Settings(lessMotion = true, theme = AppTheme.DARK),
+    "german" to Settings(lessMotion = true, language = Language.GERMAN),
+    "200" to Settings(lessMotion = true, textScale = 2f),
+)
+
+private val STEPS: Map<String, Workshop.() -> Unit> = mapOf(
+    "choice" to {},
+    "speed" to { handle(ShowEvent.MovingChosen(MovingKind.VIDEO)) },
+    "poster" to {
+        handle(ShowEvent.PosterChosen)
+        handle(ShowEvent.PosterChanged("My square", "Ada", isDated = true))
+    },
+)
