@@ -1,6 +1,5 @@
 package robotran.programs
 
-import kotlinx.coroutines.test.runTest
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.simulation.Session
@@ -12,24 +11,22 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import kotlin.math.abs
 import kotlin.math.hypot
-import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 
 /**
  * A Robolang program and its translation leave the robot at the same place. The virtual machine runs at unlimited speed
  * here: a real brick starts its wheels about a millisecond apart.
  */
-class TranslatedPoseTest {
+internal class TranslatedPoses {
     private val reader = ProgramCompiler(testTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
 
-    @Test
-    fun theTranslationOfEveryProgramLeavesTheRobotAtTheSamePlace() = runTest(timeout = 10.minutes) {
+    /** Drives the programs with [texts] by path. At least [min] of them end by themselves and can be compared. */
+    suspend fun compare(texts: Map<String, String>, min: Int) {
         val physics = loadPhysicsEngine()
         val differences = mutableListOf<String>()
         var compared = 0
-        for ((path, text) in robolangExamples + robolangPrograms) {
+        for ((path, text) in texts) {
             val program = robolangOf(path, text) ?: continue
             val java = (reader.translated(program) as? ProgramResult.Ready)?.program ?: continue
             val interpreted = drive(program, physics)
@@ -41,7 +38,7 @@ class TranslatedPoseTest {
             }
         }
         assertEquals("", differences.joinToString("\n"))
-        assertTrue(compared >= MIN_COMPARED, "only $compared programs were compared")
+        assertTrue(compared >= min, "only $compared programs were compared")
     }
 
     private fun drive(program: BrickProgram, physics: PhysicsEngine): Drive {
@@ -68,6 +65,5 @@ class TranslatedPoseTest {
         /** Turns 138 times. The wheels' slip in each turn depends on the millisecond in which it begins. */
         val MANY_TURNS = mapOf("flower.robo" to 1.0)
         const val FULL_TURN = 360.0
-        const val MIN_COMPARED = 150
     }
 }

@@ -1,22 +1,19 @@
 package robotran.programs
 
-import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangRcxProgram
 import robotran.tinyvm.config.TinyVmMode
-import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 
 /** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
-class TranslationDifferenceTest {
+internal class TranslationDifferences {
     private val brickCompiler = ProgramCompiler(testTarget)
     private val forgivingCompiler = ProgramCompiler(testTarget, JavaSettings(TinyVmMode.FORGIVING))
 
-    @Test
-    fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {
-        compareAll(robolangs.filterNot { it.hasBehaviours }, MIN_COMPARED) { program, java ->
+    /** Compares each [share]-th program, at least [min] of them. */
+    suspend fun compareCalls(share: Int, min: Int) {
+        compareAll(robolangs.filterNot { it.hasBehaviours }.every(share), min) { program, java ->
             val interpreted = FixedClockRom(program.sensors)
             val translated = FixedClockRom(program.sensors)
             if (run(program.robolang, interpreted, MAX_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
@@ -30,12 +27,12 @@ class TranslationDifferenceTest {
     }
 
     /**
-     * Behaviours need a brick whose clock runs while it computes. Its threads take turns, so a call may come a little
-     * later.
+     * Compares each [share]-th program with behaviours, at least [min] of them. Behaviours need a brick whose clock runs
+     * while it computes. Its threads take turns, so a call may come a little later.
      */
-    @Test
-    fun everyProgramWithBehavioursAndItsTranslationMakeTheSameCallsOneAfterTheOther() = runTest(timeout = 10.minutes) {
-        compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, MIN_REACTING) { program, java ->
+    suspend fun compareBehaviours(share: Int, min: Int) {
+        val certain = robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }
+        compareAll(certain.every(share), min) { program, java ->
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
             // Of two endless programs, one has made more calls after the same time than the other.
@@ -89,8 +86,6 @@ class TranslationDifferenceTest {
         const val MAX_CALLS = 2_000
         const val LAST_MILLISECOND = 20_000_000L
         const val BEHAVIOUR_MILLISECONDS = 20_000L
-        const val MIN_COMPARED = 200
-        const val MIN_REACTING = 20
 
         /** A brick divides by the lowest 16 bits of a number, and Robolang warns about larger divisors. */
         val LARGE_DIVISORS = setOf("warnings/divisor-too-large.robo", "warnings/divisor-of-no-lower-bits.robo")
