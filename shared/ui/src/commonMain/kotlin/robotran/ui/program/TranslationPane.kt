@@ -24,8 +24,8 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.editableText
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.semantics.text
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -183,7 +183,8 @@ private fun TranslatedText(
             .testTag("translation-text")
             .semantics {
                 contentDescription = label
-                text = AnnotatedString(translation.text)
+                // A field that cannot be written: the page's screen readers read what is in a field, line by line.
+                editableText = AnnotatedString(translation.text)
             }
             .pointerInput(touch) { listenForZoom(touch) }
             .scrolls(view)

@@ -84,7 +84,8 @@ private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String
     return when {
         run.isSeeking -> stringResource(Res.string.run_status_seeking, secondsText(run.time))
 
-        status is WorkshopStatus.Paused && mark != null -> markText(mark)
+        // Where the program stopped says more than a tone that begins at the same moment.
+        status is WorkshopStatus.Paused && mark != null && (run.inPast || status.line == 0) -> markText(mark)
 
         run.isPaused && run.inPast && !run.running -> mark?.let { markText(it) }
             ?: stringResource(Res.string.run_status_past)
