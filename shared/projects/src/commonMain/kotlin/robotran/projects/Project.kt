@@ -47,9 +47,11 @@ data class Project(
             robot.programs.map { it.source }
     }
 
-    /** The same project, which does not say how its programs are shown. */
+    /** The same project, which does not say how its programs are shown, nor which is in front. */
     fun withoutViews(): Project = copy(
-        robots = robots.map { robot -> robot.copy(programs = robot.programs.map { it.copy(view = null) }) },
+        robots = robots.map { robot ->
+            robot.copy(programs = robot.programs.map { it.copy(view = null) }, firstProgram = 0)
+        },
     )
 }
 

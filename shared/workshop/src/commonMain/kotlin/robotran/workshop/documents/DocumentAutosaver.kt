@@ -56,8 +56,11 @@ internal class DocumentAutosaver(
     /** The ID of the open project; null until it is first autosaved. */
     val openId: String? get() = id
 
-    /** Whether the project has not changed since it was opened, created or written to its file. */
-    val isSaved: Boolean get() = savedProject == current.project
+    /**
+     * Whether the project has not changed since it was opened, created or written to its file. To look at another
+     * program is no change.
+     */
+    val isSaved: Boolean get() = equalsExceptViews(savedProject)
 
     /**
      * Whether the autosaved copy is up to date. In a new project, choosing how programs are shown is not yet work to

@@ -86,11 +86,9 @@ internal class RobotPrograms(
                 entry.program.asProject(entry.view.takeUnless { isUsual })
             }
         }
-        return saved.copy(
-            programs = written,
-            firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)),
-        )
-            .takeIf { it != ProjectRobot(placement.name) }
+        // Run starts what is in front, also after a reload and for whoever gets a link.
+        val first = shownProgram.coerceAtMost(maxOf(0, written.size - 1))
+        return saved.copy(programs = written, firstProgram = first).takeIf { it != ProjectRobot(placement.name) }
     }
 
     /** The programs to load; Run starts the one in [firstSlot]. */

@@ -71,6 +71,9 @@ class RunStateHolder(
     private val tries = TryRecorder(run)
     private val escape = LoneEscape()
 
+    /** The programs that were started in the [recording], whichever are shown since. */
+    private var recordedSlots = run.firstSlots
+
     private val player: RunPlayer get() = run.player
 
     var state: RunPaneState by mutableStateOf(firstState())
@@ -184,6 +187,7 @@ class RunStateHolder(
     fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
         this.recording = recording
         startNewRun(programs.slotsBeginning(programs.slotToRun), world)
+        recordedSlots = run.firstSlots
         state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
         idleDetector.disturb()
         show()
@@ -302,8 +306,7 @@ class RunStateHolder(
 
     private fun playRecording() {
         if (recording.isEmpty() || isRefused()) return
-        val robots = current.project.robots.associateBy { it.name }
-        startNewRun(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
+        startNewRun(recordedSlots, inputs = recording)
         state = state.copy(untouched = false)
         navigator.show(Pane.WORLD)
     }

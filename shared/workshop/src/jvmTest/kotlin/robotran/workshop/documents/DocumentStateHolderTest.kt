@@ -4,6 +4,7 @@ import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.yield
 import robotran.documents.OpenFilesError
+import robotran.language.ProgramLanguage
 import robotran.projects.LinkResult
 import robotran.projects.ProjectFileResult
 import robotran.projects.openLink
@@ -295,6 +296,25 @@ class DocumentStateHolderTest {
         assertIs<LinkResult.OfProject>(runBlocking { openLink(link) })
         val other = machine.window(OpenRequest.OfLink("https://school.example/$link"))
         assertEquals("forward 7", other.state.programText)
+    }
+
+    @Test
+    fun `the program in front is in front again after a reload and for whoever gets the link`() {
+        val first = machine.window()
+        first.write("forward 1")
+        first.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
+        val inFront = first.state.programText
+        first.handle(DocumentEvent.LinkRequested)
+        first.handle(DocumentEvent.LinkCopied)
+        val link = assertNotNull(machine.clipboard.text)
+        runBlocking { assertTrue(first.closeDocument()) }
+        val second = machine.window()
+        assertEquals(inFront, second.state.programText)
+        second.handle(ProgramEvent.ProgramChosen(0))
+        runBlocking { assertTrue(second.closeDocument()) }
+        assertEquals("forward 1", machine.window().state.programText)
+        val other = machine.window(OpenRequest.OfLink("https://school.example/$link"))
+        assertEquals(inFront, other.state.programText)
     }
 
     @Test
