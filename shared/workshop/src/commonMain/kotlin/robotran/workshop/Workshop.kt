@@ -442,7 +442,10 @@ class Workshop(
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.projectChanged()
-        if (isAnother) taskShown = state.hasTask
+        if (isAnother) {
+            settingsHolder.handle(SettingsEvent.SettingsShown(false))
+            taskShown = state.hasTask
+        }
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
         withdrawUndo()

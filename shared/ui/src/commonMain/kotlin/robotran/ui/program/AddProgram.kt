@@ -12,6 +12,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
@@ -79,21 +80,35 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
     }
 }
 
+/** The languages in which an assignment lets pupils write; null for all. */
+internal val LocalAllowedLanguages = staticCompositionLocalOf<List<ProgramLanguage>?> { null }
+
 /** Only an RCX has a firmware of LEGO's; its assembly is for the few who ask for more. */
 @Composable
 private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
     var hasMore by remember { mutableStateOf(false) }
-    val create = { language: ProgramLanguage -> onEvent(ProgramEvent.NewProgramRequested(language)) }
-    Choice(stringResource(Res.string.program_new_robolang), "new-robolang") { create(ProgramLanguage.ROBOLANG) }
-    Choice(stringResource(Res.string.program_new_java), "new-java") { create(ProgramLanguage.JAVA) }
-    if (brick != BrickKind.RCX) return
-    Choice(stringResource(Res.string.program_new_nqc), "new-nqc") { create(ProgramLanguage.NQC) }
-    if (hasMore) {
-        Choice(stringResource(Res.string.program_new_lasm), "new-lasm") { create(ProgramLanguage.LASM) }
-    } else {
-        Choice(stringResource(Res.string.program_new_more), "new-more") { hasMore = true }
+    val allowed = LocalAllowedLanguages.current ?: ProgramLanguage.entries
+    val languages = allowed.filter { brick == BrickKind.RCX || it !in OF_LEGO_FIRMWARE }
+    for ((language, words) in WORDS_OF_NEW.filterKeys { it in languages }) {
+        if (language == ProgramLanguage.LASM && languages.size > 1 && !hasMore) {
+            Choice(stringResource(Res.string.program_new_more), "new-more") { hasMore = true }
+        } else {
+            Choice(stringResource(words), "new-${language.name.lowercase()}") {
+                onEvent(ProgramEvent.NewProgramRequested(language))
+            }
+        }
     }
 }
+
+private val OF_LEGO_FIRMWARE = setOf(ProgramLanguage.NQC, ProgramLanguage.LASM)
+
+/** In the order in which they are offered. */
+private val WORDS_OF_NEW = mapOf(
+    ProgramLanguage.ROBOLANG to Res.string.program_new_robolang,
+    ProgramLanguage.JAVA to Res.string.program_new_java,
+    ProgramLanguage.NQC to Res.string.program_new_nqc,
+    ProgramLanguage.LASM to Res.string.program_new_lasm,
+)
 
 @Composable
 private fun Note(text: String) {

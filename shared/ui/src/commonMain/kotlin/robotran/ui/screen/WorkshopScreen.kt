@@ -32,6 +32,7 @@ import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
+import robotran.ui.program.LocalAllowedLanguages
 import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.robot.RobotEditPane
@@ -85,7 +86,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
-            WithAllowedBlocks(state, onEvent) {
+            WithAllowed(state, onEvent) {
                 val edit = state.worldEdit
                 val bench = state.robotEdit
                 CompositionLocalProvider(LocalBrickKind provides state.run.brick.kind) {
@@ -137,13 +138,9 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
     }
 }
 
-/** [content] in which the palette of blocks has what the open assignment allows, and programs say what it does not. */
+/** [content], which offers the blocks and languages that the open assignment allows; programs say what it does not. */
 @Composable
-private fun WithAllowedBlocks(
-    state: WorkshopState,
-    onEvent: (WorkshopEvent) -> Unit,
-    content: @Composable () -> Unit,
-) {
+private fun WithAllowed(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, content: @Composable () -> Unit) {
     val assignment = state.assignment?.takeIf { it.isOpenForTries }?.assignment
     val allowed = remember(assignment?.words) { assignment?.let { allowedBlocks(it) } }
     val found = state.assignment?.notAllowed.orEmpty()
@@ -156,6 +153,7 @@ private fun WithAllowedBlocks(
     }
     CompositionLocalProvider(
         LocalAllowedBlocks provides allowed,
+        LocalAllowedLanguages provides assignment?.languages?.ifEmpty { null },
         LocalProgramWarning provides warning,
         content = content,
     )

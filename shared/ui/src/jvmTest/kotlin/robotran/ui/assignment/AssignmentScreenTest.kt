@@ -10,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.assignments.doing.pupilCopy
+import robotran.language.ProgramLanguage
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -35,6 +36,7 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
@@ -83,6 +85,16 @@ class AssignmentScreenTest {
         val broken = AnyAssignment.assignment.run { copy(pictures = pictures.map { it.copy(base64 = "AAAA") }) }
         on(TABLET, pupilCopy(AnyAssignment.teachers.copy(assignment = broken))) {
             onNodeWithTag("assignment-picture-broken").assertTextContains("This picture cannot be shown: A dot")
+        }
+    }
+
+    @Test
+    fun `new programs are offered in the languages of the assignment only`() {
+        val only = AnyAssignment.assignment.copy(languages = listOf(ProgramLanguage.NQC))
+        on(TABLET, pupilCopy(AnyAssignment.teachers.copy(assignment = only))) {
+            touch("add-program")
+            assertTrue(has("new-nqc"))
+            for (tag in listOf("new-robolang", "new-java", "new-more", "new-lasm")) assertFalse(has(tag), tag)
         }
     }
 

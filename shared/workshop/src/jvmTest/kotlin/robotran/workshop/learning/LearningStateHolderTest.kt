@@ -1,6 +1,7 @@
 package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
@@ -8,9 +9,11 @@ import robotran.projects.ProgramView
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
@@ -48,6 +51,17 @@ class LearningStateHolderTest {
         first.handle(LearningEvent.PageClosed)
         assertNull(first.learning.page)
         assertNull(workshop(welcoming = true).learning.page)
+    }
+
+    @Test
+    fun `a new project from the menu of the window leaves whatever page covers it`() {
+        val workshop = workshop(welcoming = true)
+        workshop.handle(DocumentEvent.NewWithBrick(BrickKind.NXT))
+        assertNull(workshop.learning.page)
+        assertNull(workshop(welcoming = true).learning.page, "who has begun is not welcomed again")
+        workshop.handle(SettingsEvent.SettingsShown(true))
+        workshop.handle(DocumentEvent.NewRequested)
+        assertFalse(workshop.state.settingsShown)
     }
 
     @Test

@@ -60,7 +60,9 @@ internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, on
         Start(state, onEvent)
         Solution(state, onEvent)
         Languages(state.assignment, change)
-        Words(state.assignment, change)
+        val languages = state.assignment.languages
+        // Only Robolang has words and blocks to choose from.
+        if (languages.isEmpty() || ProgramLanguage.ROBOLANG in languages) Words(state.assignment, change)
     }
 }
 
