@@ -1,8 +1,7 @@
 package robotran.nqc
 
 import robotran.legofirmware.image.FirmwareLimits
-import robotran.legofirmware.image.FirmwareTarget
-import robotran.nqc.api.NqcApi
+import robotran.nqc.api.ApiNames
 import robotran.nqc.api.Prelude
 import robotran.nqc.check.CallCheck
 import robotran.nqc.check.ProgramCheck
@@ -25,6 +24,7 @@ internal class Compilation(
     private val sink: DiagnosticSink,
 ) {
     private val target = options.target
+    private val apiNames = ApiNames(target, options.isOld)
     private val prelude = Prelude.of(target, options.isOld)
 
     /** The program; null if it has errors. */
@@ -36,13 +36,13 @@ internal class Compilation(
             target,
             preprocessed.macros,
             prelude.functions,
-            ::needsSecondFirmware,
+            apiNames,
         )
         val program = parser.program()
         if (sink.hasErrors) return null
         ProgramCheck(program, sink).check(name, preprocessed.pragmas.init)
         val start = start(program, preprocessed.pragmas)
-        val calls = CallCheck(program, start, ::needsSecondFirmware, sink)
+        val calls = CallCheck(program, start, apiNames, preprocessed.macros, sink)
         val subsOfTasks = calls.subsOfTasks()
         calls.checkSubs()
         if (sink.hasErrors) return null
@@ -51,18 +51,15 @@ internal class Compilation(
         return NqcProgram(name, generated.image, generated.lines)
     }
 
-    private fun needsSecondFirmware(word: String): Boolean =
-        target == FirmwareTarget.RCX && !options.isOld && word in NqcApi.of(FirmwareTarget.RCX2)
-
     /** The call of what runs before the main task; null if there is none. */
     private fun start(program: ParsedProgram, pragmas: Pragmas): Statement? {
         val init = pragmas.init
         val main = program.tasks.find { it.name == MAIN }?.range ?: SourceRange.API
         return when {
             !pragmas.hasInit -> null
-            init != null -> Statement.Call(init.name, emptyList(), init.range, false)
+            init != null -> Statement.Call(init.name, emptyList(), init.range, init.range, false)
             options.isOld -> null
-            else -> Statement.Call(Prelude.INIT_NAME, emptyList(), main, false)
+            else -> Statement.Call(Prelude.INIT_NAME, emptyList(), main, main, false)
         }
     }
 

@@ -29,6 +29,27 @@ class DiagnosticsTest {
             "int x; task main() { switch (x) { case 1 x = 2; } }",
             "int x; task main() { switch (x) { case 1: } }",
             "int x; task main() { x = (1 + 2; }",
+            "task main() { Wait(0.5); }",
+            "task main() { PlayTone(440, .5); }",
+            "task main() { OnFor(OUT_A + OUT_C, 1.25); }",
+            "task main() { drive; } task drive() { }",
+            "task main() { drive(); } task drive() { }",
+            "task main() { s; } sub s() { }",
+            "task main() { ClearMessage; }",
+            "Task main() { }",
+            "taks main() { }",
+            "VOID f() { } task main() { f(); }",
+            "Int x; task main() { x = 1; }",
+            "task main() { Int x = 1; }",
+            "float x; task main() { x = 1; }",
+            "task main() { float x = 1; x++; }",
+            "task main() { While (true) { } }",
+            "task main() { repaet (4) { Wait(1); } }",
+            "task main() { if (true) Wait(1); Else Wait(2); }",
+            "task main() { do Wait(1); While (false); }",
+            "task main() { while (true) Break; }",
+            "task main() { while (True) { } }",
+            "task main() { Until (SENSOR_1 > 500); }",
         )
         for (program in programs) {
             val found = diagnosticsOf(program).first()
@@ -116,9 +137,45 @@ class DiagnosticsTest {
 
     @Test
     fun `a decimal number is explained`() {
-        val found = diagnosticsOf("task main() { Wait(0.5); }").single()
-        assertTrue("whole numbers" in found.message, found.message)
+        val found = diagnosticsOf("int x; task main() { x = 0.5; }").single()
+        assertTrue("whole numbers" in found.message && found.fix == null, found.message)
+        val time = diagnosticsOf("task main() { Wait(2.5); }").single()
+        assertTrue("250" in time.message && time.fix?.replacement == "250", time.message)
+        assertEquals(null, diagnosticsOf("#define HALF 0.5\ntask main() { Wait(HALF); }").single().fix)
+        assertEquals(null, diagnosticsOf("task main() { Wait(1000.5); }").single().fix)
+        assertEquals(null, diagnosticsOf("task main() { Wait(0.001); }").single().fix)
     }
+
+    @Test
+    fun `words in other capitals are only corrected if they mean nothing`() {
+        val program =
+            "int While; void Repeat(int n) { While = n; } task main() { While = 1; Repeat(2); Start: While++; }"
+        assertEquals(emptyList(), diagnosticsOf(program))
+        assertEquals("There is no variable \"If\".", message("task main() { If = 3; }").substringBefore(" Declare"))
+    }
+
+    @Test
+    fun `a name alone is told by what it means`() {
+        assertEquals("\"drive\" is a task. Write: start drive;", message("task main() { drive; } task drive() { }"))
+        assertEquals("After \"Off\" come brackets: Off(OUT_A);", message("task main() { Off; }"))
+        assertEquals("After \"f\" come brackets: f(..);", message("task main() { f; } void f(int a) { }"))
+        assertEquals("There is nothing named \"OnF\". Did you mean \"OnFwd\"?", message("task main() { OnF }"))
+        assertEquals(
+            "There is nothing named \"xyz\". A command looks like this: OnFwd(OUT_A);",
+            message("task main() { xyz; }"),
+        )
+    }
+
+    @Test
+    fun `a call with too few arguments shows how it is written`() {
+        val calls = listOf("OnFwd()" to "OnFwd(OUT_A);", "SetSensor(SENSOR_1)" to "SetSensor(SENSOR_1, SENSOR_TOUCH);")
+        for ((call, right) in calls) {
+            assertTrue(message("task main() { $call; }").endsWith("Write it like this: $right"), call)
+        }
+        assertTrue("step(a, b);" in message("void step(int a, int b) { } task main() { step(1); }"))
+    }
+
+    private fun message(source: String): String = diagnosticsOf(source).first().message
 
     private fun check(source: String, code: NqcDiagnosticCode) {
         val found = diagnosticsOf(source)

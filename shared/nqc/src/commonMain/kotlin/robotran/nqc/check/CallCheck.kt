@@ -1,5 +1,6 @@
 package robotran.nqc.check
 
+import robotran.nqc.api.ApiNames
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
@@ -13,11 +14,13 @@ import robotran.nqc.tree.Statement
  * Checks who calls whom, before code is generated.
  *
  * @param start what comes before the main task.
+ * @param macros their names, for suggestions.
  */
 internal class CallCheck(
     private val program: ParsedProgram,
     private val start: Statement?,
-    private val needsSecondFirmware: (String) -> Boolean,
+    private val apiNames: ApiNames,
+    private val macros: Set<String>,
     private val sink: DiagnosticSink,
 ) {
     private val taskNames = program.tasks.map { it.name }.toSet()
@@ -97,24 +100,38 @@ internal class CallCheck(
 
     private fun checkCount(call: Statement.Call, count: Int) {
         if (call.arguments.size == count) return
-        val message = sink.messages.argumentCount(call.name, count, call.arguments.size)
+        val message = sink.messages.argumentCount(call.name, count, call.arguments.size, patternOf(call.name))
         sink.report(NqcDiagnosticCode.ARGUMENT_COUNT, call.range, message)
     }
 
     private fun reportUndefined(call: Statement.Call) {
         val name = call.name
-        if (name in taskNames || needsSecondFirmware(name)) {
-            val message =
-                if (name in taskNames) sink.messages.taskCalled(name) else sink.messages.needsSecondFirmware(name)
+        if (name in taskNames) return reportTask(call)
+        if (apiNames.needsSecondFirmware(name)) {
+            val message = sink.messages.needsSecondFirmware(name)
             return sink.report(NqcDiagnosticCode.UNDEFINED_FUNCTION, call.range, message)
         }
-        val similar = similarName(name, program.functions.keys + subNames)
+        val similar = similarName(name, program.functions.keys + subNames) ?: similarName(name, macros)
         sink.report(
             NqcDiagnosticCode.UNDEFINED_FUNCTION,
             call.range,
             sink.messages.undefinedFunction(name, similar),
             similar?.takeIf { !call.macro }?.let { SourceFix(call.range, it) },
         )
+    }
+
+    private fun reportTask(call: Statement.Call) {
+        val isOnLine = call.end.file == call.range.file && call.end.line == call.range.line
+        val fix = SourceFix(call.range.to(call.end), "start ${call.name}")
+            .takeIf { isOnLine && call.arguments.isEmpty() && !call.macro }
+        sink.report(NqcDiagnosticCode.UNDEFINED_FUNCTION, call.range, sink.messages.taskCalled(call.name), fix)
+    }
+
+    /** How the function or subroutine [name] is called. */
+    private fun patternOf(name: String): String {
+        val function = program.functions[name]
+        val own = function?.parameters.orEmpty().joinToString(", ", "$name(", ")") { it.name }
+        return if (function?.isOfApi == true) apiNames.callOf(name) ?: own else own
     }
 
     private companion object {

@@ -33,6 +33,12 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
 
     UNEXPECTED_TOKEN(SYNTAX),
     UNKNOWN_CHARACTER(SYNTAX),
+
+    /** `Task main()`. */
+    MISSPELLED_WORD(SYNTAX),
+
+    /** `float x;` */
+    OTHER_TYPE(SYNTAX),
     TEXT_AS_VALUE(SYNTAX),
     MISSING_SEMICOLON(SYNTAX),
     MISSING_BRACKET(SYNTAX),

@@ -2,6 +2,7 @@ package robotran.nqc.edit
 
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.api.ExpectedNames
 import robotran.nqc.api.NqcApi
 import robotran.nqc.api.NqcApiEntry
 import robotran.nqc.api.NqcApiKind

@@ -14,6 +14,7 @@ internal class FlowParser(
     private val reader: TokenReader,
     private val expressions: ExpressionParser,
     private val assignments: AssignmentParser,
+    private val misspelled: MisspelledWords,
     private val statement: () -> Statement,
     private val block: () -> Statement,
 ) {
@@ -32,6 +33,11 @@ internal class FlowParser(
         else -> null
     }
 
+    private fun accept(keyword: Keyword): Boolean {
+        misspelled.correct()
+        return reader.accept(keyword)
+    }
+
     private fun withBody(make: (Expression, Statement, SourceRange) -> Statement): Statement {
         val word = reader.advance()
         val value = expressions.inBrackets()
@@ -44,7 +50,7 @@ internal class FlowParser(
         val condition = expressions.inBrackets()
         warnOfEmptyBody(word)
         val then = statement()
-        val otherwise = if (reader.accept(Keyword.ELSE)) statement() else null
+        val otherwise = if (accept(Keyword.ELSE)) statement() else null
         return Statement.If(condition, then, otherwise, word.range.to(condition.range))
     }
 
@@ -59,7 +65,7 @@ internal class FlowParser(
     private fun doWhile(): Statement {
         val word = reader.advance()
         val body = statement()
-        if (!reader.accept(Keyword.WHILE)) {
+        if (!accept(Keyword.WHILE)) {
             reader.fail(NqcDiagnosticCode.UNEXPECTED_TOKEN, reader.gap, sink.messages.doWithoutWhile())
         }
         val condition = expressions.inBrackets()
@@ -88,8 +94,8 @@ internal class FlowParser(
         val events = expressions.inBrackets()
         val body = block()
         val handlers = mutableListOf<Handler>()
-        while (reader.isKeyword(Keyword.CATCH)) {
-            val handler = reader.advance()
+        while (accept(Keyword.CATCH)) {
+            val handler = reader.previous
             val mask = if (reader.isSign("(")) expressions.constantOf(expressions.inBrackets()) else null
             handlers += Handler(mask, block(), handler.range)
         }
@@ -101,7 +107,7 @@ internal class FlowParser(
         val resources = expressions.inBrackets()
         val number = expressions.constantOf(resources)
         val body = block()
-        val handler = if (reader.accept(Keyword.CATCH)) block() else null
+        val handler = if (accept(Keyword.CATCH)) block() else null
         return Statement.Acquire(number, body, handler, word.range.to(resources.range))
     }
 }
