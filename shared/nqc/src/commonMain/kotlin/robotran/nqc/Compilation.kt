@@ -48,7 +48,7 @@ internal class Compilation(
         if (sink.hasErrors) return null
         val generated = generate(program, start, preprocessed.pragmas, subsOfTasks)
         if (!sink.hasErrors) checkMemory(program, generated)
-        return NqcProgram(name, generated.image, generated.lines)
+        return NqcProgram(name, generated.image, generated.lines, generated.variables)
     }
 
     /** The call of what runs before the main task; null if there is none. */

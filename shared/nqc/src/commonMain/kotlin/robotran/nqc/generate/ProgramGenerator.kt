@@ -58,7 +58,12 @@ internal class ProgramGenerator(
             tasks.forEachIndexed { number, task -> generateTask(number, task.name, task.body) }
         }
         names.all.forEach { symbols += Symbol(SymbolKind.VARIABLE, it.place, nameOf(it.variable.name)) }
-        return GeneratedProgram(RcxImage(target, chunks, symbols), lines, budget.isOutOfVariables)
+        return GeneratedProgram(
+            RcxImage(target, chunks, symbols),
+            lines,
+            names.table,
+            budget.isOutOfVariables,
+        )
     }
 
     private fun reserve() {
@@ -108,6 +113,7 @@ internal class ProgramGenerator(
         bodies: List<Statement>,
     ): Set<Int> {
         allocator.begin(mode)
+        names.owner = id
         val emitter = Emitter(target, allocator, sink, budget)
         val statements = StatementEmitter(emitter, units, names)
         var code = Code(ByteArray(0), emptyList())
