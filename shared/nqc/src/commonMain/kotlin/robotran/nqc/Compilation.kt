@@ -13,10 +13,14 @@ import robotran.nqc.generate.ProgramGenerator
 import robotran.nqc.parse.ProgramParser
 import robotran.nqc.preprocess.Pragmas
 import robotran.nqc.preprocess.Preprocessor
+import robotran.nqc.syntax.Token
 import robotran.nqc.tree.ParsedProgram
 import robotran.nqc.tree.Statement
 
-/** The phases of compiling the program whose main file is [name]. Each needs a program without errors so far. */
+/**
+ * The phases of compiling the program whose main file is [name]. As many of them as possible look for errors, so that
+ * the pupil sees all at once.
+ */
 internal class Compilation(
     private val name: String,
     private val files: Map<String, String>,
@@ -30,6 +34,10 @@ internal class Compilation(
     /** The program; null if it has errors. */
     fun compile(): NqcProgram? {
         val preprocessed = Preprocessor(files, prelude.macros, sink).read(name)
+        // A file that includes itself would declare everything twice.
+        if (sink.has(NqcDiagnosticCode.TOO_MANY_INCLUDES)) return null
+        // Where text is missing, what it declares seems to be missing, too.
+        val isComplete = !sink.hasErrors
         val parser = ProgramParser(
             preprocessed.tokens,
             sink,
@@ -39,17 +47,22 @@ internal class Compilation(
             apiNames,
         )
         val program = parser.program()
-        if (sink.hasErrors) return null
-        ProgramCheck(program, sink).check(name, preprocessed.pragmas.init)
+        if (!isComplete) return null
+        val isRead = !sink.hasErrors
+        ProgramCheck(program, parser.declared, sink).check(endOf(preprocessed.tokens), preprocessed.pragmas.init)
         val start = start(program, preprocessed.pragmas)
-        val calls = CallCheck(program, start, apiNames, preprocessed.macros, sink)
+        val calls = CallCheck(program, parser.declared, start, apiNames, preprocessed.macros, sink)
         val subsOfTasks = calls.subsOfTasks()
         calls.checkSubs()
-        if (sink.hasErrors) return null
+        // Calls of nothing are left out of the code, which nobody gets then.
+        if (!isRead || !sink.hasOnly(NqcDiagnosticCode.UNDEFINED_FUNCTION)) return null
         val generated = generate(program, start, preprocessed.pragmas, subsOfTasks)
         if (!sink.hasErrors) checkMemory(program, generated)
         return NqcProgram(name, generated.image, generated.lines, generated.variables)
     }
+
+    private fun endOf(tokens: List<Token>) =
+        tokens.last().range.takeIf { it.file == name } ?: SourceRange(name, 1, 1, 1)
 
     /** The call of what runs before the main task; null if there is none. */
     private fun start(program: ParsedProgram, pragmas: Pragmas): Statement? {

@@ -5,6 +5,7 @@ import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.parse.DeclaredUnits
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.FunctionUnit
 import robotran.nqc.tree.ParsedProgram
@@ -13,11 +14,13 @@ import robotran.nqc.tree.Statement
 /**
  * Checks who calls whom, before code is generated.
  *
+ * @param declared what the program declares, also what could not be read.
  * @param start what comes before the main task.
  * @param macros their names, for suggestions.
  */
 internal class CallCheck(
     private val program: ParsedProgram,
+    private val declared: DeclaredUnits,
     private val start: Statement?,
     private val apiNames: ApiNames,
     private val macros: Set<String>,
@@ -107,6 +110,7 @@ internal class CallCheck(
     private fun reportUndefined(call: Statement.Call) {
         val name = call.name
         if (name in taskNames) return reportTask(call)
+        if (name in declared.names) return
         if (apiNames.needsSecondFirmware(name)) {
             val message = sink.messages.needsSecondFirmware(name)
             return sink.report(NqcDiagnosticCode.UNDEFINED_FUNCTION, call.range, message)

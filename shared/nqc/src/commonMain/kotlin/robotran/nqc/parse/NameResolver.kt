@@ -7,6 +7,7 @@ import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
+import robotran.nqc.syntax.Signs
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.syntax.similarName
@@ -47,10 +48,18 @@ internal class NameResolver(
             NqcDiagnosticCode.UNDEFINED_VARIABLE,
             name.range,
             sink.messages.undefinedVariable(text, similar),
-            similar?.takeIf { name.macro == null }?.let { SourceFix(name.range, it) },
+            when {
+                name.macro != null -> null
+                similar != null -> SourceFix(name.range, similar)
+                else -> declared.declaration(text, name.range).takeIf { isChanged(name) }
+            },
         )
         return unknown
     }
+
+    /** Whether [name] was read last and gets a value: then it is a variable and no misspelled constant. */
+    private fun isChanged(name: Token): Boolean = reader.previous === name && reader.token.kind == TokenKind.SIGN &&
+        (reader.token.text in Signs.ASSIGNMENTS || reader.token.text in STEPS)
 
     fun isUnknown(variable: Variable): Boolean = variable === unknown
 
@@ -137,6 +146,7 @@ internal class NameResolver(
     }
 
     private companion object {
+        val STEPS = setOf("++", "--")
         val VALUE_WORDS = Keyword.entries.filter { it.group == KeywordGroup.VALUE }.map { it.text }
     }
 }

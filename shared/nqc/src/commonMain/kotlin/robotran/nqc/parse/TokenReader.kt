@@ -46,7 +46,10 @@ internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
     val gap: SourceRange get() = previous.range.end
 
     /** A fix that inserts [text] at [gap]; null if a macro's text would have to change. */
-    fun insertion(text: String): SourceFix? = if (previous.macro == null) SourceFix(gap, text) else null
+    fun insertion(text: String): SourceFix? {
+        val use = previous.macro?.outermost ?: return SourceFix(gap, text)
+        return if (token.macro?.outermost === use) null else SourceFix(use.end.end, text)
+    }
 
     /** Skips an opening bracket or brace. */
     fun opening(sign: String) {
