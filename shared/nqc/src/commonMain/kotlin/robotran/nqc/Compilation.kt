@@ -7,9 +7,11 @@ import robotran.nqc.check.CallCheck
 import robotran.nqc.check.ProgramCheck
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.generate.GeneratedProgram
 import robotran.nqc.generate.ProgramGenerator
+import robotran.nqc.generate.SensorUse
 import robotran.nqc.parse.ProgramParser
 import robotran.nqc.preprocess.Pragmas
 import robotran.nqc.preprocess.Preprocessor
@@ -57,7 +59,10 @@ internal class Compilation(
         // Calls of nothing are left out of the code, which nobody gets then.
         if (!isRead || !sink.hasOnly(NqcDiagnosticCode.UNDEFINED_FUNCTION)) return null
         val generated = generate(program, start, preprocessed.pragmas, subsOfTasks)
-        if (!sink.hasErrors) checkMemory(program, generated)
+        if (!sink.hasErrors) {
+            checkMemory(program, generated)
+            generated.unsetSensors.forEach { warnOfSensor(program, it) }
+        }
         return NqcProgram(name, generated.image, generated.lines, generated.variables)
     }
 
@@ -92,6 +97,20 @@ internal class Compilation(
         return ProgramGenerator(program, start, pragmas.reserved, subsOfTasks, target, sink, true).generate()
     }
 
+    private fun warnOfSensor(program: ParsedProgram, comparison: SensorUse.Comparison) {
+        val isKnown = apiNames.callOf(SET_SENSOR) != null
+        if (!isKnown || comparison.range.line == 0 || comparison.port !in 0..2) return
+        val port = comparison.port + 1
+        val call = "$SET_SENSOR(SENSOR_$port, ${if (comparison.isTouch) "SENSOR_TOUCH" else "SENSOR_LIGHT"})"
+        val brace = program.tasks.first { it.name == MAIN }.body.range
+        val fix = SourceFix(brace.end, "\n    $call;").takeIf {
+            comparison.isTouch &&
+                brace.file == comparison.range.file
+        }
+        val message = sink.messages.sensorNotSet(port, call)
+        sink.report(NqcDiagnosticCode.SENSOR_NOT_SET, comparison.range, message, fix)
+    }
+
     private fun checkMemory(program: ParsedProgram, generated: GeneratedProgram) {
         val limit = FirmwareLimits.PROGRAM_MEMORY
         val size = generated.image.codeSize
@@ -102,5 +121,6 @@ internal class Compilation(
 
     private companion object {
         const val MAIN = "main"
+        const val SET_SENSOR = "SetSensor"
     }
 }

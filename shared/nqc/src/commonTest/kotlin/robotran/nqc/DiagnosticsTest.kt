@@ -50,6 +50,7 @@ class DiagnosticsTest {
             "task main() { while (true) Break; }",
             "task main() { while (True) { } }",
             "task main() { y = 5; }",
+            "task main()\n{\n    until (SENSOR_1 == 1);\n}",
             "int x;\n\n// Counts.\nvoid f() { y++; }\ntask main() { f(); }",
             "task main() { OnFwd(OUT_A; }",
             "task main() { OnFwd(OUT_A + OUT_C; }",

@@ -134,6 +134,12 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
 
     /** `if (x);` */
     EMPTY_BODY(null, Severity.WARNING),
+
+    /** Two lines below an `if` without braces. */
+    MISLEADING_INDENT(null, Severity.WARNING),
+
+    /** A sensor is compared, but nothing says what is connected. */
+    SENSOR_NOT_SET(null, Severity.WARNING),
     ;
 
     /** The stable name, such as `missing-semicolon`. */

@@ -37,6 +37,7 @@ internal class ProgramGenerator(
     private val budget = GenerationBudget(releasesAll)
     private val allocator = PlaceAllocator(target)
     private val names = VariableNames()
+    private val sensors = SensorUse()
     private val globals = HashMap<Variable, Expression>()
 
     // The main task is number 0, the others count in the order of the source.
@@ -62,6 +63,7 @@ internal class ProgramGenerator(
             RcxImage(target, chunks, symbols),
             lines,
             names.table,
+            sensors.unset,
             budget.isOutOfVariables,
         )
     }
@@ -114,7 +116,7 @@ internal class ProgramGenerator(
     ): Set<Int> {
         allocator.begin(mode)
         names.owner = id
-        val emitter = Emitter(target, allocator, sink, budget)
+        val emitter = Emitter(target, allocator, sink, budget, sensors)
         val statements = StatementEmitter(emitter, units, names)
         var code = Code(ByteArray(0), emptyList())
         try {

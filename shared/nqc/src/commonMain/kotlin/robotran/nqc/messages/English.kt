@@ -159,6 +159,9 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun emptyBody(word: String) =
         "This semicolon ends the $word, so what follows does not belong to it. Remove it."
+
+    override fun misleadingIndent(word: String) =
+        "This line does not belong to the $word: without braces, only one does. Put { } around both."
 }
 
 private object EnglishNameMessages : NqcNameMessages {
@@ -319,6 +322,9 @@ private object EnglishCodeMessages : NqcCodeMessages {
 
     override fun memoryFull(bytes: Int, limit: Int) =
         "The program has $bytes bytes, but a brick has only $limit for all programs. Turn functions into subs."
+
+    override fun sensorNotSet(port: Int, call: String) =
+        "Nothing says what is connected to port $port. Write at the beginning: $call;"
 
     override fun argumentRange(limit: ParameterLimit, value: Int) =
         "${nounOf(limit)} goes from ${limit.values.first} to ${limit.values.last}, but this is $value."

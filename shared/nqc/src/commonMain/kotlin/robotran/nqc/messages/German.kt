@@ -168,6 +168,9 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun emptyBody(word: String) =
         "Dieser Strichpunkt beendet das $word, also gehört das Folgende nicht mehr dazu. Lösch ihn."
+
+    override fun misleadingIndent(word: String) =
+        "Diese Zeile gehört nicht zum $word: Ohne geschweifte Klammern gehört nur eine dazu. Setz { } um beide."
 }
 
 private object GermanNameMessages : NqcNameMessages {
@@ -338,6 +341,9 @@ private object GermanCodeMessages : NqcCodeMessages {
     override fun memoryFull(bytes: Int, limit: Int) =
         "Das Programm hat $bytes Bytes, aber ein Stein hat nur $limit für alle Programme. Mach aus Funktionen " +
             "Unterprogramme: sub."
+
+    override fun sensorNotSet(port: Int, call: String) =
+        "Nirgends steht, was am Eingang $port steckt. Schreib am Anfang: $call;"
 
     override fun argumentRange(limit: ParameterLimit, value: Int) =
         "${nounOf(limit)} geht von ${limit.values.first} bis ${limit.values.last}, hier steht $value."

@@ -90,4 +90,7 @@ interface NqcSyntaxMessages {
 
     /** @param word such as `if`. */
     fun emptyBody(word: String): String
+
+    /** @param word such as `if`. */
+    fun misleadingIndent(word: String): String
 }

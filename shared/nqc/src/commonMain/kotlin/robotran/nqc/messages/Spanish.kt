@@ -164,6 +164,9 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun emptyBody(word: String) =
         "Este punto y coma termina el $word, así que lo que sigue ya no pertenece a él. Quítalo."
+
+    override fun misleadingIndent(word: String) =
+        "Esta línea no pertenece al $word: sin llaves solo pertenece una. Pon { } alrededor de las dos."
 }
 
 private object SpanishNameMessages : NqcNameMessages {
@@ -330,6 +333,9 @@ private object SpanishCodeMessages : NqcCodeMessages {
     override fun memoryFull(bytes: Int, limit: Int) =
         "El programa tiene $bytes bytes, pero un ladrillo solo tiene $limit para todos los programas. Convierte " +
             "funciones en subrutinas: sub."
+
+    override fun sensorNotSet(port: Int, call: String) =
+        "Nada dice qué hay conectado a la entrada $port. Escribe al principio: $call;"
 
     override fun argumentRange(limit: ParameterLimit, value: Int) =
         "${nounOf(limit)} va de ${limit.values.first} a ${limit.values.last}, pero aquí hay $value."

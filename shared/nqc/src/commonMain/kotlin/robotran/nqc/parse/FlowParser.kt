@@ -19,6 +19,7 @@ internal class FlowParser(
     private val block: () -> Statement,
 ) {
     private val sink = reader.sink
+    private val layout = BodyLayout(reader)
 
     /** Reads a statement that begins with [keyword]; null if that begins none of these. */
     fun statement(keyword: Keyword): Statement? = when (keyword) {
@@ -42,15 +43,16 @@ internal class FlowParser(
         val word = reader.advance()
         val value = expressions.inBrackets()
         if (reader.peek(1).isSign("{")) warnOfEmptyBody(word)
-        return make(value, statement(), word.range.to(value.range))
+        val body = layout.body(word, statement)
+        return make(value, body, word.range.to(value.range))
     }
 
     private fun branch(): Statement {
         val word = reader.advance()
         val condition = expressions.inBrackets()
         warnOfEmptyBody(word)
-        val then = statement()
-        val otherwise = if (accept(Keyword.ELSE)) statement() else null
+        val then = layout.body(word, statement)
+        val otherwise = if (accept(Keyword.ELSE)) layout.body(reader.previous, statement) else null
         return Statement.If(condition, then, otherwise, word.range.to(condition.range))
     }
 
@@ -86,7 +88,7 @@ internal class FlowParser(
         val step = if (reader.isSign(")")) null else assignments.statement()
         reader.closing(")")
         if (reader.peek(1).isSign("{")) warnOfEmptyBody(word)
-        return Statement.For(first, condition, step, statement(), word.range)
+        return Statement.For(first, condition, step, layout.body(word, statement), word.range)
     }
 
     private fun monitor(): Statement {
