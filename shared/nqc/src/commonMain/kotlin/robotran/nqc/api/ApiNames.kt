@@ -14,14 +14,14 @@ internal class ApiNames(private val target: FirmwareTarget, private val isOld: B
         target == FirmwareTarget.RCX && !isOld && name in NqcApi.of(FirmwareTarget.RCX2)
 
     /** How the function [name] is called, without the semicolon; null if it is not part of the API. */
-    fun callOf(name: String): String? = NqcApi.of(target, isOld)[name]?.call
+    fun callOf(name: String): String? = NqcApi.of(target, isOld)[name]?.let { it.usualCall ?: it.signature }
 }
 
-/** A call such as `OnFwd(OUT_A)`; [NqcApiEntry.signature] if no argument is more usual than others. */
-internal val NqcApiEntry.call: String
+/** A call such as `OnFwd(OUT_A)`; null if there are no arguments, or none that are more usual than others. */
+val NqcApiEntry.usualCall: String?
     get() {
         val arguments = parameters.orEmpty().indices.map { argumentOf(this, it) }
-        return if (arguments.isEmpty() || null in arguments) signature else arguments.joinToString(", ", "$name(", ")")
+        return if (arguments.isEmpty() || null in arguments) null else arguments.joinToString(", ", "$name(", ")")
     }
 
 private fun argumentOf(entry: NqcApiEntry, number: Int): String? {

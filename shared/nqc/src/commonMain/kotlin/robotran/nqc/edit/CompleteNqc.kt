@@ -67,7 +67,8 @@ private class Candidates(
         .distinctBy { it.name }
         .map { NqcCompletion("${it.name}()", NqcCompletionKind.FUNCTION, "${it.name}();", it.name.length + 1) }
 
-    private fun entries(kind: NqcApiKind) = api.values.filter { it.kind == kind }.map { completionOf(it) }
+    private fun entries(kind: NqcApiKind) =
+        api.values.filter { it.kind == kind }.sortedByDescending { FIRST.indexOf(it.name) }.map { completionOf(it) }
 
     private fun until() = listOfNotNull(api[UNTIL]).map {
         NqcCompletion(it.signature, NqcCompletionKind.WORD, "$UNTIL ();", UNTIL.length + 2, it.help(language))
@@ -91,6 +92,9 @@ private class Candidates(
 
     private companion object {
         const val UNTIL = "until"
+
+        /** The functions that most programs need, the most usual ones last; the list begins with them. */
+        val FIRST = listOf("PlayTone", "PlaySound", "SetPower", "SetSensor", "Wait", "Off", "OnRev", "OnFwd")
 
         val DIRECTIVES = "define include if ifdef ifndef elif else endif undef pragma error warning".split(' ')
 
