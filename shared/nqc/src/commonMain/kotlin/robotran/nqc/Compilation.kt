@@ -1,8 +1,8 @@
 package robotran.nqc
 
 import robotran.legofirmware.image.FirmwareLimits
-import robotran.nqc.api.ApiNames
 import robotran.nqc.api.Prelude
+import robotran.nqc.api.apiNames
 import robotran.nqc.check.CallCheck
 import robotran.nqc.check.ProgramCheck
 import robotran.nqc.diagnostic.DiagnosticSink
@@ -30,7 +30,7 @@ internal class Compilation(
     private val sink: DiagnosticSink,
 ) {
     private val target = options.target
-    private val apiNames = ApiNames(target, options.isOld)
+    private val apiNames = apiNames(target, options.isOld)
     private val prelude = Prelude.of(target, options.isOld)
 
     /** The program; null if it has errors. */

@@ -1,10 +1,10 @@
 package robotran.nqc.check
 
-import robotran.nqc.api.ApiNames
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.parse.ApiNames
 import robotran.nqc.parse.DeclaredUnits
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.FunctionUnit

@@ -1,7 +1,6 @@
 package robotran.nqc.parse
 
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.nqc.api.ApiNames
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange

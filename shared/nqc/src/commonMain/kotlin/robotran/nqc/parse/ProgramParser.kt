@@ -1,7 +1,6 @@
 package robotran.nqc.parse
 
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.nqc.api.ApiNames
 import robotran.nqc.config.ParameterLimit
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode

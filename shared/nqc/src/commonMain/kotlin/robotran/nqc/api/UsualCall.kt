@@ -2,19 +2,13 @@ package robotran.nqc.api
 
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.config.ParameterLimit
+import robotran.nqc.parse.ApiNames
 
-/**
- * What messages say about the names of the API.
- *
- * @param isOld whether it is that of NQC 1.3.
- */
-internal class ApiNames(private val target: FirmwareTarget, private val isOld: Boolean) {
-    /** Whether [name] exists for firmware 2.0 only, which is not the target. */
-    fun needsSecondFirmware(name: String): Boolean =
-        target == FirmwareTarget.RCX && !isOld && name in NqcApi.of(FirmwareTarget.RCX2)
-
-    /** How the function [name] is called, without the semicolon; null if it is not part of the API. */
-    fun callOf(name: String): String? = NqcApi.of(target, isOld)[name]?.let { it.usualCall ?: it.signature }
+/** What messages say about the API for [target]; about that of NQC 1.3 if [isOld]. */
+internal fun apiNames(target: FirmwareTarget, isOld: Boolean): ApiNames {
+    val api = NqcApi.of(target, isOld)
+    val second = if (target == FirmwareTarget.RCX && !isOld) NqcApi.of(FirmwareTarget.RCX2).keys else emptySet()
+    return ApiNames({ it in second }, { name -> api[name]?.let { it.usualCall ?: it.signature } })
 }
 
 /** A call such as `OnFwd(OUT_A)`; null if there are no arguments, or none that are more usual than others. */
