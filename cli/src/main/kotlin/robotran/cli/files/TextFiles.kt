@@ -2,8 +2,10 @@ package robotran.cli.files
 
 import robotran.cli.messages.EnglishCommandMessages
 import robotran.cli.messages.FileMessages
+import robotran.documents.programText
 import java.io.IOException
 import java.nio.ByteBuffer
+import java.nio.charset.CharacterCodingException
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import kotlin.io.path.createParentDirectories
@@ -17,17 +19,20 @@ internal sealed interface TextFile {
     data class Rejected(val reason: String) : TextFile
 }
 
-/** Reads the UTF-8 file [name] of at most [LARGEST_FILE_BYTES]. */
+/** Reads the file [name], in UTF-8 or another encoding that [programText] knows, of at most [LARGEST_FILE_BYTES]. */
 internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandMessages): TextFile =
     reading(name, messages, TextFile::Rejected) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
             is FileContent.Rejected -> TextFile.Rejected(file.reason)
-
-            is FileContent.Read -> TextFile.Read(
-                Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.bytes)).toString(),
-            )
+            is FileContent.Read -> TextFile.Read(textOf(name, file.bytes))
         }
     }
+
+private fun textOf(name: String, bytes: ByteArray): String = try {
+    Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString()
+} catch (problem: CharacterCodingException) {
+    programText(name, bytes) ?: throw problem
+}
 
 /** Writes [bytes] to the file [name]. Returns null on success, otherwise an error message that names the file. */
 internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {

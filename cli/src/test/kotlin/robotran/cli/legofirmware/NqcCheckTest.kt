@@ -6,6 +6,7 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import robotran.cli.CommandTest
 import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -27,6 +28,26 @@ class NqcCheckTest : CommandTest() {
         assertEquals(0, execute("check", *examples), console.complaints.joinToString("\n"))
         assertEquals(examples.size, console.said.size)
         assertEquals(0, execute("format", "--check", *examples), console.complaints.joinToString("\n"))
+    }
+
+    @Test
+    fun `solutions of worlds have no mistakes and nothing to warn of`() {
+        val solutions = tree.resolve("learning/worlds").walk().filter {
+            it.name == "solution.nqc"
+        }.map { it.path }.toList()
+        assertTrue(solutions.size >= 3, solutions.toString())
+        assertEquals(0, execute("check", *solutions.toTypedArray()))
+        assertEquals(emptyList(), console.complaints.toList())
+    }
+
+    @Test
+    fun `old programs in the encoding of Windows are read`() {
+        val old = folder.resolve("old.nqc")
+        old.writeBytes("// f\u00FCr Mia\ntask main() { }\n".toByteArray(Charsets.ISO_8859_1))
+        assertEquals(0, execute("check", "$old"), console.complaints.joinToString("\n"))
+        val other = folder.resolve("old.robo")
+        other.writeBytes("# f\u00FCr Mia\nbeep\n".toByteArray(Charsets.ISO_8859_1))
+        assertEquals(1, minOf(1, execute("check", "$other")))
     }
 
     @Test

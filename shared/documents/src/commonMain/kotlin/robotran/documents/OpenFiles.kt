@@ -244,11 +244,7 @@ private suspend fun linkedPartOf(text: String, language: Language): Part =
 
 private fun titleOf(world: World) = validProjectName(world.title) ?: projectNameOfFile("")
 
-private fun textOf(file: IncomingFile): String? = try {
-    file.bytes.decodeToString(throwOnInvalidSequence = true).removePrefix("\uFEFF")
-} catch (_: CharacterCodingException) {
-    null
-}
+private fun textOf(file: IncomingFile): String? = programText(file.name, file.bytes)
 
 private fun isTooLong(text: String): Boolean =
     text.length > ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES

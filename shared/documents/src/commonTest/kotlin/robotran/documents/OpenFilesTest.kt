@@ -132,6 +132,19 @@ class OpenFilesTest {
     }
 
     @Test
+    fun `old programs in NQC are in the encoding of Windows`() = runTest {
+        val words = "f\u00FCr Mar\u00EDa \u201Cok\u201D \u20AC"
+        val bytes = words.map { (CODES[it] ?: it.code).toByte() }.toByteArray()
+        for (name in listOf("old.nqc", "OLD.NQC")) {
+            assertEquals(words, opened(IncomingFile(name, bytes)).programs.single().files.single().text)
+        }
+        val program = opened(file("main.nqc", "#include \"old.nqh\"\n"), IncomingFile("old.nqh", bytes))
+        assertEquals(words, program.programs.single().files.last().text)
+        assertEquals(OpenFilesError.NotText("x.nqc"), refused(IncomingFile("x.nqc", byteArrayOf(-1, 0, 3))))
+        assertEquals("\u00FC", programText("new.nqc", "\uFEFF\u00FC".encodeToByteArray()))
+    }
+
+    @Test
     fun `what cannot be used is refused with the file and why`() = runTest {
         assertEquals(OpenFilesError.UnknownKind("cat.png"), refused(file("cat.png", "meow")))
         assertEquals(OpenFilesError.NotText("a.robo"), refused(IncomingFile("a.robo", byteArrayOf(-1, -2))))
@@ -173,4 +186,9 @@ class OpenFilesTest {
 
     private suspend fun refused(vararg files: IncomingFile) =
         assertIs<OpenFilesResult.Rejected>(openFiles(files.toList())).error
+
+    private companion object {
+        /** Quotation marks and the euro in Windows-1252. */
+        val CODES = mapOf('\u201C' to 0x93, '\u201D' to 0x94, '\u20AC' to 0x80)
+    }
 }

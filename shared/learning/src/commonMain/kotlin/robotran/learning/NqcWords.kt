@@ -4,6 +4,8 @@ import robotran.language.Language
 import robotran.legofirmware.assembly.CommandHelp
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.api.NqcApi
+import robotran.nqc.api.NqcApiKind
+import robotran.nqc.api.usualCall
 import robotran.nqc.edit.nqcHelpWords
 import robotran.nqc.edit.nqcHelp as sentenceOn
 
@@ -14,7 +16,9 @@ internal val nqcWords: List<String> get() = nqcHelpWords + (API.keys - nqcHelpWo
 
 internal fun nqcHelp(word: String, language: Language): WordHelp? = sentenceOn(word, language)?.let { sentence ->
     val known = API[word]
-    WordHelp(known?.name ?: word, sentence, language, listOf(known?.signature ?: word), example = null)
+    val call = known?.usualCall?.takeIf { known.kind == NqcApiKind.FUNCTION }
+    val example = call?.let { "task main()\n{\n    $it;\n}\n" }
+    WordHelp(known?.name ?: word, sentence, language, listOf(known?.signature ?: word), example)
 }
 
 /** The help on a command of LEGO's assembly. */

@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
@@ -35,8 +36,8 @@ object WorldGallery {
 
     /**
      * The worlds that have all words of [query] in their title or task in [language], in what [robotLine] says about
-     * their robot, or in the names of its sensors; those that say them in title or task come first. All worlds if
-     * [query] has no words.
+     * their robot, in the names of its sensors, or in those of the languages of their solutions; those that say them in
+     * title or task come first. All worlds if [query] has no words.
      */
     fun search(query: String, language: Language, robotLine: (GalleryWorld) -> String = { "" }): List<GalleryWorld> {
         val words = query.lowercase().split(' ').filter { it.isNotEmpty() }
@@ -44,9 +45,11 @@ object WorldGallery {
             val world = found.world(language)
             val told = "${world.title} ${world.task}".lowercase()
             val robot = "${robotLine(found)} ${robotWords(world.robots.first().description, language)}".lowercase()
+            val languages = found.lesson?.solutions.orEmpty()
+                .mapNotNull { ProgramLanguage.ofFile(it.name)?.ownName?.lowercase() }
             when {
                 words.all { it in told } -> found to 0
-                words.all { it in told || it in robot } -> found to 1
+                words.all { it in told || it in robot || it in languages } -> found to 1
                 else -> null
             }
         }.sortedBy { it.second }.map { it.first }

@@ -3,8 +3,11 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.nqc.NqcResult
+import robotran.nqc.compileNqc
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
@@ -48,6 +51,20 @@ class WordHelpTest {
                     assertEquals(Language.entries.size, said.toSet().size, "$word: $said")
                 }
             }
+        }
+    }
+
+    @Test
+    fun `usual functions of NQC have an example, which has no mistakes`() {
+        val examples = WordHelp.words(ProgramLanguage.NQC)
+            .associateWith { WordHelp.of(Language.ENGLISH, ProgramLanguage.NQC, it)?.example }
+        assertTrue("    SetSensor(SENSOR_1, SENSOR_TOUCH);\n" in assertNotNull(examples["SetSensor"]))
+        for (word in listOf("OnFwd", "Off", "Wait", "SetPower", "PlaySound", "PlayTone", "OnFor", "SendMessage")) {
+            assertNotNull(examples[word], word)
+        }
+        for ((word, example) in examples) {
+            val result = compileNqc("try.nqc", example ?: continue)
+            assertEquals(emptyList(), assertIs<NqcResult.Ready>(result, word).warnings, word)
         }
     }
 

@@ -99,11 +99,17 @@ class WorldGalleryTest {
     }
 
     @Test
+    fun `a world is found by the language of its solution`() {
+        assertEquals(setOf("maze", "line-loop", "table-edge"), found("nqc", Language.GERMAN).toSet())
+        assertEquals(listOf("maze"), found("NQC labyrinth", Language.GERMAN))
+    }
+
+    @Test
     fun `a program that comes with a world is known by name and text`() {
         for (found in all) {
             val lesson = found.lesson ?: continue
-            val solutions = lesson.solutions.map { file ->
-                file.name.substringAfterLast('.').let { if (it == "java") "Solution.java" else "solution.$it" }
+            val solutions = lesson.solutions.map {
+                if (it.name.endsWith(".java")) "Solution.java" else "solution.${it.name.substringAfterLast('.')}"
             }
             assertTrue(found.gives(lesson.program.name, lesson.program.text), found.name)
             for ((name, file) in solutions.zip(lesson.solutions)) assertTrue(found.gives(name, file.text), found.name)

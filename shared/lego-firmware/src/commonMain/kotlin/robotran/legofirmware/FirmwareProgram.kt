@@ -3,6 +3,7 @@ package robotran.legofirmware
 import robotran.language.Language
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.VariableTable
 import robotran.legofirmware.messages.FirmwareMessages
 import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
@@ -16,6 +17,7 @@ import robotran.rcxrom.program.Rom
  * A program for LEGO's firmware, ready to load into a brick. Immutable.
  *
  * @property lines where its code comes from, for the log and the debugger.
+ * @property variables who knows which variable, for the debugger; null if every task knows all that the image names.
  * @property language of the remarks about a run.
  */
 class FirmwareProgram(
@@ -23,10 +25,11 @@ class FirmwareProgram(
     val image: RcxImage,
     val lines: LineTable = LineTable.NONE,
     private val language: Language = Language.ENGLISH,
+    val variables: VariableTable? = null,
 ) : RcxProgram {
     override val firmware: RcxFirmware get() = LegoFirmware(language)
 
-    internal val code = ProgramCode(name, image, lines)
+    internal val code = ProgramCode(name, image, lines, variables)
 
     /** Starts a new run on a firmware of its own, which knows nothing of earlier runs. */
     override fun start(rom: Rom): LegoFirmwareRun {

@@ -6,6 +6,7 @@ import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.CodeLine
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.VariableTable
 import robotran.nqc.generate.NqcCodeLine
 
 /**
@@ -13,12 +14,14 @@ import robotran.nqc.generate.NqcCodeLine
  *
  * @property name usually that of its file.
  * @property image what a brick runs; its symbols are in the order of the original compiler.
+ * @property variables who knows which variable.
  * @property lines where the code of each task and subroutine comes from, in the order of addresses.
  */
 class NqcProgram internal constructor(
     val name: String,
     val image: RcxImage,
     val lines: Map<ChunkId, List<NqcCodeLine>>,
+    val variables: VariableTable,
 ) {
     /** The statement whose code is at [address] of a task or subroutine; null if there is none. */
     fun lineAt(chunk: ChunkId, address: Int): NqcCodeLine? = lines[chunk]?.lastOrNull { it.address <= address }
@@ -37,5 +40,5 @@ class NqcProgram internal constructor(
      * @param language of the remarks about a run.
      */
     fun forBrick(language: Language = Language.ENGLISH): FirmwareProgram =
-        FirmwareProgram(name, image, lineTable, language)
+        FirmwareProgram(name, image, lineTable, language, variables)
 }

@@ -1,6 +1,7 @@
 package robotran.nqc
 
 import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.ChunkKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -40,6 +41,18 @@ class LinesTest {
             46 to 13,
         )
         assertEquals(expected, lines)
+    }
+
+    @Test
+    fun `every variable belongs to its task, its subroutine or all`() {
+        val tasks = "task main() { start music; repeat (3) { s(); Wait(rounds); } } task music() { int tone = 450; }"
+        val table = programOf("int rounds; sub s() { int here = 1; SetUserDisplay(here, 0); } $tasks").variables
+        assertEquals(mapOf(0 to listOf("rounds")), table.shared)
+        val own = mapOf(
+            ChunkId(ChunkKind.SUB, 0) to listOf("here"),
+            ChunkId(ChunkKind.TASK, 1) to listOf("tone"),
+        )
+        assertEquals(own, table.own.mapValues { it.value.values.flatten() })
     }
 
     @Test

@@ -9,6 +9,7 @@ import robotran.legofirmware.image.CodeLine
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.RcxImageResult
+import robotran.legofirmware.image.VariableTable
 import robotran.legofirmware.image.message
 import robotran.legofirmware.image.readRcxImage
 import robotran.legofirmware.listing.assemblyListing
@@ -42,6 +43,7 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
                 result.program.image,
                 linesOf(result.program, isOneFile = source.files.size == 1),
                 result.warnings.map { diagnosticOf(source, it) },
+                result.program.variables,
             )
         }
     }
@@ -107,8 +109,13 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
             }
         }
 
-    private fun ready(source: ProgramSource, image: RcxImage, lines: LineTable, warnings: List<ProgramDiagnostic>) =
-        ProgramResult.Ready(FirmwareProgram(source.name, image, lines, language), warnings)
+    private fun ready(
+        source: ProgramSource,
+        image: RcxImage,
+        lines: LineTable,
+        warnings: List<ProgramDiagnostic>,
+        variables: VariableTable? = null,
+    ) = ProgramResult.Ready(FirmwareProgram(source.name, image, lines, language, variables), warnings)
 }
 
 /** What a brick with LEGO's own firmware runs; null for a program for another firmware. */

@@ -225,10 +225,12 @@ class NqcInAppTest {
         workshop.advance(2_000)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
         assertEquals(listOf(7, 42), workshop.state.run.drawer.variables.datalog.map { it.value })
+        val kept = workshop.state.run.drawer.variables.scopes.single()
+        assertEquals("log.nqc" to listOf("x" to "42"), kept.name to kept.variables.map { it.name to it.value })
         machine.files.location = "out"
         workshop.handle(RunEvent.DatalogSaved)
         assertEquals("log.nqc datalog.csv", machine.files.suggestion)
-        assertEquals("number,source,value\r\n1,var[0],7\r\n2,var[0],42\r\n", machine.written())
+        assertEquals("number,source,value\r\n1,x,7\r\n2,x,42\r\n", machine.written())
         workshop.close()
     }
 

@@ -2,6 +2,7 @@ package robotran.assignments.collecting
 
 import robotran.assignments.messages.CollectingMessages
 import robotran.brick.program.BrickProgram
+import robotran.documents.programText
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -36,7 +37,7 @@ internal class GroupReader(private val assignment: Project, private val language
     fun isNoHandIn(file: FoundFile): Boolean {
         val bytes = (file.content as? FoundContent.Bytes)?.bytes
         if (file.kind != FoundKind.TEXT || bytes == null || bytes.size > JsonLimits.MAXIMUM_BYTES) return false
-        val text = textOf(bytes)?.takeIf(::isProject) ?: return false
+        val text = programText(file.name, bytes)?.takeIf(::isProject) ?: return false
         val project = (readProject(text, language) as? ProjectFileResult.Loaded)?.project ?: return false
         return project.feedback != null || given.isAssignment(project)
     }
@@ -59,7 +60,7 @@ internal class GroupReader(private val assignment: Project, private val language
             if (file.kind == FoundKind.RCX_IMAGE) return addImage(file, bytes)
             val text = when {
                 bytes.size > JsonLimits.MAXIMUM_BYTES -> null
-                else -> textOf(bytes)
+                else -> programText(file.name, bytes)
             }
             when {
                 bytes.size > JsonLimits.MAXIMUM_BYTES -> {
@@ -196,12 +197,6 @@ internal class GroupReader(private val assignment: Project, private val language
         }
 
         private fun originOf(file: String) = if (group.isFolder) "${group.origin}/$file" else file
-    }
-
-    private fun textOf(bytes: ByteArray): String? = try {
-        bytes.decodeToString(throwOnInvalidSequence = true).removePrefix("\uFEFF")
-    } catch (_: CharacterCodingException) {
-        null
     }
 
     private fun isTooLong(text: String) = text.length > ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS ||

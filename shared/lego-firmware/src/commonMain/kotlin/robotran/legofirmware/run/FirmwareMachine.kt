@@ -120,7 +120,9 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
     val state: FirmwareState
         get() = FirmwareState(
             core.devices.slot,
+            program?.name,
             core.variables.all(),
+            program?.variableNames.orEmpty(),
             List(Clocks.TIMERS) { core.devices.clocks.fastTimer(it) },
             core.devices.clocks.watch,
             core.devices.infrared.message,

@@ -7,7 +7,9 @@ import robotran.rcxrom.state.RcxFirmwareState
  * What LEGO's firmware on a brick knows at one moment; immutable.
  *
  * @property slot index of the selected program.
- * @property variables the 32 that all programs share, -32768..32767.
+ * @property program the name of the program that runs, or ran last; null if none has.
+ * @property variables the 32 that are in the brick only once, -32768..32767.
+ * @property variableNames how that program calls some of them, by their index.
  * @property timers the four, in 10 ms, 0..32767.
  * @property watchMinutes minutes since midnight, 0..1439.
  * @property message the last message of another brick, 1..255; 0 if there is none.
@@ -17,7 +19,9 @@ import robotran.rcxrom.state.RcxFirmwareState
  */
 data class FirmwareState(
     val slot: Int,
+    val program: String?,
     val variables: List<Int>,
+    val variableNames: Map<Int, String>,
     val timers: List<Int>,
     val watchMinutes: Int,
     val message: Int,

@@ -17,7 +17,7 @@ import robotran.legofirmware.task.TaskState
 
 /** Shows tasks and variables of a program to a debugger. */
 internal class Inspector(private val core: Core, private val program: ProgramCode) {
-    private val names = VariableNames(program.image)
+    private val names = VariableNames(program)
 
     fun threadView(task: Task, isCurrent: Boolean) = ThreadView(
         task.number,
@@ -36,18 +36,19 @@ internal class Inspector(private val core: Core, private val program: ProgramCod
     /** The variables that [task] sees: its own, then those of all. */
     fun variables(task: Task?): List<VariableScope> {
         if (task == null) return emptyList()
-        val locals = names.shown.filter { it >= FirmwareLimits.GLOBAL_VARIABLES }
-        val globals = names.shown.filter { it < FirmwareLimits.GLOBAL_VARIABLES }
+        val open =
+            listOfNotNull(ChunkId(ChunkKind.TASK, task.number), task.location?.chunk?.id, task.returnTo?.chunk?.id)
+        val locals = names.own(open.toSet())
         val scopes = listOf(
             VariableScope(nameOf(ChunkId(ChunkKind.TASK, task.number)), views(locals, task)),
-            VariableScope(program.name, views(globals, task)),
+            VariableScope(program.name, views(names.shared, task)),
         )
         return scopes.filter { it.variables.isNotEmpty() }
     }
 
-    private fun views(numbers: List<Int>, task: Task): List<VariableView> = numbers
-        .filter { core.variables.exists(it, core.model.isSecond) }
-        .map { VariableView(names.of(it), "${core.variables.get(it, task)}") }
+    private fun views(named: Map<Int, String>, task: Task): List<VariableView> = named
+        .filterKeys { core.variables.exists(it, core.model.isSecond) }
+        .map { (number, name) -> VariableView(name, "${core.variables.get(number, task)}") }
 
     private fun activityOf(task: Task): ThreadActivity = when (task.state) {
         TaskState.WAITING -> ThreadActivity.SLEEPING
@@ -61,17 +62,4 @@ internal class Inspector(private val core: Core, private val program: ProgramCod
 
     private fun nameOf(id: ChunkId): String = program.image.nameOf(id)?.takeIf { it.isNotEmpty() }
         ?: if (id.kind == ChunkKind.TASK) core.messages.task(id.number) else core.messages.sub(id.number)
-}
-
-/** Which variables of a program to show, and how they are called. */
-private class VariableNames(image: RcxImage) {
-    private val named: Map<Int, List<String>> = image.symbols.filter { it.kind == SymbolKind.VARIABLE }
-        .groupBy({ it.number }, { it.name })
-    private val used: Set<Int> = if (named.isEmpty()) VariablesUsed.of(image) else emptySet()
-
-    /** Those with names; in a program without any, those that it uses. */
-    val shown: List<Int> = (named.keys + used).sorted()
-
-    /** A place that several variables use one after the other has all their names. */
-    fun of(number: Int): String = named[number]?.distinct()?.joinToString(" / ") ?: "var[$number]"
 }

@@ -12,7 +12,10 @@ import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.Vectors
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.image.RcxImage
+import robotran.legofirmware.image.VariableTable
 import robotran.legofirmware.listing.assemblyListing
 import robotran.rcxrom.RcxBrick
 import kotlin.test.Test
@@ -95,6 +98,37 @@ class DebuggingTest {
     }
 
     @Test
+    fun `a task knows its own variables and those of the subroutine it is in`() {
+        val program = programOf("task 0\n start 1\n calls 0\nagain:\n jmp again\nendt\n$SECOND")
+        val own = mapOf(
+            ChunkId(ChunkKind.TASK, 1) to mapOf(47 to listOf("tone")),
+            ChunkId(ChunkKind.SUB, 0) to mapOf(32 to listOf("a", "b")),
+        )
+        val table = VariableTable(mapOf(0 to listOf("rounds")), own)
+        val brick = started(FirmwareProgram("test", program.image, program.lines, variables = table))
+        repeat(8) { brick.tick() }
+        val shared = VariableScope("test", listOf(VariableView("rounds", "0")))
+        assertEquals(2, run(brick).threads.first().callStack.size)
+        val ofSub = VariableScope("task 0", listOf(VariableView("a / b", "0")))
+        assertEquals(listOf(ofSub, shared), run(brick).variablesOf(0, 0))
+        repeat(60) { brick.tick() }
+        assertEquals(listOf(shared), run(brick).variablesOf(0, 0))
+        val ofOther = VariableScope("task 1", listOf(VariableView("tone", "450")))
+        assertEquals(listOf(ofOther, shared), run(brick).variablesOf(1, 0))
+    }
+
+    @Test
+    fun `the firmware knows the names of a program that has ended`() {
+        val brick = started(programOf("; Var 3 = rounds\n; Var 40 = own\ntask 0\n setv 3, 2, 7\nendt"))
+        repeat(50) { brick.tick() }
+        val state = assertIs<FirmwareState>(brick.firmwareState)
+        assertEquals(null, brick.debuggableRun)
+        assertEquals(mapOf(3 to "rounds"), state.variableNames)
+        assertEquals(7, state.variables[3])
+        assertEquals("test", state.program)
+    }
+
+    @Test
     fun `an image without a source runs with the lines of its listing`() {
         val image = Vectors.image("20-follow-line.rcx2")
         val brick = started(FirmwareProgram("test", image, image.assemblyListing().lines))
@@ -132,6 +166,8 @@ class DebuggingTest {
     private fun run(brick: RcxBrick): DebuggableRun = assertNotNull(brick.debuggableRun)
 
     private companion object {
+        const val SECOND = "task 1\n setv 47, 2, 450\nround:\n jmp round\nendt\nsub 0\n wait 2, 3\nends"
+
         val DRIVER = """
             |; Var 2 = count
             |; Var 2 = total

@@ -2,6 +2,7 @@ package robotran.nqc.api
 
 import robotran.nqc.config.ParameterLimit.OUTPUTS
 import robotran.nqc.config.ParameterLimit.POWER
+import robotran.nqc.config.ParameterLimit.WAIT
 
 /** Motors. Command bytes: `shared/lego-firmware`, Opcode. */
 internal val OUTPUT_API = api(NqcApiGroup.OUTPUTS) {
@@ -86,6 +87,7 @@ internal val OUTPUT_API = api(NqcApiGroup.OUTPUTS) {
             "Enciende motores durante un tiempo en centésimas de segundo.",
         ),
         OUTPUTS,
+        WAIT,
     )
     function(
         "SetOutput(const int outputs, const int mode)",

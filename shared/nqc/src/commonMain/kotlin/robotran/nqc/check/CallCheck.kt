@@ -4,6 +4,8 @@ import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.parse.ApiNames
+import robotran.nqc.parse.DeclaredUnits
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.FunctionUnit
 import robotran.nqc.tree.ParsedProgram
@@ -12,12 +14,16 @@ import robotran.nqc.tree.Statement
 /**
  * Checks who calls whom, before code is generated.
  *
+ * @param declared what the program declares, also what could not be read.
  * @param start what comes before the main task.
+ * @param macros their names, for suggestions.
  */
 internal class CallCheck(
     private val program: ParsedProgram,
+    private val declared: DeclaredUnits,
     private val start: Statement?,
-    private val needsSecondFirmware: (String) -> Boolean,
+    private val apiNames: ApiNames,
+    private val macros: Set<String>,
     private val sink: DiagnosticSink,
 ) {
     private val taskNames = program.tasks.map { it.name }.toSet()
@@ -97,24 +103,39 @@ internal class CallCheck(
 
     private fun checkCount(call: Statement.Call, count: Int) {
         if (call.arguments.size == count) return
-        val message = sink.messages.argumentCount(call.name, count, call.arguments.size)
+        val message = sink.messages.argumentCount(call.name, count, call.arguments.size, patternOf(call.name))
         sink.report(NqcDiagnosticCode.ARGUMENT_COUNT, call.range, message)
     }
 
     private fun reportUndefined(call: Statement.Call) {
         val name = call.name
-        if (name in taskNames || needsSecondFirmware(name)) {
-            val message =
-                if (name in taskNames) sink.messages.taskCalled(name) else sink.messages.needsSecondFirmware(name)
+        if (name in taskNames) return reportTask(call)
+        if (name in declared.names) return
+        if (apiNames.needsSecondFirmware(name)) {
+            val message = sink.messages.needsSecondFirmware(name)
             return sink.report(NqcDiagnosticCode.UNDEFINED_FUNCTION, call.range, message)
         }
-        val similar = similarName(name, program.functions.keys + subNames)
+        val similar = similarName(name, program.functions.keys + subNames) ?: similarName(name, macros)
         sink.report(
             NqcDiagnosticCode.UNDEFINED_FUNCTION,
             call.range,
             sink.messages.undefinedFunction(name, similar),
             similar?.takeIf { !call.macro }?.let { SourceFix(call.range, it) },
         )
+    }
+
+    private fun reportTask(call: Statement.Call) {
+        val isOnLine = call.end.file == call.range.file && call.end.line == call.range.line
+        val fix = SourceFix(call.range.to(call.end), "start ${call.name}")
+            .takeIf { isOnLine && call.arguments.isEmpty() && !call.macro }
+        sink.report(NqcDiagnosticCode.UNDEFINED_FUNCTION, call.range, sink.messages.taskCalled(call.name), fix)
+    }
+
+    /** How the function or subroutine [name] is called. */
+    private fun patternOf(name: String): String {
+        val function = program.functions[name]
+        val own = function?.parameters.orEmpty().joinToString(", ", "$name(", ")") { it.name }
+        return if (function?.isOfApi == true) apiNames.callOf(name) ?: own else own
     }
 
     private companion object {

@@ -5,17 +5,26 @@ import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.parse.DeclaredUnits
 import robotran.nqc.preprocess.InitFunction
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.ParsedProgram
 import robotran.nqc.tree.Statement
 
-/** Checks what a program must have, and what it has too much of. */
-internal class ProgramCheck(private val program: ParsedProgram, private val sink: DiagnosticSink) {
-    /** @param file the program's main file. */
-    fun check(file: String, init: InitFunction?) {
-        if (program.tasks.none { it.name == MAIN }) reportMissingMain(file)
-        if (init != null && init.name !in program.functions) {
+/**
+ * Checks what a program must have, and what it has too much of.
+ *
+ * @param declared what it declares, also what could not be read.
+ */
+internal class ProgramCheck(
+    private val program: ParsedProgram,
+    private val declared: DeclaredUnits,
+    private val sink: DiagnosticSink,
+) {
+    /** @param end where the program's main file ends. */
+    fun check(end: SourceRange, init: InitFunction?) {
+        if (program.tasks.none { it.name == MAIN } && !declared.isTask(MAIN)) reportMissingMain(end)
+        if (init != null && init.name !in program.functions && !declared.isFunction(init.name)) {
             sink.report(NqcDiagnosticCode.INIT_UNDEFINED, init.range, sink.messages.initUndefined(init.name))
         }
         warnOfTasksThatNeverStart()
@@ -43,14 +52,18 @@ internal class ProgramCheck(private val program: ParsedProgram, private val sink
         return listOfNotNull(own) + statement.parts.flatMap { startsIn(it) }
     }
 
-    private fun reportMissingMain(file: String) {
+    private fun reportMissingMain(end: SourceRange) {
         val similar = program.tasks.find { similarName(MAIN, listOf(it.name)) != null }
-        val range = similar?.range ?: SourceRange(file, 1, 1, 1)
-        val fix = similar?.let { SourceFix(it.range, MAIN) }
+        val range = similar?.range ?: SourceRange(end.file, 1, 1, 1)
+        val fix = similar?.let { SourceFix(it.range, MAIN) } ?: mainAt(end).takeIf { program.tasks.isEmpty() }
         sink.report(NqcDiagnosticCode.MAIN_MISSING, range, sink.messages.mainMissing(similar?.name), fix)
     }
 
+    private fun mainAt(end: SourceRange): SourceFix? =
+        SourceFix(end, if (end.column == 1) "$MAIN_TASK\n" else "\n\n$MAIN_TASK").takeIf { !sink.hasErrors }
+
     private companion object {
+        const val MAIN_TASK = "task main()\n{\n    \n}"
         const val MAIN = "main"
     }
 }

@@ -10,11 +10,17 @@ internal class DiagnosticSink(val messages: NqcMessages) {
     private val diagnostics = mutableListOf<NqcDiagnostic>()
     private val lines = mutableSetOf<Triple<Severity, String, Int>>()
 
-    var hasErrors = false
-        private set
+    private val errors = mutableSetOf<NqcDiagnosticCode>()
+
+    val hasErrors: Boolean get() = errors.isNotEmpty()
+
+    fun has(code: NqcDiagnosticCode): Boolean = code in errors
+
+    /** Whether there are no errors but those of one [code]. */
+    fun hasOnly(code: NqcDiagnosticCode): Boolean = errors.all { it == code }
 
     fun report(code: NqcDiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
-        if (code.severity == Severity.ERROR) hasErrors = true
+        if (code.severity == Severity.ERROR) errors += code
         if (diagnostics.size >= LIMIT || !lines.add(Triple(code.severity, range.file, range.line))) return
         diagnostics += NqcDiagnostic(code, range, message, fix)
     }

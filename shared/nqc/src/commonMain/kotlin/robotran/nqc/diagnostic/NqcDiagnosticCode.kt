@@ -33,6 +33,12 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
 
     UNEXPECTED_TOKEN(SYNTAX),
     UNKNOWN_CHARACTER(SYNTAX),
+
+    /** `Task main()`. */
+    MISSPELLED_WORD(SYNTAX),
+
+    /** `float x;` */
+    OTHER_TYPE(SYNTAX),
     TEXT_AS_VALUE(SYNTAX),
     MISSING_SEMICOLON(SYNTAX),
     MISSING_BRACKET(SYNTAX),
@@ -128,6 +134,12 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
 
     /** `if (x);` */
     EMPTY_BODY(null, Severity.WARNING),
+
+    /** Two lines below an `if` without braces. */
+    MISLEADING_INDENT(null, Severity.WARNING),
+
+    /** A sensor is compared, but nothing says what is connected. */
+    SENSOR_NOT_SET(null, Severity.WARNING),
     ;
 
     /** The stable name, such as `missing-semicolon`. */

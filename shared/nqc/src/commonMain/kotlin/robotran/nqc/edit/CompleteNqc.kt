@@ -2,6 +2,7 @@ package robotran.nqc.edit
 
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.api.ExpectedNames
 import robotran.nqc.api.NqcApi
 import robotran.nqc.api.NqcApiEntry
 import robotran.nqc.api.NqcApiKind
@@ -66,7 +67,8 @@ private class Candidates(
         .distinctBy { it.name }
         .map { NqcCompletion("${it.name}()", NqcCompletionKind.FUNCTION, "${it.name}();", it.name.length + 1) }
 
-    private fun entries(kind: NqcApiKind) = api.values.filter { it.kind == kind }.map { completionOf(it) }
+    private fun entries(kind: NqcApiKind) =
+        api.values.filter { it.kind == kind }.sortedByDescending { FIRST.indexOf(it.name) }.map { completionOf(it) }
 
     private fun until() = listOfNotNull(api[UNTIL]).map {
         NqcCompletion(it.signature, NqcCompletionKind.WORD, "$UNTIL ();", UNTIL.length + 2, it.help(language))
@@ -90,6 +92,9 @@ private class Candidates(
 
     private companion object {
         const val UNTIL = "until"
+
+        /** The functions that most programs need, the most usual ones last; the list begins with them. */
+        val FIRST = listOf("PlayTone", "PlaySound", "SetPower", "SetSensor", "Wait", "Off", "OnRev", "OnFwd")
 
         val DIRECTIVES = "define include if ifdef ifndef elif else endif undef pragma error warning".split(' ')
 

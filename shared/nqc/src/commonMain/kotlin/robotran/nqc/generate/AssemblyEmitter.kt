@@ -18,6 +18,7 @@ internal class AssemblyEmitter(private val emitter: Emitter, private val values:
             }
         }
         val bytes = statement.fields.zip(places).flatMap { (field, place) -> bytesOf(field, place) }
+        emitter.sensors.noteCommand(bytes, isOwn = frame.call == null)
         emitter.addBytes(*bytes.toIntArray())
         places.forEach { emitter.release(it) }
     }

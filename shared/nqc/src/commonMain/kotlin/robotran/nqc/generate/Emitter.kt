@@ -17,6 +17,7 @@ internal class Emitter(
     val allocator: PlaceAllocator,
     val sink: DiagnosticSink,
     private val budget: GenerationBudget,
+    val sensors: SensorUse,
 ) {
     val buffer = CodeBuffer()
 
@@ -59,8 +60,10 @@ internal class Emitter(
     }
 
     /** Assigns [value] to [place], which is no variable. */
-    fun set(place: Place, value: Place) =
+    fun set(place: Place, value: Place) {
+        sensors.noteTarget(place)
         add(Opcode.SET, place.type, low(place.data), value.type, low(value.data), high(value.data))
+    }
 
     /** Takes a temporary variable. */
     fun temporary(range: SourceRange, allowsLocals: Boolean = true): Int =

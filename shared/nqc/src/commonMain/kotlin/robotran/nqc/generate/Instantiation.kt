@@ -35,6 +35,7 @@ internal class Instantiation(private val emitter: Emitter, private val frame: Fr
             throw GenerationStop()
         }
         checkDivisions(result)
+        if (frame.call == null) emitter.sensors.note(result)
         return result
     }
 

@@ -37,6 +37,7 @@ internal class ProgramGenerator(
     private val budget = GenerationBudget(releasesAll)
     private val allocator = PlaceAllocator(target)
     private val names = VariableNames()
+    private val sensors = SensorUse()
     private val globals = HashMap<Variable, Expression>()
 
     // The main task is number 0, the others count in the order of the source.
@@ -58,7 +59,13 @@ internal class ProgramGenerator(
             tasks.forEachIndexed { number, task -> generateTask(number, task.name, task.body) }
         }
         names.all.forEach { symbols += Symbol(SymbolKind.VARIABLE, it.place, nameOf(it.variable.name)) }
-        return GeneratedProgram(RcxImage(target, chunks, symbols), lines, budget.isOutOfVariables)
+        return GeneratedProgram(
+            RcxImage(target, chunks, symbols),
+            lines,
+            names.table,
+            sensors.unset,
+            budget.isOutOfVariables,
+        )
     }
 
     private fun reserve() {
@@ -108,7 +115,8 @@ internal class ProgramGenerator(
         bodies: List<Statement>,
     ): Set<Int> {
         allocator.begin(mode)
-        val emitter = Emitter(target, allocator, sink, budget)
+        names.owner = id
+        val emitter = Emitter(target, allocator, sink, budget, sensors)
         val statements = StatementEmitter(emitter, units, names)
         var code = Code(ByteArray(0), emptyList())
         try {

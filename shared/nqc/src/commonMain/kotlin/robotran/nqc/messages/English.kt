@@ -80,7 +80,17 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "The character ${quoted(character)} means nothing here."
 
-    override fun decimalNumber() = "The brick computes with whole numbers only. Leave the point and what follows out."
+    override fun decimalNumber() =
+        "The brick computes with whole numbers only. Count in smaller steps instead, such as tenths or hundredths."
+
+    override fun decimalTime(seconds: String, hundredths: Int) =
+        "NQC has no decimals and counts time in hundredths of a second: write $hundredths for $seconds seconds."
+
+    override fun misspelledWord(typed: String, meant: String, isCase: Boolean) =
+        "${quoted(typed)} is no word of NQC. Did you mean ${quoted(meant)}?" +
+            if (isCase) " Capital letters matter." else ""
+
+    override fun otherType(type: String) = "NQC has no $type, only whole numbers: int."
 
     override fun textAsValue() = "The brick cannot show texts, so NQC has none. Use a number."
 
@@ -149,6 +159,9 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun emptyBody(word: String) =
         "This semicolon ends the $word, so what follows does not belong to it. Remove it."
+
+    override fun misleadingIndent(word: String) =
+        "This line does not belong to the $word: without braces, only one does. Put { } around both."
 }
 
 private object EnglishNameMessages : NqcNameMessages {
@@ -166,6 +179,11 @@ private object EnglishNameMessages : NqcNameMessages {
 
     override fun undefinedVariable(name: String, suggestion: String?) =
         "There is no variable ${quoted(name)}. ${didYouMean(suggestion) ?: "Declare it first: int $name;"}"
+
+    override fun undefinedCommand(name: String, suggestion: String?) = "There is nothing named ${quoted(name)}. " +
+        (didYouMean(suggestion) ?: "A command looks like this: OnFwd(OUT_A);")
+
+    override fun bracketsMissing(name: String, call: String) = "After ${quoted(name)} come brackets: $call;"
 
     override fun undefinedFunction(name: String, suggestion: String?) =
         "There is no function ${quoted(name)}. ${didYouMean(suggestion) ?: "Check how it is spelled."}"
@@ -197,10 +215,13 @@ private object EnglishNameMessages : NqcNameMessages {
     override fun arrayInitialized(name: String) =
         "An array cannot get a value when it is declared. Assign to its elements: $name[0] = 1;"
 
-    override fun argumentCount(name: String, needed: Int, given: Int) = when (needed) {
+    override fun argumentCount(name: String, needed: Int, given: Int, call: String) = when (needed) {
         0 -> "${quoted(name)} takes nothing in its brackets: $name()."
-        1 -> "${quoted(name)} takes one argument, but here are $given."
-        else -> "${quoted(name)} takes $needed arguments, but here ${if (given == 1) "is 1" else "are $given"}."
+
+        1 -> "${quoted(name)} takes one argument, but here are $given. Write it like this: $call;"
+
+        else -> "${quoted(name)} takes $needed arguments, but here ${if (given == 1) "is 1" else "are $given"}. " +
+            "Write it like this: $call;"
     }
 
     override fun argumentNotConstant() = "This must be a constant: a number or a name such as OUT_A, not a variable."
@@ -301,6 +322,9 @@ private object EnglishCodeMessages : NqcCodeMessages {
 
     override fun memoryFull(bytes: Int, limit: Int) =
         "The program has $bytes bytes, but a brick has only $limit for all programs. Turn functions into subs."
+
+    override fun sensorNotSet(port: Int, call: String) =
+        "Nothing says what is connected to port $port. Write at the beginning: $call;"
 
     override fun argumentRange(limit: ParameterLimit, value: Int) =
         "${nounOf(limit)} goes from ${limit.values.first} to ${limit.values.last}, but this is $value."

@@ -87,7 +87,17 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "Das Zeichen ${quoted(character)} bedeutet hier nichts."
 
-    override fun decimalNumber() = "Der Stein rechnet nur mit ganzen Zahlen. Lass den Punkt und was danach kommt weg."
+    override fun decimalNumber() =
+        "Der Stein rechnet nur mit ganzen Zahlen. Zähl in kleineren Schritten, etwa in Zehnteln oder Hundertsteln."
+
+    override fun decimalTime(seconds: String, hundredths: Int) =
+        "NQC hat keine Kommazahlen und zählt Zeit in Hundertstelsekunden: Schreib $hundredths für $seconds Sekunden."
+
+    override fun misspelledWord(typed: String, meant: String, isCase: Boolean) =
+        "${quoted(typed)} ist kein Wort von NQC. Meinst du ${quoted(meant)}?" +
+            if (isCase) " Groß- und Kleinbuchstaben sind nicht dasselbe." else ""
+
+    override fun otherType(type: String) = "$type gibt es in NQC nicht, nur ganze Zahlen: int."
 
     override fun textAsValue() = "Der Stein kann keine Texte zeigen, darum hat NQC keine. Nimm eine Zahl."
 
@@ -158,6 +168,9 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun emptyBody(word: String) =
         "Dieser Strichpunkt beendet das $word, also gehört das Folgende nicht mehr dazu. Lösch ihn."
+
+    override fun misleadingIndent(word: String) =
+        "Diese Zeile gehört nicht zum $word: Ohne geschweifte Klammern gehört nur eine dazu. Setz { } um beide."
 }
 
 private object GermanNameMessages : NqcNameMessages {
@@ -175,6 +188,12 @@ private object GermanNameMessages : NqcNameMessages {
 
     override fun undefinedVariable(name: String, suggestion: String?) =
         "Es gibt keine Variable ${quoted(name)}. ${didYouMean(suggestion) ?: "Leg sie zuerst an: int $name;"}"
+
+    override fun undefinedCommand(name: String, suggestion: String?) =
+        "Es gibt nichts mit dem Namen ${quoted(name)}. " +
+            (didYouMean(suggestion) ?: "Ein Befehl sieht so aus: OnFwd(OUT_A);")
+
+    override fun bracketsMissing(name: String, call: String) = "Nach ${quoted(name)} kommen Klammern: $call;"
 
     override fun undefinedFunction(name: String, suggestion: String?) =
         "Es gibt keine Funktion ${quoted(name)}. ${didYouMean(suggestion) ?: "Prüf, wie sie geschrieben wird."}"
@@ -206,10 +225,15 @@ private object GermanNameMessages : NqcNameMessages {
     override fun arrayInitialized(name: String) =
         "Ein Array bekommt beim Anlegen keinen Wert. Weise seinen Elementen etwas zu: $name[0] = 1;"
 
-    override fun argumentCount(name: String, needed: Int, given: Int) = when (needed) {
+    override fun argumentCount(name: String, needed: Int, given: Int, call: String) = when (needed) {
         0 -> "${quoted(name)} hat nichts in den Klammern: $name()."
-        1 -> "${quoted(name)} braucht ein Argument, hier sind es $given."
-        else -> "${quoted(name)} braucht $needed Argumente, hier ${if (given == 1) "ist es 1" else "sind es $given"}."
+
+        1 -> "${quoted(name)} braucht ein Argument, hier sind es $given. Schreib es so: $call;"
+
+        else -> "${quoted(
+            name,
+        )} braucht $needed Argumente, hier ${if (given == 1) "ist es 1" else "sind es $given"}. " +
+            "Schreib es so: $call;"
     }
 
     override fun argumentNotConstant() =
@@ -317,6 +341,9 @@ private object GermanCodeMessages : NqcCodeMessages {
     override fun memoryFull(bytes: Int, limit: Int) =
         "Das Programm hat $bytes Bytes, aber ein Stein hat nur $limit für alle Programme. Mach aus Funktionen " +
             "Unterprogramme: sub."
+
+    override fun sensorNotSet(port: Int, call: String) =
+        "Nirgends steht, was am Eingang $port steckt. Schreib am Anfang: $call;"
 
     override fun argumentRange(limit: ParameterLimit, value: Int) =
         "${nounOf(limit)} geht von ${limit.values.first} bis ${limit.values.last}, hier steht $value."

@@ -67,6 +67,12 @@ interface NqcCodeMessages {
     /** @param bytes the size of the program. */
     fun memoryFull(bytes: Int, limit: Int): String
 
+    /**
+     * @param port from 1.
+     * @param call the command that is missing, without a semicolon.
+     */
+    fun sensorNotSet(port: Int, call: String): String
+
     /** The constant [value] of an argument makes no sense. */
     fun argumentRange(limit: ParameterLimit, value: Int): String
 }

@@ -10,6 +10,12 @@ interface NqcNameMessages {
 
     fun undefinedVariable(name: String, suggestion: String?): String
 
+    /** A line has nothing but [name], which means nothing. */
+    fun undefinedCommand(name: String, suggestion: String?): String
+
+    /** @param call how the function [name] is called. */
+    fun bracketsMissing(name: String, call: String): String
+
     fun undefinedFunction(name: String, suggestion: String?): String
 
     fun undefinedTask(name: String, suggestion: String?): String
@@ -36,7 +42,8 @@ interface NqcNameMessages {
 
     fun arrayInitialized(name: String): String
 
-    fun argumentCount(name: String, needed: Int, given: Int): String
+    /** @param call how the function [name] is called. */
+    fun argumentCount(name: String, needed: Int, given: Int, call: String): String
 
     fun argumentNotConstant(): String
 

@@ -11,6 +11,22 @@ interface NqcSyntaxMessages {
     /** A point within a number. */
     fun decimalNumber(): String
 
+    /**
+     * A time is given in [seconds] with a point.
+     *
+     * @param hundredths the same time as NQC counts it.
+     */
+    fun decimalTime(seconds: String, hundredths: Int): String
+
+    /**
+     * @param meant the word that was probably meant by [typed].
+     * @param isCase whether they differ only in upper and lower case.
+     */
+    fun misspelledWord(typed: String, meant: String, isCase: Boolean): String
+
+    /** @param type a type of another language, such as `float`. */
+    fun otherType(type: String): String
+
     fun textAsValue(): String
 
     fun missingSemicolon(): String
@@ -74,4 +90,7 @@ interface NqcSyntaxMessages {
 
     /** @param word such as `if`. */
     fun emptyBody(word: String): String
+
+    /** @param word such as `if`. */
+    fun misleadingIndent(word: String): String
 }

@@ -84,7 +84,17 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "El carácter ${quoted(character)} no significa nada aquí."
 
-    override fun decimalNumber() = "El ladrillo solo calcula con números enteros. Quita el punto y lo que sigue."
+    override fun decimalNumber() =
+        "El ladrillo solo calcula con números enteros. Cuenta en pasos más pequeños, como décimas o centésimas."
+
+    override fun decimalTime(seconds: String, hundredths: Int) =
+        "NQC no tiene decimales y cuenta el tiempo en centésimas de segundo: escribe $hundredths para $seconds segundos."
+
+    override fun misspelledWord(typed: String, meant: String, isCase: Boolean) =
+        "${quoted(typed)} no es una palabra de NQC. ¿Querías decir ${quoted(meant)}?" +
+            if (isCase) " Las mayúsculas importan." else ""
+
+    override fun otherType(type: String) = "NQC no tiene $type, solo números enteros: int."
 
     override fun textAsValue() = "El ladrillo no puede mostrar textos, por eso NQC no los tiene. Usa un número."
 
@@ -154,6 +164,9 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun emptyBody(word: String) =
         "Este punto y coma termina el $word, así que lo que sigue ya no pertenece a él. Quítalo."
+
+    override fun misleadingIndent(word: String) =
+        "Esta línea no pertenece al $word: sin llaves solo pertenece una. Pon { } alrededor de las dos."
 }
 
 private object SpanishNameMessages : NqcNameMessages {
@@ -171,6 +184,11 @@ private object SpanishNameMessages : NqcNameMessages {
 
     override fun undefinedVariable(name: String, suggestion: String?) =
         "No hay ninguna variable ${quoted(name)}. ${didYouMean(suggestion) ?: "Declárala antes: int $name;"}"
+
+    override fun undefinedCommand(name: String, suggestion: String?) = "No hay nada que se llame ${quoted(name)}. " +
+        (didYouMean(suggestion) ?: "Una orden es así: OnFwd(OUT_A);")
+
+    override fun bracketsMissing(name: String, call: String) = "Después de ${quoted(name)} van paréntesis: $call;"
 
     override fun undefinedFunction(name: String, suggestion: String?) =
         "No hay ninguna función ${quoted(name)}. ${didYouMean(suggestion) ?: "Revisa cómo se escribe."}"
@@ -202,10 +220,10 @@ private object SpanishNameMessages : NqcNameMessages {
     override fun arrayInitialized(name: String) =
         "Un array no recibe un valor al declararlo. Asigna algo a sus elementos: $name[0] = 1;"
 
-    override fun argumentCount(name: String, needed: Int, given: Int) = when (needed) {
+    override fun argumentCount(name: String, needed: Int, given: Int, call: String) = when (needed) {
         0 -> "${quoted(name)} no lleva nada entre paréntesis: $name()."
-        1 -> "${quoted(name)} lleva un argumento, pero aquí hay $given."
-        else -> "${quoted(name)} lleva $needed argumentos, pero aquí hay $given."
+        1 -> "${quoted(name)} lleva un argumento, pero aquí hay $given. Escríbelo así: $call;"
+        else -> "${quoted(name)} lleva $needed argumentos, pero aquí hay $given. Escríbelo así: $call;"
     }
 
     override fun argumentNotConstant() =
@@ -315,6 +333,9 @@ private object SpanishCodeMessages : NqcCodeMessages {
     override fun memoryFull(bytes: Int, limit: Int) =
         "El programa tiene $bytes bytes, pero un ladrillo solo tiene $limit para todos los programas. Convierte " +
             "funciones en subrutinas: sub."
+
+    override fun sensorNotSet(port: Int, call: String) =
+        "Nada dice qué hay conectado a la entrada $port. Escribe al principio: $call;"
 
     override fun argumentRange(limit: ParameterLimit, value: Int) =
         "${nounOf(limit)} va de ${limit.values.first} a ${limit.values.last}, pero aquí hay $value."

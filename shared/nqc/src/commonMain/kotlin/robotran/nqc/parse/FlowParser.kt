@@ -14,10 +14,12 @@ internal class FlowParser(
     private val reader: TokenReader,
     private val expressions: ExpressionParser,
     private val assignments: AssignmentParser,
+    private val misspelled: MisspelledWords,
     private val statement: () -> Statement,
     private val block: () -> Statement,
 ) {
     private val sink = reader.sink
+    private val layout = BodyLayout(reader)
 
     /** Reads a statement that begins with [keyword]; null if that begins none of these. */
     fun statement(keyword: Keyword): Statement? = when (keyword) {
@@ -32,19 +34,25 @@ internal class FlowParser(
         else -> null
     }
 
+    private fun accept(keyword: Keyword): Boolean {
+        misspelled.correct()
+        return reader.accept(keyword)
+    }
+
     private fun withBody(make: (Expression, Statement, SourceRange) -> Statement): Statement {
         val word = reader.advance()
         val value = expressions.inBrackets()
         if (reader.peek(1).isSign("{")) warnOfEmptyBody(word)
-        return make(value, statement(), word.range.to(value.range))
+        val body = layout.body(word, statement)
+        return make(value, body, word.range.to(value.range))
     }
 
     private fun branch(): Statement {
         val word = reader.advance()
         val condition = expressions.inBrackets()
         warnOfEmptyBody(word)
-        val then = statement()
-        val otherwise = if (reader.accept(Keyword.ELSE)) statement() else null
+        val then = layout.body(word, statement)
+        val otherwise = if (accept(Keyword.ELSE)) layout.body(reader.previous, statement) else null
         return Statement.If(condition, then, otherwise, word.range.to(condition.range))
     }
 
@@ -59,7 +67,7 @@ internal class FlowParser(
     private fun doWhile(): Statement {
         val word = reader.advance()
         val body = statement()
-        if (!reader.accept(Keyword.WHILE)) {
+        if (!accept(Keyword.WHILE)) {
             reader.fail(NqcDiagnosticCode.UNEXPECTED_TOKEN, reader.gap, sink.messages.doWithoutWhile())
         }
         val condition = expressions.inBrackets()
@@ -80,7 +88,7 @@ internal class FlowParser(
         val step = if (reader.isSign(")")) null else assignments.statement()
         reader.closing(")")
         if (reader.peek(1).isSign("{")) warnOfEmptyBody(word)
-        return Statement.For(first, condition, step, statement(), word.range)
+        return Statement.For(first, condition, step, layout.body(word, statement), word.range)
     }
 
     private fun monitor(): Statement {
@@ -88,8 +96,8 @@ internal class FlowParser(
         val events = expressions.inBrackets()
         val body = block()
         val handlers = mutableListOf<Handler>()
-        while (reader.isKeyword(Keyword.CATCH)) {
-            val handler = reader.advance()
+        while (accept(Keyword.CATCH)) {
+            val handler = reader.previous
             val mask = if (reader.isSign("(")) expressions.constantOf(expressions.inBrackets()) else null
             handlers += Handler(mask, block(), handler.range)
         }
@@ -101,7 +109,7 @@ internal class FlowParser(
         val resources = expressions.inBrackets()
         val number = expressions.constantOf(resources)
         val body = block()
-        val handler = if (reader.accept(Keyword.CATCH)) block() else null
+        val handler = if (accept(Keyword.CATCH)) block() else null
         return Statement.Acquire(number, body, handler, word.range.to(resources.range))
     }
 }

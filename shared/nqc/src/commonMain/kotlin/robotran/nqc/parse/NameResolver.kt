@@ -4,7 +4,11 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.syntax.Keyword
+import robotran.nqc.syntax.KeywordGroup
+import robotran.nqc.syntax.Signs
 import robotran.nqc.syntax.Token
+import robotran.nqc.syntax.TokenKind
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.Variable
 
@@ -12,16 +16,19 @@ import robotran.nqc.tree.Variable
  * Finds what names mean, and explains those that mean nothing.
  *
  * @param words all other names that a value can begin with.
+ * @param declared the tasks, subroutines and functions of the program, also below.
+ * @param functions the functions of the API.
  * @param isFunction whether there is a task, subroutine or function of a name so far.
- * @param needsSecondFirmware whether the API has a name for another firmware only.
  */
 internal class NameResolver(
     private val reader: TokenReader,
     private val scopes: Scopes,
     private val target: FirmwareTarget,
     private val words: Set<String>,
+    private val declared: DeclaredUnits,
+    private val functions: Set<String>,
     private val isFunction: (String) -> Boolean,
-    private val needsSecondFirmware: (String) -> Boolean,
+    private val apiNames: ApiNames,
 ) {
     private val sink = reader.sink
     private val unknown = Variable("", SourceRange.API)
@@ -30,22 +37,68 @@ internal class NameResolver(
     fun variable(name: Token): Variable {
         scopes.variable(name.text)?.let { return it }
         val text = name.text
-        if (needsSecondFirmware(text)) {
+        if (apiNames.needsSecondFirmware(text)) {
             val message = sink.messages.needsSecondFirmware(text)
             sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message)
             return unknown
         }
-        val similar = similarName(text, scopes.variableNames + words)
+        val similar = similarName(text, scopes.variableNames + words + VALUE_WORDS)
         sink.report(
             NqcDiagnosticCode.UNDEFINED_VARIABLE,
             name.range,
             sink.messages.undefinedVariable(text, similar),
-            similar?.takeIf { name.macro == null }?.let { SourceFix(name.range, it) },
+            when {
+                name.macro != null -> null
+                similar != null -> SourceFix(name.range, similar)
+                else -> declared.declaration(text, name.range).takeIf { isChanged(name) }
+            },
         )
         return unknown
     }
 
+    /** Whether [name] was read last and gets a value: then it is a variable and no misspelled constant. */
+    private fun isChanged(name: Token): Boolean = reader.previous === name && reader.token.kind == TokenKind.SIGN &&
+        (reader.token.text in Signs.ASSIGNMENTS || reader.token.text in STEPS)
+
     fun isUnknown(variable: Variable): Boolean = variable === unknown
+
+    /** Whether here is a statement that is only a name, which means no variable. */
+    fun isCommandAlone(): Boolean {
+        val name = reader.token
+        val next = reader.peek(1)
+        val isAlone = next.kind == TokenKind.END || next.isSign(";") || next.isSign("}") ||
+            (next.range.line != name.range.line && next.kind != TokenKind.SIGN)
+        return isAlone && name.kind == TokenKind.NAME && scopes.variable(name.text) == null
+    }
+
+    /** Reports the statement [name], see [isCommandAlone]. */
+    fun reportCommandAlone(name: Token) {
+        val text = name.text
+        val start = name.range.copy(endColumn = name.range.column)
+        val call = callOf(text)
+        val meant = functionFrom(text)
+            ?: similarName(text, scopes.variableNames + words + functions + declared.names)
+        val (message, fix) = when {
+            apiNames.needsSecondFirmware(text) -> sink.messages.needsSecondFirmware(text) to null
+            declared.isTask(text) -> sink.messages.taskCalled(text) to SourceFix(start, "start ")
+            call == "$text()" -> sink.messages.bracketsMissing(text, call) to SourceFix(name.range.end, "()")
+            call != null -> sink.messages.bracketsMissing(text, call) to null
+            else -> sink.messages.undefinedCommand(text, meant) to meant?.let { SourceFix(name.range, it) }
+        }
+        sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message, fix.takeIf { name.macro == null })
+    }
+
+    /** How the function or subroutine [name] is called, without its arguments if the program has it; null for others. */
+    private fun callOf(name: String): String? = when {
+        name in functions -> apiNames.callOf(name) ?: "$name()"
+        declared.isSub(name) -> "$name()"
+        name in declared.names && !declared.isTask(name) -> "$name(..)"
+        else -> null
+    }
+
+    /** The first function whose name begins with [beginning]; null for a single letter. */
+    private fun functionFrom(beginning: String): String? =
+        functions.takeIf { beginning.length > 1 }?.find { it.startsWith(beginning, ignoreCase = true) }
 
     /** Fails because a call with this [name] is used like a value. */
     fun failAtCallAsValue(name: Token): Nothing {
@@ -55,13 +108,13 @@ internal class NameResolver(
                 reader.fail(NqcDiagnosticCode.CALL_AS_VALUE, name.range, sink.messages.callAsValue(text))
             }
 
-            needsSecondFirmware(text) -> {
+            apiNames.needsSecondFirmware(text) -> {
                 val message = sink.messages.needsSecondFirmware(text)
                 reader.fail(NqcDiagnosticCode.UNDEFINED_FUNCTION, name.range, message)
             }
 
             else -> {
-                val similar = similarName(text, words)
+                val similar = similarName(text, words + VALUE_WORDS)
                 reader.fail(
                     NqcDiagnosticCode.UNDEFINED_FUNCTION,
                     name.range,
@@ -89,5 +142,10 @@ internal class NameResolver(
         if (isFree) return
         val message = sink.messages.redeclared(name.text, scopes.lineOf(name.text))
         sink.report(NqcDiagnosticCode.REDECLARED, name.range, message)
+    }
+
+    private companion object {
+        val STEPS = setOf("++", "--")
+        val VALUE_WORDS = Keyword.entries.filter { it.group == KeywordGroup.VALUE }.map { it.text }
     }
 }

@@ -20,7 +20,7 @@ import robotran.nqc.tree.TaskUnit
  *
  * @param words the macros, for suggestions.
  * @param api the functions that exist from the beginning.
- * @param needsSecondFirmware whether the API has a name for firmware 2.0 only, which is not the target.
+ * @param apiNames what messages say about them.
  * @param limitsOf which constants make sense for the parameters of a function.
  */
 internal class ProgramParser(
@@ -29,17 +29,30 @@ internal class ProgramParser(
     private val target: FirmwareTarget,
     words: Set<String>,
     private val api: Map<String, FunctionUnit>,
-    needsSecondFirmware: (String) -> Boolean,
+    apiNames: ApiNames,
     private val limitsOf: (String) -> List<ParameterLimit?> = { emptyList() },
 ) {
+    /** The tasks, subroutines and functions of the whole program. */
+    val declared = DeclaredUnits(tokens)
+
     private val units = HashSet<String>()
     private val reader = TokenReader(tokens, sink)
     private val scopes = Scopes(api.keys)
-    private val names =
-        NameResolver(reader, scopes, target, words, { it in units || it in api }, needsSecondFirmware)
+    private val names = NameResolver(
+        reader,
+        scopes,
+        target,
+        words,
+        declared,
+        api.keys,
+        { it in units || it in api },
+        apiNames,
+    )
+    private val misspelled =
+        MisspelledWords(reader) { it in api || it in declared.names || scopes.variable(it) != null }
     private val expressions = ExpressionParser(reader, names)
     private val variables = VariableParser(reader, scopes, names, expressions)
-    private val statements = StatementParser(reader, scopes, expressions, variables)
+    private val statements = StatementParser(reader, scopes, names, expressions, variables, misspelled)
     private val parameters = ParameterParser(reader, scopes, names)
 
     private val globals = mutableListOf<Statement.Declaration>()
@@ -61,6 +74,7 @@ internal class ProgramParser(
     }
 
     private fun unit(isApi: Boolean) {
+        misspelled.correct()
         val token = reader.token
         when (token.keyword) {
             Keyword.INT -> {

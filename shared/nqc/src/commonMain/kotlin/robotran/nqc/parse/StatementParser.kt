@@ -15,12 +15,14 @@ import robotran.nqc.tree.Statement.Block
 internal class StatementParser(
     private val reader: TokenReader,
     private val scopes: Scopes,
+    private val names: NameResolver,
     private val expressions: ExpressionParser,
     private val variables: VariableParser,
+    private val misspelled: MisspelledWords,
 ) {
     private val sink = reader.sink
     private val assignments = AssignmentParser(reader, expressions)
-    private val flow = FlowParser(reader, expressions, assignments, ::statement, ::block)
+    private val flow = FlowParser(reader, expressions, assignments, misspelled, ::statement, ::block)
 
     /** Reads `{ statements }`, whose variables end with it. */
     fun block(): Statement {
@@ -33,6 +35,7 @@ internal class StatementParser(
     fun statements(brace: Token): List<Statement> {
         val statements = mutableListOf<Statement>()
         while (!reader.accept("}")) {
+            misspelled.correct()
             if (reader.token.kind == TokenKind.END || reader.token.keyword?.group == KeywordGroup.UNIT) {
                 val message = sink.messages.missingBrace(brace.range.line)
                 sink.report(NqcDiagnosticCode.MISSING_BRACE, reader.gap, message, reader.insertion("\n}"))
@@ -62,6 +65,7 @@ internal class StatementParser(
     }
 
     private fun statement(): Statement = reader.nested(NqcLimits.NESTED_STATEMENTS) {
+        misspelled.correct()
         val token = reader.token
         when {
             reader.isSign("{") -> block()
@@ -69,6 +73,7 @@ internal class StatementParser(
             token.kind == TokenKind.KEYWORD -> ofKeyword(token)
             token.kind == TokenKind.NAME && reader.peek(1).isSign(":") -> label()
             token.kind == TokenKind.NAME && reader.peek(1).isSign("(") -> call()
+            names.isCommandAlone() -> commandAlone()
             else -> assignments.statement().also { reader.semicolon() }
         }
     }
@@ -92,6 +97,14 @@ internal class StatementParser(
     private fun otherKeyword(keyword: Keyword): Statement {
         if (keyword.group == KeywordGroup.OTHER) reader.unexpected()
         return assignments.statement().also { reader.semicolon() }
+    }
+
+    /** Skips a name that is the whole statement and means no variable. */
+    private fun commandAlone(): Statement {
+        val name = reader.advance()
+        names.reportCommandAlone(name)
+        reader.semicolon()
+        return Block(emptyList(), isScope = false, name.range)
     }
 
     private fun declarations(): Statement {
@@ -168,8 +181,9 @@ internal class StatementParser(
             do arguments += expressions.expression() while (reader.accept(","))
         }
         reader.closing(")")
+        val end = reader.previous.range
         reader.semicolon()
-        return Statement.Call(name.text, arguments, name.range, name.macro != null)
+        return Statement.Call(name.text, arguments, name.range, end, name.macro != null)
     }
 
     private companion object {

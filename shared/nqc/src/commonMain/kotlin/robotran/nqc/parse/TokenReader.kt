@@ -11,7 +11,9 @@ import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 
 /** The tokens of a program, one after the other, and the mistakes that can be seen from one token alone. */
-internal class TokenReader(private val tokens: List<Token>, val sink: DiagnosticSink) {
+internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
+    private val tokens = tokens.toMutableList()
+
     var index = 0
         private set
 
@@ -22,9 +24,14 @@ internal class TokenReader(private val tokens: List<Token>, val sink: Diagnostic
     /** The token before; the first one at the beginning. */
     val previous: Token get() = tokens[maxOf(0, index - 1)]
 
-    fun peek(distance: Int): Token = tokens[minOf(index + distance, tokens.lastIndex)]
+    fun peek(distance: Int): Token = tokens[(index + distance).coerceIn(0, tokens.lastIndex)]
 
     fun advance(): Token = token.also { if (index < tokens.lastIndex) index++ }
+
+    /** Reads on as if the token here were the word [keyword]. */
+    fun readAs(keyword: Keyword) {
+        tokens[index] = token.copy(kind = TokenKind.KEYWORD, text = keyword.text)
+    }
 
     fun isSign(sign: String): Boolean = token.isSign(sign)
 
@@ -39,7 +46,10 @@ internal class TokenReader(private val tokens: List<Token>, val sink: Diagnostic
     val gap: SourceRange get() = previous.range.end
 
     /** A fix that inserts [text] at [gap]; null if a macro's text would have to change. */
-    fun insertion(text: String): SourceFix? = if (previous.macro == null) SourceFix(gap, text) else null
+    fun insertion(text: String): SourceFix? {
+        val use = previous.macro?.outermost ?: return SourceFix(gap, text)
+        return if (token.macro?.outermost === use) null else SourceFix(use.end.end, text)
+    }
 
     /** Skips an opening bracket or brace. */
     fun opening(sign: String) {
@@ -81,14 +91,23 @@ internal class TokenReader(private val tokens: List<Token>, val sink: Diagnostic
     /** Fails at a token that is no part of the language. */
     private fun failUnlessKnown() {
         if (token.kind == TokenKind.UNKNOWN) {
-            val isPoint = token.text == "." && previous.kind == TokenKind.NUMBER
-            val message =
-                if (isPoint) sink.messages.decimalNumber() else sink.messages.unknownCharacter(token.text)
-            fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, message)
+            DecimalNumber.at(::peek)?.let { number -> failAt(number) }
+            fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, sink.messages.unknownCharacter(token.text))
         }
         if (token.kind == TokenKind.TEXT) {
             fail(NqcDiagnosticCode.TEXT_AS_VALUE, token.range, sink.messages.textAsValue())
         }
+    }
+
+    private fun failAt(number: DecimalNumber): Nothing {
+        val hundredths = number.hundredths.takeIf { number.isTime }
+        val message = if (hundredths == null) {
+            sink.messages.decimalNumber()
+        } else {
+            sink.messages.decimalTime(number.text, hundredths)
+        }
+        val fix = hundredths?.takeIf { token.macro == null }?.let { SourceFix(number.range, "$it") }
+        fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, message, fix)
     }
 
     /** Fails because nothing that is written like this token can be here. */

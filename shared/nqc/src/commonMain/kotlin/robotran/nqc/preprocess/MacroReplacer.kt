@@ -3,6 +3,7 @@ package robotran.nqc.preprocess
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.MacroUse
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
@@ -40,13 +41,14 @@ internal class MacroReplacer(
             return false
         }
         val parameters = macro.parameters
-        val arguments = if (parameters == null) emptyList() else argumentsOf(parameters.size)
+        var end: SourceRange? = null
+        val arguments = if (parameters == null) emptyList() else argumentsOf(parameters.size) { end = it.range }
         if (arguments == null) {
             val count = parameters.orEmpty().size
             sink.report(NqcDiagnosticCode.MACRO_ARGUMENTS, token.range, sink.messages.macroArguments(macro.name, count))
             return false
         }
-        val own = MacroUse(macro.name, use)
+        val own = MacroUse(macro.name, use, end ?: token.range)
         val places = macro.body.map { if (it.kind == TokenKind.NAME) parameters.orEmpty().indexOf(it.text) else -1 }
         if (!source.allows(places.sumOf { if (it >= 0) arguments[it].size.toLong() else 1L })) return false
         source.put(
@@ -58,8 +60,8 @@ internal class MacroReplacer(
         return true
     }
 
-    /** Reads `(..)` with [count] arguments; null if there are more or fewer. */
-    private fun argumentsOf(count: Int): List<List<Token>>? {
+    /** Reads `(..)` with [count] arguments, and gives its last bracket to [close]; null if there are more or fewer. */
+    private fun argumentsOf(count: Int, close: (Token) -> Unit): List<List<Token>>? {
         val first = source.next()
         if (!first.isSign("(")) {
             source.put(listOf(first))
@@ -85,7 +87,10 @@ internal class MacroReplacer(
             }
             arguments += argument
             argument = mutableListOf()
-            if (isEnd) break
+            if (isEnd) {
+                close(token)
+                break
+            }
         }
         val isEmpty = count == 0 && arguments.size == 1 && arguments.single().isEmpty()
         return if (isEmpty) emptyList() else arguments.takeIf { it.size == count }

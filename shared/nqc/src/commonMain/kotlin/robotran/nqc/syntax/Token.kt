@@ -24,9 +24,20 @@ internal data class Token(
     fun isSign(sign: String): Boolean = kind == TokenKind.SIGN && text == sign
 }
 
-/** The use of a macro [name] within the one of [parent]. */
-internal class MacroUse(val name: String, val parent: MacroUse?) {
+/**
+ * The use of a macro [name] within the one of [parent].
+ *
+ * @property end the last token of the use: its name, or the bracket that closes its arguments.
+ */
+internal class MacroUse(val name: String, val parent: MacroUse?, val end: SourceRange) {
     val depth: Int = 1 + (parent?.depth ?: 0)
+
+    /** The use that the program shows. */
+    val outermost: MacroUse
+        get() {
+            var use = this
+            while (true) use = use.parent ?: return use
+        }
 
     /** Whether this use or one around it is of the macro [name]. */
     fun isWithin(name: String): Boolean {

@@ -42,9 +42,14 @@ internal sealed class Statement {
         override val expressions get() = listOf(value)
     }
 
-    class Call(val name: String, val arguments: List<Expression>, val nameRange: SourceRange, val macro: Boolean) :
-        Statement() {
-        override val range get() = nameRange
+    /** @property end the closing bracket. */
+    class Call(
+        val name: String,
+        val arguments: List<Expression>,
+        override val range: SourceRange,
+        val end: SourceRange,
+        val macro: Boolean,
+    ) : Statement() {
         override val expressions get() = arguments
     }
 

@@ -25,6 +25,13 @@ class CompleteNqcTest {
     }
 
     @Test
+    fun `what most programs need comes first`() {
+        val labels = labelsAt("task main() { S| }").filter { it.startsWith("S") }
+        assertEquals(listOf("SetSensor(sensor, kind)", "SetPower(outputs, power)"), labels.take(2))
+        assertEquals("OnFwd(outputs)", labelsAt("task main() { | }").first())
+    }
+
+    @Test
     fun `arguments come first`() {
         assertEquals("OUT_A", labelsAt("task main() { OnFwd(| }").first())
         assertEquals("SENSOR_1", labelsAt("task main() { SetSensor(| }").first())

@@ -40,7 +40,12 @@ import robotran.workshop.run.origin
 
 /** The last values in the datalog of LEGO's firmware, and a button that saves all as a table. Empty without values. */
 @Composable
-internal fun DatalogTable(datalog: List<DatalogEntry>, onSave: () -> Unit, modifier: Modifier) {
+internal fun DatalogTable(
+    datalog: List<DatalogEntry>,
+    variables: Map<Int, String>,
+    onSave: () -> Unit,
+    modifier: Modifier,
+) {
     if (datalog.isEmpty()) return
     val colours = LocalRobotranColours.current
     val left = maxOf(0, datalog.size - SHOWN)
@@ -81,16 +86,17 @@ internal fun DatalogTable(datalog: List<DatalogEntry>, onSave: () -> Unit, modif
                     fontSize = TextSizes.SMALL,
                 )
             }
-            for (index in left until datalog.size) Entry(index + 1, datalog[index])
+            for (index in left until datalog.size) Entry(index + 1, datalog[index], variables)
         }
     }
 }
 
 @Composable
-private fun Entry(number: Int, entry: DatalogEntry) {
-    val words = stringResource(Res.string.run_datalog_entry, number, entry.origin, entry.value)
+private fun Entry(number: Int, entry: DatalogEntry, variables: Map<Int, String>) {
+    val origin = entry.origin(variables)
+    val words = stringResource(Res.string.run_datalog_entry, number, origin, entry.value)
     val read = Modifier.testTag("datalog-$number").clearAndSetSemantics { contentDescription = words }
-    Cells("$number", entry.origin, "${entry.value}", codeStyle(), read)
+    Cells("$number", origin, "${entry.value}", codeStyle(), read)
 }
 
 @Composable

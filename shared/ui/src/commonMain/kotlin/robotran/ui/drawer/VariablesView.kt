@@ -64,12 +64,15 @@ import robotran.workshop.state.VariablesState
  */
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.threads.isEmpty() && state.datalog.isEmpty()) {
+    if (state.threads.isEmpty() && state.datalog.isEmpty() && state.scopes.isEmpty()) {
         return EmptyDrawer(Res.string.run_variables_empty, EmptyPicture.BOXES, modifier)
     }
     val save = { onEvent(RunEvent.DatalogSaved) }
     if (state.threads.isEmpty()) {
-        return DatalogTable(state.datalog, save, modifier.verticalScroll(rememberScrollState()))
+        return Column(modifier.verticalScroll(rememberScrollState())) {
+            if (state.scopes.isNotEmpty()) Scopes(state.scopes, Modifier.fillMaxWidth())
+            DatalogTable(state.datalog, state.variableNames, save, Modifier.fillMaxWidth())
+        }
     }
     BoxWithConstraints(modifier) {
         val width = maxWidth
@@ -83,14 +86,14 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
                 VerticalDivider(color = LocalRobotranColours.current.line)
                 Column(Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState())) {
                     Scopes(state.scopes, Modifier.fillMaxWidth())
-                    DatalogTable(state.datalog, save, Modifier.fillMaxWidth())
+                    DatalogTable(state.datalog, state.variableNames, save, Modifier.fillMaxWidth())
                 }
             }
         } else {
             Column(Modifier.verticalScroll(rememberScrollState())) {
                 Scopes(state.scopes, Modifier.fillMaxWidth())
                 Calls(state, onEvent, Modifier.fillMaxWidth())
-                DatalogTable(state.datalog, save, Modifier.fillMaxWidth())
+                DatalogTable(state.datalog, state.variableNames, save, Modifier.fillMaxWidth())
             }
         }
     }

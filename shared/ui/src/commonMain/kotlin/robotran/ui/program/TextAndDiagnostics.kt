@@ -33,7 +33,9 @@ internal fun TextAndDiagnostics(
             Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
         }
         state.otherBrick?.let { brick -> OtherBrickBar(brick, state.shownRobot) { onPenbot(brick) } }
-        if (hasErrors && state.diagnostics.isNotEmpty()) {
+        // The bar about the other brick says the same as a mistake without a place.
+        val isTold = state.otherBrick != null && state.diagnostics.all { it.range == null }
+        if (hasErrors && state.diagnostics.isNotEmpty() && !isTold) {
             val pointedOut = state.errorPointedOut
             DiagnosticStrip(
                 state.program,

@@ -49,6 +49,26 @@ class OtherBrickTest {
     }
 
     @Test
+    fun `a program in NQC on an NXT is told once, with what helps`() = onTablet { workshop ->
+        val hello = ProgramLanguage.JAVA.examplesFor(BrickKind.NXT).getValue("Hello.java")
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", hello)))
+        runBlocking { workshop.compilePrograms() }
+        pass(300)
+        onNodeWithTag("use-other-brick").performClick()
+        runBlocking { workshop.compilePrograms() }
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("drive.nqc", "task main()\n{\n    Wait(10);\n}\n")))
+        runBlocking { workshop.compilePrograms() }
+        pass(300)
+        onNodeWithText("This program is for an RCX; the robot yellow has an NXT.").assertIsDisplayed()
+        onNodeWithTag("mistakes").assertDoesNotExist()
+        onNodeWithTag("status").assertTextEquals("The program cannot run like this.")
+        workshop.handle(ProgramEvent.ProgramEdited("task main()\n{\n    Wait(10)\n}\n"))
+        runBlocking { workshop.compilePrograms() }
+        pass(300)
+        onNodeWithTag("other-brick").assertExists()
+    }
+
+    @Test
     fun `a robot that is dropped on the window takes the place of the robot, and Undo brings that back`() {
         for (show in listOf(::onTablet, ::onPhone)) {
             show { workshop ->

@@ -6,15 +6,16 @@ import robotran.world.World
 
 /** Whether a world of the gallery brought this program, and the pupil has changed nothing in it. */
 internal val PupilProgram.isGiven: Boolean
-    get() = files.size == 1 && WorldGallery.isGiven(name, files.single().text)
+    get() = files.size == 1 && (WorldGallery.isGiven(name, files.single().text) || NqcVersions().has(this))
 
 /**
  * The programs that leave when [world] is opened: those that other worlds brought and the pupil has not changed. The
  * program to begin with of [world] itself stays.
  */
 internal fun programsLeftBehind(world: World): (PupilProgram) -> Boolean {
-    val start by lazy { WorldGallery.find(world)?.lesson?.program }
-    return { program ->
-        program.isGiven && !(program.name == start?.name && program.files.single().text == start?.text)
+    val task by lazy { WorldGallery.find(world)?.lesson }
+    val starts by lazy {
+        listOfNotNull(task?.program?.let { PupilProgram(it.name, it.text) }, task?.let { NqcVersions().start(it) })
     }
+    return { program -> program.isGiven && program !in starts }
 }

@@ -25,6 +25,10 @@ internal class WorldTaskController(
     private val runControls: RunControls,
     private val hints: HintGiver,
 ) {
+    private val nqc = NqcVersions()
+
+    private val isInNqc: Boolean get() = current.shownProgram.language == ProgramLanguage.NQC
+
     private var seenWorld: World? = null
     private var seen: GalleryWorld? = null
 
@@ -51,14 +55,19 @@ internal class WorldTaskController(
             world,
             task,
             help.copy(solutionShown = current.shownProgram in solutionsOf(task)),
-            current.project.pupilPrograms.none { it.name == task.program.name },
+            current.project.pupilPrograms.none { it.name == task.program.name || isStartInNqc(it, task) },
         )
     }
 
-    /** Shows the pupil's version of the program to begin with, or adds the original. */
+    /** Whether [program] is what a pupil who writes NQC begins with. */
+    private fun isStartInNqc(program: PupilProgram, task: Lesson): Boolean =
+        isInNqc && program.name == NqcVersions.nqcName(task.program.name)
+
+    /** Shows the pupil's version of the program to begin with, or adds the original, in NQC for who writes that. */
     fun putProgram(state: WorldTaskState) {
-        val program = state.task.program
-        newTabs.choose { it.name == program.name } || newTabs.addGiven(PupilProgram(program.name, program.text))
+        val given = PupilProgram(state.task.program.name, state.task.program.text)
+        val program = nqc.start(state.task)?.takeIf { isInNqc } ?: given
+        newTabs.choose { it.name == program.name } || newTabs.addGiven(program)
     }
 
     /** The [state] with one more hint if [shown], otherwise with none. */
@@ -90,17 +99,14 @@ internal class WorldTaskController(
         }
     }
 
-    private fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
-        val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
-        PupilProgram(
-            if (language ==
-                ProgramLanguage.JAVA
-            ) {
-                "Solution.java"
-            } else {
-                "solution${language.extension}"
-            },
-            it.text,
-        )
+    /** The solutions of [task]; one in NQC only for who writes that, or has had it shown. */
+    private fun solutionsOf(task: Lesson): List<PupilProgram> {
+        val written = task.solutions.map {
+            val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
+            val isJava = language == ProgramLanguage.JAVA
+            PupilProgram(if (isJava) "Solution.java" else "solution${language.extension}", it.text)
+        }
+        val hasNqc = current.project.pupilPrograms.any { it.language == ProgramLanguage.NQC }
+        return if (hasNqc) (written + listOfNotNull(nqc.solution(task))).distinct() else written
     }
 }

@@ -44,12 +44,12 @@ internal fun uniqueName(name: String, language: ProgramLanguage, taken: List<Str
 private fun uniqueName(name: String, ending: String, taken: List<String>): String =
     generateSequence(1) { it + 1 }.map { if (it == 1) "$name$ending" else "$name$it$ending" }.first { it !in taken }
 
-/** Drives for two seconds. */
+/** Drives for one second: after two, the robot would be at the edge of the plain sheet. */
 private val FIRST_NQC = """
     task main()
     {
         OnFwd(OUT_A + OUT_C);
-        Wait(200);
+        Wait(100);
         Off(OUT_A + OUT_C);
     }
 """.trimIndent()
@@ -59,7 +59,7 @@ private val FIRST_LASM = listOf(
     "\ttask\t0",
     "\tdir\t2, 5 ",
     "\tout\t5, 2 ",
-    "\twait\t2, 200 ",
+    "\twait\t2, 100 ",
     "\tout\t5, 1 ",
     "\tendt",
 ).joinToString("\n", postfix = "\n")

@@ -6,6 +6,8 @@ import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.ShownScope
+import robotran.runcontrol.ShownVariable
 import robotran.runcontrol.VariableWatch
 import robotran.workshop.state.DrawerState
 import robotran.workshop.state.DrawerTab
@@ -79,14 +81,27 @@ internal class DrawerUpdater {
 
     private fun updateVariables(player: RunPlayer): VariablesState {
         val threads = player.session.threads
-        // The datalog stays when the program has ended.
         val firmware = player.session.firmwareState as? FirmwareState
         val datalog = firmware?.datalog.orEmpty()
-        val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState(datalog = datalog)
+        val names = firmware?.variableNames.orEmpty()
+        val current = threads.find { it.isCurrent } ?: threads.firstOrNull()
+            ?: return VariablesState(
+                scopes = firmware?.let(::kept).orEmpty(),
+                datalog = datalog,
+                variableNames = names,
+            )
         val thread = threads.find { it.number == chosen?.first } ?: current
         val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
         val scopes = variables.update(player.session, thread.number, frame)
-        return VariablesState(threads, thread.number, frame, scopes, hasTasks = firmware != null, datalog = datalog)
+        return VariablesState(threads, thread.number, frame, scopes, firmware != null, datalog, names)
+    }
+
+    /** The variables that a brick with LEGO's firmware keeps when a program has ended. */
+    private fun kept(firmware: FirmwareState): List<ShownScope> {
+        val shown = firmware.variableNames.map { (number, name) ->
+            ShownVariable(name, "${firmware.variables[number]}", changed = false)
+        }
+        return if (shown.isEmpty()) emptyList() else listOf(ShownScope(firmware.program.orEmpty(), shown))
     }
 
     private fun updateLog(player: RunPlayer): LogState {

@@ -30,7 +30,8 @@ internal class RomLogExport(
     fun save(log: LogState, program: String) = save(program, FileKind.TEXT, log.entries.toLogText())
 
     /** Saves the datalog as a table named after [program]. */
-    fun save(datalog: List<DatalogEntry>, program: String) = save("$program datalog", FileKind.CSV, datalog.toCsv())
+    fun save(datalog: List<DatalogEntry>, variables: Map<Int, String>, program: String) =
+        save("$program datalog", FileKind.CSV, datalog.toCsv(variables))
 
     private fun save(name: String, kind: FileKind, text: String) {
         scope.launch {

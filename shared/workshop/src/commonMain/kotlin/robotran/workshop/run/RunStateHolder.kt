@@ -94,27 +94,51 @@ class RunStateHolder(
     fun handle(event: RunEvent) {
         when (event) {
             RunEvent.RunPressed -> play()
+
             RunEvent.StopPressed -> stop()
+
             RunEvent.PausePressed -> togglePause()
+
             is RunEvent.StepPressed -> step(event.kind)
+
             is RunEvent.RunToLine -> runTo(event.line)
+
             RunEvent.StartedOver -> startOver()
+
             is RunEvent.SpeedChosen -> choose(event.speed)
+
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
+
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
+
             is RunEvent.RobotWatched -> watch(event.robot)
+
             RunEvent.RecordingPlayed -> playRecording()
+
             is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
+
             is RunEvent.ButtonPressed -> press(event.button)
+
             is RunEvent.ButtonReleased -> release(event.button)
+
             is RunEvent.SessionTouched -> touch(event.input)
+
             is RunEvent.DrawerChosen -> openDrawer(event.tab)
+
             is RunEvent.DrawerBesideChosen -> state = state.copy(drawer = state.drawer.choosingBeside(event.tab))
+
             is RunEvent.FrameChosen -> drawer.choose(event.thread, event.frame)
+
             is RunEvent.LogFiltered -> drawer.filter(event.filter)
+
             RunEvent.LogCopied -> export.copy(state.drawer.log)
+
             RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
-            RunEvent.DatalogSaved -> export.save(state.drawer.variables.datalog, programs.state.program.name)
+
+            RunEvent.DatalogSaved -> with(state.drawer.variables) {
+                export.save(datalog, variableNames, programs.state.program.name)
+            }
+
             is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
         }
         idleDetector.disturb()

@@ -54,9 +54,10 @@ data class DrawerState(
  * @property threads empty if no program runs or it has no debug information.
  * @property thread the index of the selected thread.
  * @property frame the index of the selected frame in its call stack, 0 for the innermost.
- * @property scopes the variables of that frame.
+ * @property scopes the variables of that frame; once a program of LEGO's firmware has ended, those that the brick keeps.
  * @property hasTasks whether the threads are called tasks, as those of LEGO's firmware are.
  * @property datalog what programs have written to the datalog of LEGO's firmware.
+ * @property variableNames the names of the brick's variables in it, by number.
  */
 @Immutable
 data class VariablesState(
@@ -66,6 +67,7 @@ data class VariablesState(
     val scopes: List<ShownScope> = emptyList(),
     val hasTasks: Boolean = false,
     val datalog: List<DatalogEntry> = emptyList(),
+    val variableNames: Map<Int, String> = emptyMap(),
 )
 
 /**

@@ -134,6 +134,35 @@ class WorldTaskTest {
     }
 
     @Test
+    fun `who works in NQC begins in NQC, and is shown a translated solution that solves the world`() {
+        choose("slalom")
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
+        assertTrue(shown.canStart)
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        assertEquals("slalom.nqc", workshop.state.programName)
+        assertTrue("task main()" in workshop.state.programText, workshop.state.programText)
+        assertFalse(shown.canStart)
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        assertEquals("solution.nqc", workshop.state.programName)
+        assertTrue(shown.help.solutionShown)
+        val solution = workshop.state.programText
+        workshop.handle(LearningEvent.WorldSolutionRequested(false))
+        assertEquals("slalom.nqc", workshop.state.programName)
+        tries(solution)
+        workshop.advance(60_000)
+        assertEquals(setOf("slalom"), workshop.state.learning.worldsDone)
+    }
+
+    @Test
+    fun `a translated program that the pupil left unchanged leaves with its world`() {
+        choose("slalom")
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        choose("square")
+        assertFalse("slalom.nqc" in workshop.project.robots.first().programs.map { it.name })
+    }
+
+    @Test
     fun `a solved world leads to its harder variations, with the program that solved it`() {
         choose("square")
         tries(task.solution.text)

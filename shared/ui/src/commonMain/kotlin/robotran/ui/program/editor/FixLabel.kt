@@ -30,7 +30,7 @@ internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Str
     val from = (fix.range.column - 1).coerceIn(0, line.length)
     val to = (fix.range.endColumn - 1).coerceIn(from, line.length)
     val removed = line.substring(from, to).trim()
-    val added = fix.replacement.trim()
+    val added = fix.replacement.trim().replace(BLANKS, " ")
     return when {
         added.isNotEmpty() -> if (removed.isEmpty()) FixLabel.Add(added) else FixLabel.Change(added)
         removed.isNotEmpty() -> FixLabel.Remove(shortened(removed))
@@ -54,4 +54,5 @@ private fun shortened(words: String) = if (words.length <= MAX_CHARACTERS) {
     words.take(MAX_CHARACTERS - 1) + "…"
 }
 
+private val BLANKS = Regex("\\s+")
 private const val MAX_CHARACTERS = 30

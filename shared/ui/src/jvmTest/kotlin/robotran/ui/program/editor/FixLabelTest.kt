@@ -39,6 +39,13 @@ class FixLabelTest {
     }
 
     @Test
+    fun `several lines are added in one`() {
+        val fix = SourceFix(SourceRange(1, 1, 1), "task main()\n{\n    \n}\n")
+        val diagnostic = ProgramDiagnostic("a.nqc", SourceRange(1, 1, 1), "", fix)
+        assertEquals(FixLabel.Add("task main() { }"), fixLabelOf(diagnostic, fix, ""))
+    }
+
+    @Test
     fun `a semicolon is added, whatever the line is meanwhile`() {
         val fix = SourceFix(SourceRange(1, 6, 6), ";")
         val diagnostic = ProgramDiagnostic("A.java", SourceRange(1, 6, 6), "", fix)

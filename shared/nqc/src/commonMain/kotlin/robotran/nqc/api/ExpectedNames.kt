@@ -1,7 +1,5 @@
-package robotran.nqc.edit
+package robotran.nqc.api
 
-import robotran.nqc.api.ApiDefinition
-import robotran.nqc.api.NqcApiEntry
 import robotran.nqc.config.ParameterLimit
 
 /** The names of the API that the arguments of its functions are made for. */

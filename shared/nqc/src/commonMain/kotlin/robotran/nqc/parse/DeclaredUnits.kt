@@ -1,0 +1,32 @@
+package robotran.nqc.parse
+
+import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.syntax.Keyword
+import robotran.nqc.syntax.KeywordGroup
+import robotran.nqc.syntax.Token
+import robotran.nqc.syntax.TokenKind
+
+/** The tasks, subroutines and functions that [tokens] declare, also those with mistakes. */
+internal class DeclaredUnits(tokens: List<Token>) {
+    private val words: Map<String, Keyword?> = tokens.zipWithNext()
+        .filter { (word, name) -> word.keyword?.group == KeywordGroup.UNIT && name.kind == TokenKind.NAME }
+        .associate { (word, name) -> name.text to word.keyword }
+
+    /** The first word of each file that begins a task, a subroutine or a function. */
+    private val first: Map<String, SourceRange> = tokens
+        .filter { it.keyword?.group == KeywordGroup.UNIT && it.macro == null }
+        .asReversed().associate { it.range.file to it.range }
+
+    val names: Set<String> get() = words.keys
+
+    /** A fix that declares the variable [name] for the whole program, in the file of [range]; null if it cannot. */
+    fun declaration(name: String, range: SourceRange): SourceFix? = first[range.file]
+        ?.let { SourceFix(it.copy(endColumn = it.column), "${Keyword.INT.text} $name;\n\n") }
+
+    fun isTask(name: String): Boolean = words[name] == Keyword.TASK
+
+    fun isFunction(name: String): Boolean = words[name] == Keyword.VOID
+
+    fun isSub(name: String): Boolean = words[name] == Keyword.SUB
+}
