@@ -10,6 +10,7 @@ import robotran.simulation.state.SessionState
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.sheetPreview
 import robotran.world.World
+import robotran.world.robot.draftError
 
 /**
  * The complete UI state, one part per pane.
@@ -100,6 +101,7 @@ data class WorkshopState(
 
     val status: WorkshopStatus
         get() = runStatus(brickTold.run).takeIf { running }
+            ?: draftError(world)?.let(WorkshopStatus::RobotImpossible)
             ?: diagnostics.firstOrNull()?.let {
                 WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 })
             }
