@@ -1,5 +1,7 @@
 package robotran.workshop.learning
 
+import robotran.language.ProgramLanguage
+import robotran.learning.Lesson
 import robotran.learning.WorldGallery
 import robotran.workshop.state.PupilProgram
 import robotran.world.World
@@ -17,4 +19,11 @@ internal fun programsLeftBehind(world: World): (PupilProgram) -> Boolean {
     return { program ->
         program.isGiven && !(program.name == start?.name && program.files.single().text == start?.text)
     }
+}
+
+/** What "Show me" puts into tabs for [task], one program for each of its languages. */
+internal fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
+    val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
+    val name = if (language == ProgramLanguage.JAVA) "Solution" else "solution"
+    PupilProgram(name + language.extension, it.text)
 }

@@ -1,6 +1,5 @@
 package robotran.workshop.learning
 
-import robotran.language.ProgramLanguage
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
@@ -88,19 +87,5 @@ internal class WorldTaskController(
             newTabs.remove { it in solutions }
             newTabs.choose { it.name == nameBefore }
         }
-    }
-
-    private fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
-        val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
-        PupilProgram(
-            if (language ==
-                ProgramLanguage.JAVA
-            ) {
-                "Solution.java"
-            } else {
-                "solution${language.extension}"
-            },
-            it.text,
-        )
     }
 }
