@@ -419,6 +419,8 @@ class Workshop(
 
     override fun run() = handle(RunEvent.RunPressed)
 
+    override fun startOver() = handle(RunEvent.StartedOver)
+
     override suspend fun playInputs() {
         compile()
         handle(RunEvent.RecordingPlayed)

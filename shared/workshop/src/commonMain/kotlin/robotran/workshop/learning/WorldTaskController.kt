@@ -54,10 +54,11 @@ internal class WorldTaskController(
         )
     }
 
-    /** Shows the pupil's version of the program to begin with, or adds the original. */
-    fun putProgram(state: WorldTaskState) {
+    /** Shows the pupil's version of the program to begin with, or adds the original. False if there is no room. */
+    fun putProgram(state: WorldTaskState): Boolean {
         val program = state.task.program
-        newTabs.choose { it.name == program.name } || newTabs.addGiven(PupilProgram(program.name, program.text))
+        return newTabs.choose { it.name == program.name } ||
+            newTabs.addGiven(PupilProgram(program.name, program.text))
     }
 
     /** The [state] with one more hint if [shown], otherwise with none. */
