@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.brick.controls.startButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
@@ -101,6 +102,7 @@ class Workshop(
     private var pane by mutableStateOf(Pane.WORLD)
     private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
+    private var taskFolded by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
 
     /** While a hand-in is replayed, there is always the way back; that it is solved is said elsewhere. */
@@ -177,6 +179,7 @@ class Workshop(
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
             robotEdit = robotEdit.state,
+            taskFolded = taskFolded,
         )
 
     override val project: Project get() = opened.copy(
@@ -219,7 +222,8 @@ class Workshop(
             is CourseEvent -> course.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
-            is WorkshopEvent.TaskShown -> taskShown = event.shown
+            is WorkshopEvent.TaskShown -> showTask(event.shown)
+            is WorkshopEvent.TaskFolded -> taskFolded = event.folded
             WorkshopEvent.NoticeDismissed -> notice = null
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
@@ -444,7 +448,7 @@ class Workshop(
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.projectChanged()
-        if (isAnother) taskShown = state.hasTask
+        if (isAnother) showTask(state.hasTask)
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
         withdrawUndo()
@@ -512,13 +516,18 @@ class Workshop(
         editedWorld.leave()
     }
 
+    /** The whole task; who asks for it wants to read it. */
+    private fun showTask(shown: Boolean) {
+        taskShown = shown
+        taskFolded = false
+    }
+
     /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
-        if (event == RunEvent.RunPressed) {
-            taskShown = false
-            if (notice is Notice.SensorsPluggedIn) notice = null
-        }
+        val wasRunning = run.state.running
+        if (event == RunEvent.RunPressed && notice is Notice.SensorsPluggedIn) notice = null
         run.handle(event)
+        if (event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))) showTask(false)
         // A new run takes the praise of the last one away.
         if (runChanged()) celebrate()
         if (event is RunEvent.ShortfallShown) {
@@ -526,13 +535,21 @@ class Workshop(
         }
     }
 
+    private fun isStartButton(event: RunEvent): Boolean =
+        event is RunEvent.ButtonPressed && event.button == run.state.brick.kind.startButton && run.state.brick.poweredOn
+
     private fun handleProgram(event: ProgramEvent) {
         val before = programs.written
         programs.handle(event)
         if (event is BlockEvent.ViewChosen) {
             settingsHolder.handle(SettingsEvent.SettingsChanged(settings.copy(programView = event.view)))
         }
-        if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
+        if (event is BlockEvent.DoneNow) {
+            programs.immediateProgram(event.load)?.let {
+                run.runNow(it)
+                showTask(false)
+            }
+        }
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
         if (isWritten && notice == Notice.FirstProgramRuns) notice = null

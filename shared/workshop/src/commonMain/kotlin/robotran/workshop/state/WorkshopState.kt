@@ -20,6 +20,7 @@ import robotran.world.robot.draftError
  * @property pane the pane shown on screens with room for only one.
  * @property fullPane the pane that has the room of all others, on screens with room for several; null for none.
  * @property taskShown whether the world's task is shown above the sheet.
+ * @property taskFolded whether only one line of it is shown; an assignment remembers that itself.
  * @property notice the current message; null for none.
  * @property settingsShown whether the settings page is shown.
  * @property siteRequested whether that page opens at the base URL of links.
@@ -56,6 +57,7 @@ data class WorkshopState(
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
     val robotEdit: RobotEditState? = null,
+    val taskFolded: Boolean = false,
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file
