@@ -102,7 +102,10 @@ class WorldGalleryTest {
     fun `a program that comes with a world is known by name and text`() {
         for (found in all) {
             val lesson = found.lesson ?: continue
-            val solutions = lesson.solutions.map { if (it.name.endsWith(".java")) "Solution.java" else "solution.robo" }
+            val solutions = lesson.solutions.map {
+                val ending = it.name.substringAfterLast('.')
+                if (ending == "java") "Solution.java" else "solution.$ending"
+            }
             assertTrue(found.gives(lesson.program.name, lesson.program.text), found.name)
             for ((name, file) in solutions.zip(lesson.solutions)) assertTrue(found.gives(name, file.text), found.name)
             assertTrue(WorldGallery.isGiven(lesson.program.name, lesson.program.text))
