@@ -61,13 +61,13 @@ internal fun Lane(
 ) {
     val colours = LocalRobotranColours.current
     val value = valueText(line, brick, at)
-    val shown = value ?: stringResource(Res.string.run_chart_no_value)
+    val spoken = value ?: stringResource(Res.string.run_chart_no_value)
     val unit = line.unit.sign
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-            contentDescription = if (value == null) "$name: $shown" else "$name: $value $unit".trimEnd()
+            contentDescription = if (value == null) "$name: $spoken" else "$name: $value $unit".trimEnd()
         },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
@@ -98,7 +98,7 @@ internal fun Lane(
                 },
         ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
-            shown,
+            value ?: NO_VALUE,
             Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
@@ -197,5 +197,7 @@ private fun valueWidth(brick: BrickKind): Dp = when (brick) {
     BrickKind.NXT -> 76.dp
 }
 
+/** In the place of a value that nobody has measured. */
+private const val NO_VALUE = "–"
 private val LANE_HEIGHT = 44.dp
 private val PAD = 4.dp
