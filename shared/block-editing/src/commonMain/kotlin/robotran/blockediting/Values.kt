@@ -1,6 +1,7 @@
 package robotran.blockediting
 
 import robotran.robolang.outline.DeclaredName
+import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.OutlineValue
@@ -43,6 +44,11 @@ fun BlockProgram.kindOf(value: OutlineValue): ValueKind = when (value.form) {
 
     ValueForm.NAME, ValueForm.CALL -> {
         value.parts.firstNotNullOfOrNull { it as? PhrasePart.NamePart }?.let { nameAt(it.span)?.type }
+    }
+
+    // It is a colour if a colour sensor is on its port.
+    ValueForm.SENSOR -> {
+        ValueKind.NUMBER.takeIf { outline.lines.none { it.form == LineForm.COLOUR_SENSOR } }
     }
 
     else -> {

@@ -62,7 +62,9 @@ internal class Senses(private val expected: Expectations) {
                     }
                 }
 
-                "colour" -> nxt.colours.fill(COLOURS.getValue(sense.value))
+                "colour" -> for (port in sense.port?.let { listOf(it - 1) } ?: nxt.colours.indices.toList()) {
+                    nxt.colours[port] = COLOURS.getValue(sense.value)
+                }
 
                 else -> nxt.held = BUTTONS.getValue(sense.value)
             }

@@ -6,9 +6,9 @@ import robotran.world.geometry.Point
 import robotran.world.robot.robotErrors
 import robotran.world.robot.things
 
-/** The state after [edit]. A refused edit leaves the robot unchanged and sets [RobotEditing.refusal]. */
+/** The state after [edit]. A refused edit leaves the robot unchanged and sets [RobotEditing.error]. */
 fun RobotEditing.after(edit: RobotEdit): RobotEditing {
-    val calm = copy(refusal = null)
+    val calm = copy(error = null)
     return when (edit) {
         is RobotEdit.Choose -> calm.dropped().copy(chosen = edit.element?.takeIf { robot.has(it) })
 
@@ -53,12 +53,12 @@ internal sealed interface Outcome {
         val isRead: Boolean = false,
     ) : Outcome
 
-    class Refused(val refusal: Refusal) : Outcome
+    class Refused(val error: RobotEditError) : Outcome
 }
 
 private fun RobotEditing.changed(edit: RobotEdit): RobotEditing = when (val outcome = outcomeOf(edit)) {
     null -> this
-    is Outcome.Refused -> copy(refusal = outcome.refusal)
+    is Outcome.Refused -> copy(error = outcome.error)
     is Outcome.Made -> made(moment, outcome)
 }
 
@@ -93,7 +93,7 @@ private fun RobotEditing.plugged(number: Int, port: Int?): Outcome? {
 private fun RobotEditing.cornerAdded(): Outcome? {
     val outline = robot.chassis.outline
     val number = (chosen as? RobotElement.Corner)?.number ?: return null
-    if (outline.size >= RobotLimits.CORNERS.last) return Outcome.Refused(Refusal.TOO_MANY_CORNERS)
+    if (outline.size >= RobotLimits.CORNERS.last) return Outcome.Refused(RobotEditError.TOO_MANY_CORNERS)
     val corner = outline[number]
     val next = outline[(number + 1) % outline.size]
     val middle = Point((corner.x + next.x) / 2, (corner.y + next.y) / 2)
@@ -114,7 +114,7 @@ private fun RobotEditing.removed(element: RobotElement): Outcome = when (element
     is RobotElement.Corner -> {
         val left = robot.chassis.outline.filterIndexed { number, _ -> number != element.number }
         if (left.size < RobotLimits.CORNERS.first) {
-            Outcome.Refused(Refusal.TOO_FEW_CORNERS)
+            Outcome.Refused(RobotEditError.TOO_FEW_CORNERS)
         } else {
             Outcome.Made(robot.withOutline(left), RobotElement.Chassis)
         }
@@ -125,7 +125,7 @@ private fun RobotEditing.removed(element: RobotElement): Outcome = when (element
     }
 
     RobotElement.Wheels, RobotElement.Brick, RobotElement.Mass, RobotElement.Chassis -> {
-        Outcome.Refused(Refusal.NEEDED)
+        Outcome.Refused(RobotEditError.NEEDED)
     }
 }
 

@@ -11,7 +11,7 @@ import robotran.world.robot.robotErrors
  *
  * @property chosen the chosen element of [robot]; null for none.
  * @property gesture the current drag.
- * @property refusal why the last edit did nothing; null if it was not refused.
+ * @property error why the last edit did nothing; null if it was not refused.
  * @property errors what is impossible about the robot.
  */
 data class RobotEditing(
@@ -19,7 +19,7 @@ data class RobotEditing(
     val chosen: RobotElement? = null,
     val history: RobotHistory = RobotHistory(),
     val gesture: RobotGesture? = null,
-    val refusal: Refusal? = null,
+    val error: RobotEditError? = null,
     val errors: List<RobotError> = emptyList(),
 ) {
     val isPossible: Boolean get() = errors.isEmpty()
@@ -35,7 +35,7 @@ data class RobotEditing(
 data class RobotGesture(val handle: RobotHandle, val from: Point, val before: RobotMoment)
 
 /** Why an edit does nothing. */
-enum class Refusal {
+enum class RobotEditError {
     /** The robot has as many bumpers and sensors as a description can have. */
     TOO_MANY_PARTS,
     TOO_MANY_CASTERS,

@@ -53,13 +53,13 @@ internal fun RobotDescription.added(item: RobotItem, at: Point?): Outcome {
         RobotItem.CASTER -> addedCaster(place)
 
         RobotItem.PEN -> if (pen != null) {
-            Outcome.Refused(Refusal.SAME_THING)
+            Outcome.Refused(RobotEditError.SAME_THING)
         } else {
             Outcome.Made(copy(pen = PenMount(freeMotor ?: MotorPort.B)), RobotElement.Pen)
         }
 
         else -> if (parts.size >= RobotLimits.MAXIMUM_PARTS) {
-            Outcome.Refused(Refusal.TOO_MANY_PARTS)
+            Outcome.Refused(RobotEditError.TOO_MANY_PARTS)
         } else {
             addedPart(item, place)
         }
@@ -74,7 +74,7 @@ val RobotDescription.freeMotor: MotorPort?
     }
 
 private fun RobotDescription.addedCaster(at: Point?): Outcome {
-    if (casters.size >= RobotLimits.MAXIMUM_CASTERS) return Outcome.Refused(Refusal.TOO_MANY_CASTERS)
+    if (casters.size >= RobotLimits.MAXIMUM_CASTERS) return Outcome.Refused(RobotEditError.TOO_MANY_CASTERS)
     val front = chassis.outline.maxOf { it.x }
     val back = chassis.outline.minOf { it.x }
     val usual = if (casters.none { it.x > 0 }) front - CASTER_INSIDE else back + CASTER_INSIDE
@@ -106,7 +106,7 @@ private fun RobotDescription.addedPart(item: RobotItem, at: Point?): Outcome {
     val candidates = (wanted + STEPS.mapNotNull { wanted.first().movedBy(it.x, it.y) }).map { it.on(null).inRange() }
         .filter { part -> things.none { it.on(null) == part } }
     val seen = candidates.filter { at == null && it is SensorPart && isFree(it) }
-    val free = seen.firstOrNull() ?: candidates.firstOrNull() ?: return Outcome.Refused(Refusal.SAME_THING)
+    val free = seen.firstOrNull() ?: candidates.firstOrNull() ?: return Outcome.Refused(RobotEditError.SAME_THING)
     return Outcome.Made(copy(parts = parts + free.on(port)), RobotElement.Part(things.size))
 }
 

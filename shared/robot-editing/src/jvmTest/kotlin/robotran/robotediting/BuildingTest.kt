@@ -75,7 +75,7 @@ class BuildingTest :
         "a pen gets the motor that is free" {
             val editing = on(ReadyRobots.SUMO, RobotEdit.Add(RobotItem.PEN))
             editing.robot.pen?.motor shouldBe MotorPort.B
-            editing.after(RobotEdit.Add(RobotItem.PEN)).refusal shouldBe Refusal.SAME_THING
+            editing.after(RobotEdit.Add(RobotItem.PEN)).error shouldBe RobotEditError.SAME_THING
         }
 
         "two things on a port of an NXT are told, and undone" {
@@ -103,7 +103,7 @@ class BuildingTest :
             bare.robot.pen.shouldBeNull()
             bare.errors shouldBe listOf(RobotError.TipsOver(backwards = false))
             val wheels = bare.after(RobotEdit.Choose(RobotElement.Wheels)).after(RobotEdit.Remove)
-            wheels.refusal shouldBe Refusal.NEEDED
+            wheels.error shouldBe RobotEditError.NEEDED
             wheels.robot shouldBe bare.robot
         }
 
@@ -126,8 +126,8 @@ class BuildingTest :
 
         "a triangle keeps its corners" {
             val triangle = ReadyRobots.SUMO.let { it.copy(chassis = it.chassis.copy(it.chassis.outline.take(3))) }
-            on(triangle, RobotEdit.Choose(RobotElement.Corner(0)), RobotEdit.Remove).refusal shouldBe
-                Refusal.TOO_FEW_CORNERS
+            on(triangle, RobotEdit.Choose(RobotElement.Corner(0)), RobotEdit.Remove).error shouldBe
+                RobotEditError.TOO_FEW_CORNERS
         }
 
         "figures stay in their ranges, and those of a ready robot as they are" {

@@ -3,6 +3,7 @@ package robotran.runcontrol
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.MeasuringUnit
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
@@ -44,20 +45,28 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         size = minOf(size, (time / step).toInt() + 1)
     }
 
-    fun unit(robot: Int, lane: ChartLane): ChartUnit =
-        ChartUnit.of(lane, descriptions[robot].brick, kindOf(robot, lane))
+    fun unit(robot: Int, lane: ChartLane): MeasuringUnit = when {
+        lane.isDegrees -> MeasuringUnit.DEGREES
+        lane == ChartLane.BATTERY -> MeasuringUnit.MILLIVOLTS
+        descriptions[robot].brick == BrickKind.RCX -> MeasuringUnit.NONE
+        lane.isMotor -> MeasuringUnit.PERCENT
+        else -> MeasuringUnit.of(kindOf(robot, lane))
+    }
 
-    fun min(robot: Int, lane: ChartLane, piece: Int): Int = min[place(piece, robot, lane)]
-
-    fun greatest(robot: Int, lane: ChartLane, piece: Int): Int = greatest[place(piece, robot, lane)]
+    /** Null if nothing was measured. */
+    fun range(robot: Int, lane: ChartLane, piece: Int): IntRange? {
+        val place = place(piece, robot, lane)
+        return (min[place]..greatest[place]).takeUnless { it.isEmpty() }
+    }
 
     private fun kindOf(robot: Int, lane: ChartLane): SensorKind? =
         if (lane.isSensor) kinds[robot].getOrNull(lane.port) else null
 
-    private fun add(piece: Int, place: Int, value: Int) {
+    /** A piece without values has a min that is greater than its max. */
+    private fun add(piece: Int, place: Int, value: Int?) {
         val isNew = piece >= size
-        min[place] = if (isNew) value else minOf(min[place], value)
-        greatest[place] = if (isNew) value else maxOf(greatest[place], value)
+        min[place] = minOf(if (isNew) Int.MAX_VALUE else min[place], value ?: Int.MAX_VALUE)
+        greatest[place] = maxOf(if (isNew) Int.MIN_VALUE else greatest[place], value ?: Int.MIN_VALUE)
     }
 
     private fun place(piece: Int, robot: Int, lane: ChartLane) = (piece * robots + robot) * LANES + lane.ordinal
@@ -81,16 +90,16 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         const val CAPACITY = 4_096
         private val LANES = ChartLane.entries.size
 
-        /** The value of [lane] for [robot], in the unit of a sensor of this [kind]; null for that of the program. */
-        fun valueOf(robot: RobotSnapshot, lane: ChartLane, kind: SensorKind?): Int = when {
+        /**
+         * The value of [lane] for [robot], in the unit of a sensor of this [kind], or of an RCX in that of the program;
+         * null if nothing is measured.
+         */
+        fun valueOf(robot: RobotSnapshot, lane: ChartLane, kind: SensorKind?): Int? = when {
             lane.isMotor -> signedPower(robot.brick.motors[lane.port], robot.brick.kind)
-
             lane.isDegrees -> robot.brick.motorDegrees.getOrElse(lane.port) { 0 }
-
             lane == ChartLane.BATTERY -> robot.brick.batteryMillivolts
-
-            else -> robot.brick.inputs.getOrNull(lane.port)?.let { if (kind == null) it.value else it.measured(kind) }
-                ?: 0
+            kind != null -> robot.brick.inputs.getOrNull(lane.port)?.measured(kind)
+            else -> robot.brick.inputs.getOrNull(lane.port)?.value.takeIf { robot.brick.kind == BrickKind.RCX }
         }
 
         private fun signedPower(motor: MotorState, kind: BrickKind): Int {

@@ -2,6 +2,8 @@ package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.MeasuringUnit
+import robotran.brick.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -9,7 +11,10 @@ import robotran.simulation.RobotLoad
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.ReadyRobots
+import robotran.world.Wall
+import robotran.world.World
 import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -33,26 +38,39 @@ class ChartLaneTest {
     }
 
     @Test
+    fun theChartShowsNothingOfASonarThatIsOff() = runTest {
+        val plain = BuiltInWorlds.plainFor(BrickKind.NXT)
+        val pose = plain.robots.first().start
+        val wall = Wall(Point(pose.x + 40, pose.y - 20), Point(pose.x + 40, pose.y + 20), thickness = 2.0)
+        val world = plain.copy(
+            walls = listOf(wall),
+            robots = listOf(plain.robots.first().copy(start = pose.copy(heading = 0.0))),
+        )
+        val player = run("wait 0.2 seconds\nif distance < 100\n  beep\nend\nwait 0.5 seconds", world)
+        assertTrue(player.state.brick.run is RunState.Ended)
+        val line = player.chart(ChartLane.SENSOR_4)
+        val values = (0..<line.size).map(line::range)
+        assertTrue(values[50].let { it != null && it.last < 100 }, "${values[50]}")
+        assertTrue(values.all { it == null || it.last < 255 }, "$values")
+        assertEquals(null, values.last())
+        assertEquals(null, values.first())
+    }
+
+    @Test
     fun theChartOfAnNxtHasTheUnitsOfItsSensorsWhateverTheProgramChose() = runTest {
-        val drive = ReadyRobots.NXT_PENBOT.drive
-        val target = RobotTarget.Nxt(drive.wheelDiameter, drive.track)
-        val source = "wait 0.2 seconds\nmotor A turn 180\nshow distance\nwait 0.2 seconds"
-        val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
         val world = BuiltInWorlds.plainFor(BrickKind.NXT).copy(realism = 1.0)
-        val setup = RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine())
-        val player = RunPlayer(setup)
-        player.apply(SessionInput.RunNow(program, 0))
-        player.pass(2_000)
+        val player = run("wait 0.2 seconds\nmotor A turn 180\nshow distance\nwait 0.2 seconds", world)
         val units = ChartLane.of(BrickKind.NXT).associateWith { player.chart(it).unit }
-        assertEquals(ChartUnit.NONE, units[ChartLane.SENSOR_1])
-        assertEquals(ChartUnit.PERCENT, units[ChartLane.SENSOR_3])
-        assertEquals(ChartUnit.CENTIMETRES, units[ChartLane.SENSOR_4])
-        assertEquals(ChartUnit.PERCENT, units[ChartLane.MOTOR_A])
-        assertEquals(ChartUnit.DEGREES, units[ChartLane.DEGREES_A])
-        assertEquals(ChartUnit.MILLIVOLTS, units[ChartLane.BATTERY])
+        assertEquals(MeasuringUnit.NONE, units[ChartLane.SENSOR_1])
+        assertEquals(MeasuringUnit.PERCENT, units[ChartLane.SENSOR_3])
+        assertEquals(MeasuringUnit.CENTIMETRES, units[ChartLane.SENSOR_4])
+        assertEquals(MeasuringUnit.PERCENT, units[ChartLane.MOTOR_A])
+        assertEquals(MeasuringUnit.DEGREES, units[ChartLane.DEGREES_A])
+        assertEquals(MeasuringUnit.MILLIVOLTS, units[ChartLane.BATTERY])
 
         fun all(lane: ChartLane) = player.chart(lane).let { line ->
-            (0..<line.size).minOf { line.min(it) }..(0..<line.size).maxOf { line.greatest(it) }
+            val values = (0..<line.size).mapNotNull(line::range)
+            values.minOf { it.first }..values.maxOf { it.last }
         }
         assertEquals(0..0, all(ChartLane.SENSOR_1))
         assertTrue(all(ChartLane.SENSOR_3).let { it.first >= 0 && it.last <= 100 }, "${all(ChartLane.SENSOR_3)}")
@@ -60,5 +78,15 @@ class ChartLaneTest {
         assertTrue(all(ChartLane.DEGREES_A).last in 170..200, "${all(ChartLane.DEGREES_A)}")
         val battery = all(ChartLane.BATTERY)
         assertTrue(battery.first in 6_000..<battery.last && battery.last < 8_500, "$battery")
+    }
+
+    private suspend fun run(source: String, world: World): RunPlayer {
+        val drive = ReadyRobots.NXT_PENBOT.drive
+        val target = RobotTarget.Nxt(drive.wheelDiameter, drive.track)
+        val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
+        val player = RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine()))
+        player.apply(SessionInput.RunNow(program, 0))
+        player.pass(2_000)
+        return player
     }
 }

@@ -133,17 +133,14 @@ class RunRecordTest {
         val player = RunPlayer(setupOf("beep"))
         player.pass(1_000)
         val quiet = player.chart(ChartLane.MOTOR_A).let { line ->
-            (0..<line.size).all {
-                line.min(it) == 0 &&
-                    line.greatest(it) == 0
-            }
+            (0..<line.size).all { line.range(it) == 0..0 }
         }
         assertTrue(quiet)
         val driven = started("forward 1")
         driven.pass(100_000)
         val line = driven.chart(ChartLane.MOTOR_A)
         assertTrue(line.step > 10)
-        assertTrue((0..<line.size).any { line.greatest(it) > 0 })
+        assertTrue((0..<line.size).any { checkNotNull(line.range(it)).last > 0 })
         assertEquals(line.size - 1, line.pieceAt(Long.MAX_VALUE))
     }
 
@@ -212,7 +209,7 @@ class RunRecordTest {
         assertEquals(1, player.marks.count { it.kind == MarkKind.END })
         val line = player.chart(ChartLane.MOTOR_A)
         assertEquals(301, line.size)
-        assertEquals(0, line.greatest(300))
+        assertEquals(0, line.range(300)?.last)
     }
 
     @Test

@@ -1,7 +1,6 @@
 package robotran.simulation
 
 import robotran.brick.kind.BrickKind
-import robotran.brick.sound.SoundEvent
 import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.rcxrom.infrared.InfraredAir
@@ -10,6 +9,7 @@ import robotran.simulation.config.SimulationLimits
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.goal.GoalJudge
+import robotran.simulation.goal.ProgramEvents
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.nxt.Loudness
 import robotran.simulation.physics.PhysicsEngine
@@ -35,7 +35,6 @@ internal class SessionEngine(
     private val withInfrared = world.robots.indices.filter { world.robots[it].description.brick == BrickKind.RCX }
     private val hash = TraceHash()
     private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
-    private val tonesJudged = LongArray(world.robots.size)
     private var nextToTick = 0
 
     /** Whether the sensors have been read in this millisecond, which takes several ticks if a program pauses. */
@@ -46,6 +45,8 @@ internal class SessionEngine(
     val robots = world.robots.indices.map {
         RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, network, language)
     }
+
+    private val programEvents = ProgramEvents(robots.map { it.brick.sounds })
 
     /** Those of the [robots]; an array, since each millisecond asks all of them. */
     private val ports: Array<BrickPorts> = Array(robots.size) { robots[it].ports }
@@ -139,15 +140,8 @@ internal class SessionEngine(
     }
 
     private fun judgeGoals() {
-        judge.observe(state, robots.mapIndexed(::newTones))
+        judge.observe(state, programEvents.take())
         latest = latest?.copy(goals = judge.progress)
-    }
-
-    private fun newTones(number: Int, robot: RobotInSession): List<SoundEvent.Tone> {
-        val track = robot.brick.sounds
-        val new = track.since(tonesJudged[number])
-        tonesJudged[number] = track.total
-        return new.filterIsInstance<SoundEvent.Tone>()
     }
 
     private fun changeLamp(number: Int, change: (LampState) -> LampState) {

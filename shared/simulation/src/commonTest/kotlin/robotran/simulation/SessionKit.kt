@@ -1,6 +1,6 @@
 package robotran.simulation
 
-import robotran.brick.controls.BrickButton
+import robotran.brick.controls.startButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.simulation.physics.loadPhysicsEngine
@@ -21,9 +21,10 @@ suspend fun runToEnd(program: BrickProgram, world: World = BuiltInWorlds.plain):
 /** A session in which Run has just been pressed and released. */
 suspend fun startRun(program: BrickProgram, world: World = BuiltInWorlds.plain): Session {
     val session = Session(world, listOf(program), loadPhysicsEngine())
-    session.apply(SessionInput.Press(BrickButton.RUN))
+    val button = session.state.brick.kind.startButton
+    session.apply(SessionInput.Press(button))
     session.advance(100)
-    session.apply(SessionInput.Release(BrickButton.RUN))
+    session.apply(SessionInput.Release(button))
     session.advance(1)
     return session
 }

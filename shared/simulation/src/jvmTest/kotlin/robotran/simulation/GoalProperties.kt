@@ -18,6 +18,7 @@ import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
 import robotran.rcxrom.RcxBrick
 import robotran.simulation.goal.GoalJudge
+import robotran.simulation.goal.ProgramEvent
 import robotran.simulation.goal.isDecided
 import robotran.simulation.ink.InkWriter
 import robotran.simulation.physics.loadPhysicsEngine
@@ -172,7 +173,8 @@ class GoalProperties :
                         ink.ink,
                         judge.progress,
                     )
-                judge.observe(last, List(2) { List(moment.tones) { SoundEvent.Tone(last.milliseconds, 440.0, 100) } })
+                val tone = SoundEvent.Tone(last.milliseconds, 440.0, 100)
+                judge.observe(last, List(2 * moment.tones) { ProgramEvent(it % 2, tone) })
                 look(judge.progress)
             }
             judge.finish(last)

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.brick.controls.startButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
@@ -13,7 +14,6 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
-import robotran.robotediting.RobotEdit
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -46,7 +46,6 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
-import robotran.workshop.robot.RobotEditStateHolder
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
@@ -69,12 +68,9 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
-import robotran.workshop.worldedit.WorldEditStateHolder
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.World
-import robotran.world.robot.draftError
-import robotran.worldediting.ElementKind
 
 /**
  * The view model of the app. Dispatches [WorkshopEvent]s to the state holders of the panes, advances virtual time, and
@@ -101,12 +97,8 @@ class Workshop(
     private var pane by mutableStateOf(Pane.WORLD)
     private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
-    private var notice: Notice? by mutableStateOf(null)
-
-    /** While a hand-in is replayed, there is always the way back; that it is solved is said elsewhere. */
-    private val shownNotice: Notice?
-        get() = notice.takeUnless { it is Notice.WorldSolved && handIns.isVisiting }
-            ?: Notice.HandInOpen.takeIf { handIns.isVisiting }
+    private var taskFolded by mutableStateOf(false)
+    private val board = NoticeBoard({ handIns.isVisiting }, ::canUndo)
 
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
     private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this)
@@ -125,11 +117,19 @@ class Workshop(
             project.inputs,
         ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder(this)
-    private val editedWorld = VariationTarget(this, this, this)
-    private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this, editedWorld::origin)
-    private val robotEdit = RobotEditStateHolder(platform, scope, this, this, { worldEdit.state }, ::handleWorldEdit)
-    private val assignment =
-        AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this, ::openWorldEditor)
+    private val editors: WorldEditors = WorldEditors(
+        platform,
+        scope,
+        this,
+        this,
+        board,
+        VariationTarget(this, this, this),
+        isLocked = { assignment.state?.isWorldLocked == true },
+        onOpening = ::closePage,
+        onClosed = { assignment.worldEditorClosed(it) },
+    )
+    private val assignment: AssignmentStateHolder =
+        AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, this) { editors.open(it) }
     private val document: DocumentStateHolder =
         DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }, ::putRobot) {
             handIns.takes(it)
@@ -154,7 +154,7 @@ class Workshop(
             programs = programs.state,
             run = run.state,
             sheet = sheet.state,
-            worldEdit = worldEdit.state,
+            worldEdit = editors.world,
             document = document.state.copy(
                 hasGoals = run.state.world.goals.isNotEmpty(),
                 canSend = programs.state.brick == BrickKind.RCX,
@@ -164,7 +164,7 @@ class Workshop(
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
             taskShown = taskShown,
-            notice = shownNotice,
+            notice = board.shown,
             settingsShown = settingsHolder.shown,
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
@@ -176,7 +176,8 @@ class Workshop(
             course = course.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
-            robotEdit = robotEdit.state,
+            robotEdit = editors.robot,
+            taskFolded = taskFolded,
         )
 
     override val project: Project get() = opened.copy(
@@ -207,8 +208,8 @@ class Workshop(
             is ProgramEvent -> handleProgram(event)
             is RunEvent -> handleRun(event)
             is SheetEvent -> sheet.handle(event)
-            is WorldEditEvent -> handleWorldEdit(event)
-            is RobotEditEvent -> handleRobotEdit(event)
+            is WorldEditEvent -> editors.handle(event)
+            is RobotEditEvent -> editors.handle(event)
             is DocumentEvent -> document.handle(event)
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
@@ -219,8 +220,9 @@ class Workshop(
             is CourseEvent -> course.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
-            is WorkshopEvent.TaskShown -> taskShown = event.shown
-            WorkshopEvent.NoticeDismissed -> notice = null
+            is WorkshopEvent.TaskShown -> showTask(event.shown)
+            is WorkshopEvent.TaskFolded -> taskFolded = event.folded
+            WorkshopEvent.NoticeDismissed -> board.dismiss()
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
         document.projectMayHaveChanged()
@@ -327,7 +329,7 @@ class Workshop(
 
     override fun openProject(project: Project) {
         learning.leaveProject()
-        leaveWorldEditor()
+        editors.leave()
         opened = project
         programs.open(project)
         run.changeWorld(project.worldToRun, project.inputs)
@@ -338,7 +340,7 @@ class Workshop(
 
     override fun changeWorld(world: World, isAnother: Boolean) {
         learning.leaveProject()
-        if (isAnother) leaveWorldEditor()
+        if (isAnother) editors.leave()
         val before = run.state.world
         // An assignment belongs to its world.
         opened = if (isAnother) Project(world, opened.robots, opened.settings) else opened.copy(world = world)
@@ -359,7 +361,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
-        withdrawUndo()
+        board.withdrawUndo()
         document.projectMayHaveChanged()
     }
 
@@ -419,6 +421,8 @@ class Workshop(
 
     override fun run() = handle(RunEvent.RunPressed)
 
+    override fun startOver() = handle(RunEvent.StartedOver)
+
     override suspend fun playInputs() {
         compile()
         handle(RunEvent.RecordingPlayed)
@@ -430,9 +434,7 @@ class Workshop(
 
     override fun openSiteSetting() = handle(SettingsEvent.SiteRequested)
 
-    override fun show(notice: Notice) {
-        this.notice = notice
-    }
+    override fun show(notice: Notice) = board.show(notice)
 
     override fun show(pane: Pane) {
         this.pane = pane
@@ -444,82 +446,40 @@ class Workshop(
         learning.projectChanged()
         if (isAnother) {
             settingsHolder.handle(SettingsEvent.SettingsShown(false))
-            taskShown = state.hasTask
+            showTask(state.hasTask)
         }
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
-        withdrawUndo()
+        board.withdrawUndo()
         document.projectMayHaveChanged()
     }
 
-    /** Removes an offer to undo what cannot be undone any more. */
-    private fun withdrawUndo() {
-        val isOver = when (notice?.action) {
-            NoticeAction.UnplugSensors -> !worldEdit.canUndoPlug
-            NoticeAction.BringRobotBack -> !worldEdit.canBringBack
-            NoticeAction.BeginningUndone -> !assignment.canUndoBeginning
-            else -> false
-        }
-        if (isOver) notice = null
+    private fun canUndo(action: NoticeAction): Boolean = when (action) {
+        NoticeAction.BeginningUndone -> assignment.canUndoBeginning
+        else -> editors.canUndo(action)
     }
 
-    private fun handleWorldEdit(event: WorldEditEvent) {
-        val changesWorld = event == WorldEditEvent.EditorOpened ||
-            event is WorldEditEvent.SensorsPluggedIn ||
-            event is WorldEditEvent.PenbotChosen ||
-            event is WorldEditEvent.RobotReplaced
-        if (changesWorld && assignment.state?.isWorldLocked == true) return show(Notice.WorldOfAssignment)
-        // Help would cover the palette.
-        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {
-            learning.handle(LearningEvent.PageClosed)
-        }
-        val wasOpen = worldEdit.state != null
-        // Robots drive in the world itself, not in a variation of it.
-        val isVariation = editedWorld.variation != null
-        val edited = worldEdit.state?.world
-        worldEdit.handle(if (isVariation && event == WorldEditEvent.TriedOut) WorldEditEvent.EditorClosed else event)
-        if (!wasOpen || worldEdit.state != null) return
-        if (isVariation) {
-            if (notice is Notice.RobotKeptAsDraft) notice = null
-        } else if (event == WorldEditEvent.EditorClosed) {
-            edited?.let(::draftError)?.let { show(Notice.RobotKeptAsDraft(it)) }
-        }
-        editedWorld.leave()
-        assignment.worldEditorClosed(leadsBack = isVariation || event != WorldEditEvent.TriedOut)
+    /** Help would cover the palette of the world editor. */
+    private fun closePage() {
+        if (learning.state.page != null) learning.handle(LearningEvent.PageClosed)
     }
 
-    private fun handleRobotEdit(event: RobotEditEvent) {
-        if (event is RobotEditEvent.BenchOpened && notice?.action is NoticeAction.BuildOn) notice = null
-        robotEdit.handle(event)
-    }
-
-    /** Puts an opened robot into the workbench, or otherwise in the place of the robot that is chosen or shown. */
     private fun putRobot(robot: RobotDescription) {
-        if (robotEdit.state != null) return robotEdit.handle(RobotEditEvent.Edited(RobotEdit.Replace(robot)))
-        val chosen = worldEdit.state?.editing?.only?.takeIf { it.kind == ElementKind.ROBOT }
-        val place = chosen?.let { worldEdit.state?.world?.robots?.getOrNull(it.number) } ?: shownRobot
-        handleWorldEdit(WorldEditEvent.RobotReplaced(place.name, robot))
-        show(Pane.WORLD)
+        if (editors.putRobot(robot, shownRobot)) show(Pane.WORLD)
     }
 
-    private fun openWorldEditor(variation: Int?) {
-        editedWorld.comeFromAssignment(variation)
-        handleWorldEdit(WorldEditEvent.EditorOpened)
-    }
-
-    private fun leaveWorldEditor() {
-        robotEdit.leave()
-        worldEdit.leave()
-        editedWorld.leave()
+    /** The whole task; who asks for it wants to read it. */
+    private fun showTask(shown: Boolean) {
+        taskShown = shown
+        taskFolded = false
     }
 
     /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
-        if (event == RunEvent.RunPressed) {
-            taskShown = false
-            if (notice is Notice.SensorsPluggedIn) notice = null
-        }
+        val wasRunning = run.state.running
+        if (event == RunEvent.RunPressed) board.dismissIf { it is Notice.SensorsPluggedIn }
         run.handle(event)
+        if (event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))) showTask(false)
         // A new run takes the praise of the last one away.
         if (runChanged()) celebrate()
         if (event is RunEvent.ShortfallShown) {
@@ -527,20 +487,28 @@ class Workshop(
         }
     }
 
+    private fun isStartButton(event: RunEvent): Boolean =
+        event is RunEvent.ButtonPressed && event.button == run.state.brick.kind.startButton && run.state.brick.poweredOn
+
     private fun handleProgram(event: ProgramEvent) {
         val before = programs.written
         programs.handle(event)
         if (event is BlockEvent.ViewChosen) {
             settingsHolder.handle(SettingsEvent.SettingsChanged(settings.copy(programView = event.view)))
         }
-        if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
+        if (event is BlockEvent.DoneNow) {
+            programs.immediateProgram(event.load)?.let {
+                run.runNow(it)
+                showTask(false)
+            }
+        }
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
-        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
+        if (isWritten) board.dismissIf { it == Notice.FirstProgramRuns }
         if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
         if (isWritten) assignment.programsChanged()
-        withdrawUndo()
+        board.withdrawUndo()
     }
 
     private fun handleSettings(event: SettingsEvent) {
@@ -555,18 +523,16 @@ class Workshop(
     }
 
     private fun takeNotice() {
-        val taken = shownNotice ?: return
-        notice = null
-        when (val action = taken.action) {
+        when (val action = board.take()) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
             is NoticeAction.GoOn -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
             NoticeAction.ChangeNumber -> editFirstLength()
             NoticeAction.BackToHandIns -> handIns.goBack()
             NoticeAction.BeginningUndone -> assignment.handle(AssignmentEvent.BeginningUndone)
-            NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
-            NoticeAction.BringRobotBack -> handleWorldEdit(WorldEditEvent.RobotBroughtBack)
-            is NoticeAction.BuildOn -> robotEdit.handle(RobotEditEvent.BenchOpened(action.robot))
+            NoticeAction.UnplugSensors -> editors.handle(WorldEditEvent.PlugUndone)
+            NoticeAction.BringRobotBack -> editors.handle(WorldEditEvent.RobotBroughtBack)
+            is NoticeAction.BuildOn -> editors.handle(RobotEditEvent.BenchOpened(action.robot))
             null -> Unit
         }
     }

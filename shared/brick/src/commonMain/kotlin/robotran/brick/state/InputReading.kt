@@ -18,7 +18,7 @@ interface InputReading {
 
     /**
      * The reading in the unit of a sensor of this [kind], whatever the program chose, where the brick knows it: percent,
-     * centimetres, degrees, 0 or 1; otherwise [value].
+     * centimetres, degrees, 0 or 1; otherwise [value]. Null while the sensor is off and measures nothing.
      */
-    fun measured(kind: SensorKind): Int = value
+    fun measured(kind: SensorKind): Int? = value
 }

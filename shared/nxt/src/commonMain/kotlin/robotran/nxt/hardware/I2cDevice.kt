@@ -8,6 +8,9 @@ interface I2cDevice {
     /** What it measures, for somebody who looks at the brick; null if it has nothing to tell. */
     val reading: Int? get() = null
 
+    /** Whether it has measured [reading]: not while it is off, nor before its first measurement. */
+    val hasMeasured: Boolean get() = true
+
     /** Receives a message: the number of a register, and what to write there, if anything. */
     fun write(data: ByteArray)
 

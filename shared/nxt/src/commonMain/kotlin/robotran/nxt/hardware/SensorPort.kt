@@ -20,10 +20,11 @@ internal class SensorPort(private val number: Int, clock: Clock) {
     val state: SensorPortState
         get() {
             val reading = i2c.device?.reading
+            val hasMeasured = i2c.device?.hasMeasured ?: true
             val known = current
-            if (known != null && known.isOf(reading)) return known
-            val colour = sampledColour.takeIf { SensorType.isColour(type) }
-            return SensorPortState(number, type, power, pins[0], pins[1], analog, colour, reading).also { current = it }
+            if (known != null && known.distance == reading && known.hasMeasured == hasMeasured) return known
+            return SensorPortState(number, type, power, pins[0], pins[1], analog, colour, reading, hasMeasured)
+                .also { current = it }
         }
 
     /** What a colour sensor sees; null if the program has said nothing about one. */
@@ -71,8 +72,6 @@ internal class SensorPort(private val number: Int, clock: Clock) {
         sampledColour = measuredColour
         current = null
     }
-
-    private fun SensorPortState.isOf(reading: Int?) = reading == distance
 
     companion object {
         const val PORTS = 4

@@ -15,6 +15,7 @@ import robotran.brick.state.InputReading
  * @property colour what a colour sensor measures; null if the program uses none here.
  * @property distance the last centimetres of an ultrasonic sensor that is plugged in, or the reading of another I2C
  * sensor; null if there is none.
+ * @property hasMeasured whether that sensor has measured [distance]: not while it is off.
  */
 data class SensorPortState(
     override val port: Int,
@@ -25,6 +26,7 @@ data class SensorPortState(
     val raw: Int,
     val colour: NxtColour? = null,
     val distance: Int? = null,
+    val hasMeasured: Boolean = true,
 ) : InputReading {
     /**
      * What the sensor says in the unit of its type: 1 or 0 for a switch, percent for light and sound, the number of a
@@ -46,12 +48,12 @@ data class SensorPortState(
 
     private val percent: Int get() = (HIGHEST_RAW - raw) * PERCENT / HIGHEST_RAW
 
-    /** Of a colour sensor the mean of its three colours, 0 while no program uses it. */
-    override fun measured(kind: SensorKind): Int = when (kind) {
+    /** Of a colour sensor the mean of its three colours; null while no program uses it. */
+    override fun measured(kind: SensorKind): Int? = when (kind) {
         SensorKind.TOUCH -> if (isPressed) 1 else 0
         SensorKind.LIGHT, SensorKind.SOUND -> percent
-        SensorKind.COLOUR -> if (colour == null) 0 else with(colour) { red + green + blue } * PERCENT / HIGHEST_SUM
-        SensorKind.ULTRASONIC, SensorKind.COMPASS -> distance ?: value
+        SensorKind.COLOUR -> colour?.run { (red + green + blue) * PERCENT / HIGHEST_SUM }
+        SensorKind.ULTRASONIC, SensorKind.COMPASS -> (distance ?: value).takeIf { hasMeasured }
         else -> value
     }
 

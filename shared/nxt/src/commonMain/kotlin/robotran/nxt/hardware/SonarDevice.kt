@@ -20,6 +20,9 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
     /** The nearest distance that it has heard. */
     override val reading: Int get() = distances[0]
 
+    override var hasMeasured = false
+        private set
+
     private var mode = MODE_OFF
     private var interval = 1
     private val calibration = intArrayOf(0, 1, FACTORY_DIVISOR)
@@ -48,6 +51,7 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
         val now = clock.milliseconds()
         if (now >= heardAt) {
             distances = heard
+            hasMeasured = true
             heardAt = NEVER
         }
         if (now >= nextPing) ping(now)
@@ -77,6 +81,7 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
         if (newMode == MODE_RESET) {
             interval = 1
             distances = SILENCE
+            hasMeasured = false
         }
         heardAt = NEVER
         nextPing = if (mode == MODE_PING || mode == MODE_CONTINUOUS) clock.milliseconds() else NEVER

@@ -29,8 +29,8 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
     val sensors = List(SensorPort.PORTS) { SensorPort(it + 1, clock) }
     val buttons = Buttons()
     val battery = Battery()
-    val speaker = NxtSpeaker(clock)
     val display = DisplayPart(clock)
+    val speaker = NxtSpeaker(clock, display::drawn)
     val radio = network.join(name, clock)
     val log = CallLog()
     val expectations = NxtExpectations()

@@ -2,10 +2,16 @@ package robotran.nxt.sound
 
 import robotran.brick.sound.SoundEvent
 import robotran.brick.sound.SoundTrack
+import robotran.brick.sound.ToneRequest
+import robotran.brick.state.Screen
 import robotran.nxt.hardware.Clock
 
-/** The loudspeaker: one sound at a time, a new one takes the place of the one before. */
-internal class NxtSpeaker(private val clock: Clock) {
+/**
+ * The loudspeaker: one sound at a time, a new one takes the place of the one before.
+ *
+ * @param drawn what the program has drawn on the display.
+ */
+internal class NxtSpeaker(private val clock: Clock, private val drawn: () -> Screen) {
     val track = SoundTrack()
 
     /** The menu's volume, 0..[HIGHEST_SETTING]. With [NORMAL_SETTING], programs sound as loud as they ask. */
@@ -84,7 +90,8 @@ internal class NxtSpeaker(private val clock: Clock) {
             volumeNow = 0
         } else {
             val pitch = hertz.coerceIn(LOWEST_HERTZ, HIGHEST_HERTZ).toDouble()
-            track.add(SoundEvent.Tone(now, pitch, milliseconds, isFirmware, loudness))
+            val tone = SoundEvent.Tone(now, pitch, milliseconds, isFirmware, loudness)
+            track.add(tone, if (isFirmware) null else ToneRequest(now, drawn()))
             volumeNow = loudness
         }
         endsAt = now + milliseconds

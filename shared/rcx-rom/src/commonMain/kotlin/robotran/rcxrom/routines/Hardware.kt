@@ -36,7 +36,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     val memory = RcxMemory()
     val motors = Motors(memory)
     val lcd = Lcd(memory)
-    val speaker = Speaker(memory, clock = { milliseconds })
+    val speaker = Speaker(memory, clock = { milliseconds }, drawn = { lcd.glass })
     val buttons = Buttons(memory)
     val sensors = Sensors(memory)
     val expectations = SensorExpectations()

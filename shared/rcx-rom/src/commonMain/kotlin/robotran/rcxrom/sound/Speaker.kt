@@ -2,6 +2,8 @@ package robotran.rcxrom.sound
 
 import robotran.brick.sound.SoundEvent
 import robotran.brick.sound.SoundTrack
+import robotran.brick.sound.ToneRequest
+import robotran.brick.state.Screen
 import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.memory.RcxMemory
 
@@ -10,14 +12,19 @@ import robotran.rcxrom.memory.RcxMemory
  * milliseconds for the next note. Source of the addresses: brickEmu's ROM re-implementation.
  *
  * @param clock the brick's clock.
+ * @param drawn what the display shows.
  */
-internal class Speaker(private val memory: RcxMemory, private val clock: Clock) {
+internal class Speaker(private val memory: RcxMemory, private val clock: Clock, private val drawn: () -> Screen) {
     val track = SoundTrack()
     private var notesToPlay: List<Note> = emptyList()
 
     /** Which slots of the ring hold a sound of the firmware, and whether the current notes belong to one. */
     private val firmwareSlots = BooleanArray(RING_SLOTS)
     private var playsFirmwareSound = false
+
+    /** How the program asked for the sound in each slot of the ring, and for the current notes. */
+    private val requests = arrayOfNulls<ToneRequest>(RING_SLOTS)
+    private var requestOfNotes: ToneRequest? = null
     private var isFirmwareRequest = false
 
     /** Whether a tone is audible now; false in a pause. */
@@ -42,6 +49,7 @@ internal class Speaker(private val memory: RcxMemory, private val clock: Clock) 
         memory.writeByte(QUEUE_VALUES + tail, sound.value)
         memory.writeByte(QUEUE_CONTROLS + tail, sound.control)
         firmwareSlots[tail] = isFirmwareRequest
+        requests[tail] = if (isFirmwareRequest) null else ToneRequest(clock.milliseconds(), drawn())
         memory.writeByte(QUEUE_TAIL, (tail + 1) % RING_SLOTS)
         memory.writeByte(PLAYING_FLAG, 1)
         return true
@@ -84,6 +92,8 @@ internal class Speaker(private val memory: RcxMemory, private val clock: Clock) 
         memory.writeByte(QUEUE_HEAD, (head + 1) % RING_SLOTS)
         playsFirmwareSound = firmwareSlots[head]
         firmwareSlots[head] = false
+        requestOfNotes = requests[head]
+        requests[head] = null
         val value = memory.readByte(QUEUE_VALUES + head)
         return when (val kind = memory.readByte(QUEUE_KINDS + head)) {
             Sound.PAUSE -> listOf(Note(null, value))
@@ -99,7 +109,7 @@ internal class Speaker(private val memory: RcxMemory, private val clock: Clock) 
         sounding = hertz != null
         if (hertz != null && note != null) {
             val duration = note.duration * LOOK_MILLISECONDS
-            track.add(SoundEvent.Tone(clock.milliseconds(), hertz, duration, playsFirmwareSound))
+            track.add(SoundEvent.Tone(clock.milliseconds(), hertz, duration, playsFirmwareSound), requestOfNotes)
         }
     }
 

@@ -1,7 +1,9 @@
 package robotran.robolang.check
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
@@ -15,6 +17,9 @@ import robotran.robolang.syntax.shortened
 internal class TypeConstraints(private val context: CheckContext, private val resolve: (Name) -> UnresolvedSymbol?) {
     /** The routine that a `return` belongs to. */
     var current: UnresolvedSymbol? = null
+
+    /** Says what `sensor 1` and so on read. Only an NXT has colour sensors. */
+    private val nxtPorts by lazy(LazyThreadSafetyMode.NONE) { SensorPorts(context.tree, BrickKind.NXT) }
 
     /** The type of [expression], added once. */
     fun of(expression: Expression): TypeNode {
@@ -43,7 +48,8 @@ internal class TypeConstraints(private val context: CheckContext, private val re
 
     private fun typeOf(sense: Sense): ValueType = when (sense) {
         Sense.LeftBumper, Sense.RightBumper, is Sense.Button -> ValueType.TRUTH
-        Sense.Light, is Sense.Sensor, Sense.Distance, Sense.Loudness, is Sense.Turned -> ValueType.WHOLE
+        is Sense.Sensor -> if (nxtPorts.senseAt(sense.port) == Sense.Colour) ValueType.COLOUR else ValueType.WHOLE
+        Sense.Light, Sense.Distance, Sense.Loudness, is Sense.Turned -> ValueType.WHOLE
         Sense.Colour -> ValueType.COLOUR
         Sense.Timer, Sense.Battery -> ValueType.DECIMAL
     }

@@ -32,7 +32,7 @@ internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind
 
 private fun lowerBumper(port: Int, emitter: Emitter) = emitter.emit { it.pushTruth(it.machine.robot.isPressed(port)) }
 
-/** Pushes the value of the sensor on [port] that [sense] reads, as a whole number. */
+/** Pushes the value of the sensor on [port] that [sense] reads: a colour as its number, anything else as a whole number. */
 private fun lowerAt(port: Int, sense: Sense, emitter: Emitter) = when (sense) {
     Sense.Distance -> {
         emitter.emit { it.machine.robot.measureDistance(port, it.currentLine) }

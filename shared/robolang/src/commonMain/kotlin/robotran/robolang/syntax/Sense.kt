@@ -14,7 +14,7 @@ internal sealed interface Sense {
     /** `light`, 0..100. */
     data object Light : Sense
 
-    /** `sensor 1`: the canonical value on [port] 1..4. */
+    /** `sensor 1`: the canonical value on [port] 1..4; a colour if a colour sensor of an NXT is there. */
     data class Sensor(val port: Int) : Sense
 
     /** `button run`: whether it is held down. */

@@ -9,6 +9,8 @@ class ExpressionWriter(
     private val isForNxt: Boolean = false,
     private val hasBumpers: Boolean = true,
 ) {
+    private val hasColourSensor get() = isForNxt && !hasBumpers
+
     fun whole(depth: Int = DEEPEST): String {
         if (isForNxt && random.nextInt(6) == 0) {
             return pick("distance", "turned b", "turned A", if (hasBumpers) "sensor 4" else "Loudness")
@@ -19,7 +21,7 @@ class ExpressionWriter(
             0 -> random.nextInt(20).toString()
             1 -> "-" + random.nextInt(1, 100_000)
             2 -> "light"
-            3 -> "sensor ${random.nextInt(1, 4)}"
+            3 -> "sensor ${random.nextInt(1, if (hasColourSensor) COLOUR_PORT else 4)}"
             4, 5, 6 -> known.oneOf(known.wholes, random) ?: "7"
             7, 8 -> "${whole(depth - 1)} ${pick("+", "-", "*")} ${whole(depth - 1)}"
             9 -> "${whole(depth - 1)} ${pick("/", "mod")} ${divisor(depth - 1)}"
@@ -66,7 +68,8 @@ class ExpressionWriter(
     }
 
     /** A colour, where there is a colour sensor. */
-    fun colour(): String = pick("colour", "Color", "red", "black", "white", "blue", "green", "yellow")
+    fun colour(): String =
+        pick("colour", "Color", "sensor $COLOUR_PORT", "red", "black", "white", "blue", "green", "yellow")
 
     private fun usualTruth(depth: Int): String = when (if (depth == 0) random.nextInt(5) else random.nextInt(12)) {
         0 -> pick("true", "FALSE")
@@ -97,6 +100,9 @@ class ExpressionWriter(
 
     private companion object {
         const val DEEPEST = 3
+
+        /** The port of the colour sensor in the header of programs without bumpers. */
+        const val COLOUR_PORT = 3
     }
 }
 

@@ -13,6 +13,9 @@ internal interface GoalEvaluator {
     /** Whether the goal after this one in an ordered group may begin. */
     val allowsNext: Boolean
 
+    /** Whether the program had done what the goal wants when it did [event]; null if that cannot be told. */
+    fun isDoneBy(event: ProgramEvent): Boolean? = null
+
     /**
      * Activates the goal in the middle of the run; earlier events do not count. Not called if the goal is active from
      * the start.
@@ -37,12 +40,16 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
 
     protected open val isDecided: Boolean get() = progress.status != GoalStatus.PENDING
 
+    /** Whether the goal is about what programs do between two moments, and not only about the moments themselves. */
+    protected open val followsPrograms: Boolean get() = false
+
     /** The status of a goal that is still pending when the run ends. */
     protected open val statusAtEnd: GoalStatus get() = GoalStatus.FAILED
 
     override fun begin(scene: Scene) = Unit
 
     override fun observe(scene: Scene) {
+        if (scene.between != null && !followsPrograms) return
         if (!isDecided) {
             look(scene)
         } else if (progress.status == GoalStatus.FAILED) {

@@ -1,6 +1,5 @@
 package robotran.simulation.goal
 
-import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
 import robotran.simulation.messages.EnglishSimulationMessages
 import robotran.simulation.messages.GoalMessages
@@ -29,14 +28,13 @@ internal class GoalJudge(
         private set
 
     /**
-     * Observes the current state of the run.
-     *
-     * @param newTones the tones of each robot's brick since the last call.
+     * Observes what programs have done since the last call, one [event][events] after the other, and then the current
+     * state of the run.
      */
-    fun observe(state: SessionState, newTones: List<List<SoundEvent.Tone>>) {
+    fun observe(state: SessionState, events: List<ProgramEvent>) {
         if (isOver || evaluators.isEmpty()) return
-        val scene = sceneOf(state, newTones)
-        evaluators.forEach { it.observe(scene) }
+        for (event in events) observe(sceneOf(state, event))
+        observe(sceneOf(state))
         tell()
     }
 
@@ -44,7 +42,7 @@ internal class GoalJudge(
     fun finish(state: SessionState) {
         if (isOver) return
         isOver = true
-        val scene = sceneOf(state, emptyList())
+        val scene = sceneOf(state)
         evaluators.forEach { it.finish(scene) }
         tell()
     }
@@ -54,11 +52,13 @@ internal class GoalJudge(
         isOver = true
     }
 
-    private fun sceneOf(state: SessionState, newTones: List<List<SoundEvent.Tone>>): Scene {
+    private fun observe(scene: Scene) = evaluators.forEach { it.observe(scene) }
+
+    private fun sceneOf(state: SessionState, between: ProgramEvent? = null): Scene {
         val now = state.robots
         val hasChanged = lines.indices.any { now[it].brick.run is RunState.Running && now[it].brick.run != lines[it] }
         if (hasChanged) lines = lines.mapIndexed { number, line -> now[number].brick.run as? RunState.Running ?: line }
-        return Scene(state, newTones, places, lines)
+        return Scene(state, places, lines, between)
     }
 
     private fun tell() {

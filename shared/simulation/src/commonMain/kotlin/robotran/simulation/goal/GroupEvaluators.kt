@@ -99,39 +99,3 @@ internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : Gr
 
     override fun shareOf(shares: List<Double>): Double = shares.maxOrNull() ?: 0.0
 }
-
-/** Activates each part when the one before allows it; the part observes the run from the next moment on. */
-internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
-    private var begun = minOf(1, parts.size)
-
-    override val allowsNext: Boolean get() = begun == parts.size && parts.all { it.allowsNext }
-
-    override fun begin(scene: Scene) = change {
-        parts.firstOrNull()?.begin(scene)
-        beginNext(scene)
-    }
-
-    override fun observe(scene: Scene) = change {
-        repeat(begun) { parts[it].observe(scene) }
-        beginNext(scene)
-    }
-
-    override fun finish(scene: Scene) = change {
-        var number = 0
-        while (number < begun) {
-            parts[number++].finish(scene)
-            beginNext(scene)
-        }
-        parts.drop(begun).forEach { it.failInactive() }
-    }
-
-    override fun decisivePart(parts: List<GoalProgress>): Int = firstFailed(parts)
-
-    override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
-
-    override fun shareOf(shares: List<Double>): Double = mean(shares)
-
-    private fun beginNext(scene: Scene) {
-        while (begun in 1..<parts.size && parts[begun - 1].allowsNext) parts[begun++].begin(scene)
-    }
-}

@@ -54,22 +54,17 @@ internal class PlaySoundEvaluator(
     private var others = 0
     private var firstOther: OtherTone? = null
 
+    override val followsPrograms: Boolean get() = true
+
     override fun look(scene: Scene) {
-        for (tone in scene.newTones.getOrNull(actor.number).orEmpty()) {
-            when {
-                tone.isFirmware -> {
-                    Unit
-                }
-
-                tone.hertz in lowest..highest -> {
-                    played++
-                }
-
-                else -> {
-                    others++
-                    if (firstOther == null) firstOther = OtherTone(tone.hertz, tone.milliseconds, scene)
-                }
-            }
+        val event = scene.between
+        if (event == null || event.robot != actor.number || event.tone.isFirmware) return
+        val tone = event.tone
+        if (tone.hertz in lowest..highest) {
+            played++
+        } else {
+            others++
+            if (firstOther == null) firstOther = OtherTone(tone.hertz, tone.milliseconds, scene)
         }
         if (played >= goal.times) {
             tell(scene, GoalStatus.MET)

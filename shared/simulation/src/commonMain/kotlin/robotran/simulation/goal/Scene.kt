@@ -1,6 +1,5 @@
 package robotran.simulation.goal
 
-import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.RunMoment
@@ -33,14 +32,15 @@ internal sealed interface Actor {
 /**
  * The view of evaluators on a run at one moment.
  *
- * @property newTones the tones of each robot's program since the last moment.
+ * @property between what a program has done since the last moment, in its order with what other programs have done; null
+ * for the moment itself.
  * @param lines the line that each robot's program is at, or was at last.
  */
 internal class Scene(
     val state: SessionState,
-    val newTones: List<List<SoundEvent.Tone>>,
     private val places: ObjectLocations,
     private val lines: List<RunState.Running?>,
+    val between: ProgramEvent? = null,
 ) {
     /** Whether more than [seconds] of the run have passed; false for null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND

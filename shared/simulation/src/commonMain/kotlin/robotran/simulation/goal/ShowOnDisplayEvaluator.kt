@@ -23,6 +23,9 @@ internal class ShowOnDisplayEvaluator(
     private var last: Screen? = null
     private var nearest: ShownText? = null
 
+    override fun isDoneBy(event: ProgramEvent): Boolean? =
+        event.drawn?.takeIf { event.robot == actor.number }?.shows(goal.text)
+
     override fun look(scene: Scene) {
         val brick = scene.robot(actor)?.brick ?: return
         val screen = brick.screen

@@ -82,8 +82,10 @@ internal class Run(world: World, trigonometry: Trigonometry) {
 
     fun plays(vararg hertz: Double, isFirmware: Boolean = false, number: Int = 0) {
         milliseconds += 10
-        val tones = hertz.map { SoundEvent.Tone(milliseconds, it, 100, isFirmware) }
-        judge.observe(state, robots.indices.map { if (it == number) tones else emptyList() })
+        judge.observe(
+            state,
+            hertz.map { ProgramEvent(number, SoundEvent.Tone(milliseconds, it, 100, isFirmware)) },
+        )
     }
 
     /** Advances time to this second. */
@@ -104,7 +106,7 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     private fun look(change: () -> Unit) {
         change()
         milliseconds += 10
-        judge.observe(state, robots.map { emptyList() })
+        judge.observe(state, emptyList())
     }
 
     private fun change(number: Int, change: RobotSnapshot.() -> RobotSnapshot) {

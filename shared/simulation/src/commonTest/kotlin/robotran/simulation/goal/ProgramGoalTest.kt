@@ -1,15 +1,22 @@
 package robotran.simulation.goal
 
 import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
 import robotran.brick.state.RunState
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.robot.RobotTarget
+import robotran.simulation.runToEnd
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
 import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.InOrder
 import robotran.world.GoalCondition.NeverTouch
 import robotran.world.GoalCondition.PlaySound
 import robotran.world.GoalCondition.ShowOnDisplay
 import robotran.world.TouchKind
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -78,5 +85,34 @@ class ProgramGoalTest {
         assertEquals(listOf(1.0, 0.66, 1.0, 0.0), run.goals.map { it.progress })
         run.plays(400.5)
         assertEquals(List(4) { GoalStatus.MET }, run.goals.map { it.status })
+    }
+
+    @Test
+    fun `a program that shows and beeps at once meets goals that want both in this order and no others`() = runTest {
+        val shows = Goal(ShowOnDisplay("7"))
+        val beeps = Goal(PlaySound(1))
+        for (world in listOf(BuiltInWorlds.plain, BuiltInWorlds.plainFor(BrickKind.NXT))) {
+            val brick = world.robots.first().description.brick
+
+            suspend fun metBy(source: String, vararg order: Goal): List<GoalStatus> {
+                val drive = world.robots.first().description.drive
+                val target = if (brick == BrickKind.NXT) {
+                    RobotTarget.Nxt(drive.wheelDiameter, drive.track)
+                } else {
+                    RobotTarget.Rcx(50.0, 5.0)
+                }
+                val program = (compileRobolang("goals", source, target) as RobolangResult.Ready).program
+                val goals = listOf(Goal(InOrder(order.toList())))
+                return runToEnd(program, world.copy(goals = goals)).also { it.finish() }.state.goals.map { it.status }
+            }
+            val met = listOf(GoalStatus.MET)
+            val failed = listOf(GoalStatus.FAILED)
+            assertEquals(met, metBy("show 7\nbeep\nwait 1 second", shows, beeps), "$brick")
+            assertEquals(met, metBy("beep\nshow 7\nwait 1 second", beeps, shows), "$brick")
+            assertEquals(failed, metBy("beep\nshow 7\nwait 1 second", shows, beeps), "$brick")
+            assertEquals(failed, metBy("play 440 for 0.1 seconds\nshow 7\nwait 1 second", shows, beeps), "$brick")
+            // Nobody could read it.
+            assertEquals(failed, metBy("show 7\nbeep\nshow 8\nwait 1 second", shows, beeps), "$brick")
+        }
     }
 }

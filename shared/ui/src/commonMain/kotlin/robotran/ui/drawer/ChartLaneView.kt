@@ -33,8 +33,11 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_chart_no_value
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -58,12 +61,13 @@ internal fun Lane(
 ) {
     val colours = LocalRobotranColours.current
     val value = valueText(line, brick, at)
+    val spoken = value ?: stringResource(Res.string.run_chart_no_value)
     val unit = line.unit.sign
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-            contentDescription = "$name: $value $unit".trimEnd()
+            contentDescription = if (value == null) "$name: $spoken" else "$name: $value $unit".trimEnd()
         },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
@@ -94,7 +98,7 @@ internal fun Lane(
                 },
         ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
-            value,
+            value ?: NO_VALUE,
             Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
@@ -105,14 +109,12 @@ internal fun Lane(
     }
 }
 
-/** The value of [line] at [time]; a range if it changed too fast for the chart. */
-private fun valueText(line: ChartLine, brick: BrickKind, time: Long): String {
+/** The value of [line] at [time]; a range if it changed too fast for the chart, null if nothing was measured. */
+private fun valueText(line: ChartLine, brick: BrickKind, time: Long): String? {
     if (line.size == 0) return ""
-    val piece = line.pieceAt(time)
-    val min = line.min(piece)
-    val greatest = line.greatest(piece)
-    val first = signed(line, brick, min)
-    return if (min == greatest) first else "$first–${signed(line, brick, greatest)}"
+    val values = line.range(line.pieceAt(time)) ?: return null
+    val first = signed(line, brick, values.first)
+    return if (values.first == values.last) first else "$first–${signed(line, brick, values.last)}"
 }
 
 /**
@@ -149,7 +151,9 @@ private fun DrawScope.drawLane(
     }
 }
 
-/** A step line through the values, and for motors the area to 0, with at most one corner per pixel. */
+/**
+ * A step line through the values with at most one corner per pixel. It has gaps where nothing was measured.
+ */
 private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: Color, y: (Int) -> Float) {
     if (line.size == 0) return
     val first = line.pieceAt(window.from)
@@ -158,26 +162,33 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
     val stride = ((last - first) / pixels).coerceAtLeast(1)
     val path = Path()
     var before = Float.NaN
-    var piece = first
-    while (piece <= last) {
-        var min = line.min(piece)
-        var greatest = line.greatest(piece)
-        for (other in piece + 1..<minOf(piece + stride, last + 1)) {
-            min = minOf(min, line.min(other))
-            greatest = maxOf(greatest, line.greatest(other))
+    for (piece in first..last step stride) {
+        val values = valuesOf(line, piece..minOf(piece + stride - 1, last))
+        if (values == null) {
+            before = Float.NaN
+            continue
         }
         val x = window.shareOf(piece * line.step) * size.width
         val next = (window.shareOf((piece + stride) * line.step) * size.width).coerceAtMost(size.width)
-        val isFromTop = !before.isNaN() && before <= y(greatest)
-        val enter = if (isFromTop) y(greatest) else y(min)
-        val leave = if (isFromTop) y(min) else y(greatest)
+        val isFromTop = !before.isNaN() && before <= y(values.last)
+        val enter = if (isFromTop) y(values.last) else y(values.first)
+        val leave = if (isFromTop) y(values.first) else y(values.last)
         if (before.isNaN()) path.moveTo(x, enter) else path.lineTo(x, enter)
         path.lineTo(x, leave)
         path.lineTo(next, leave)
         before = leave
-        piece += stride
     }
     drawPath(path, colour, style = Stroke(1.5.dp.toPx()))
+}
+
+/** All values of [line] in these [pieces]; null if nothing was measured. */
+private fun valuesOf(line: ChartLine, pieces: IntRange): IntRange? {
+    var all: IntRange? = null
+    for (piece in pieces) {
+        val values = line.range(piece) ?: continue
+        all = minOf(all?.first ?: values.first, values.first)..maxOf(all?.last ?: values.last, values.last)
+    }
+    return all
 }
 
 /** Room for a value, so that the lanes end at the same place: "+7" of an RCX, "-100–+100" of an NXT. */
@@ -186,5 +197,7 @@ private fun valueWidth(brick: BrickKind): Dp = when (brick) {
     BrickKind.NXT -> 76.dp
 }
 
+/** In the place of a value that nobody has measured. */
+private const val NO_VALUE = "–"
 private val LANE_HEIGHT = 44.dp
 private val PAD = 4.dp

@@ -21,9 +21,10 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.MeasuringUnit
+import robotran.nxt.hardware.SonarDevice
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
-import robotran.runcontrol.ChartUnit
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
@@ -150,15 +151,16 @@ internal data class ChartWindow(val from: Long, val until: Long) {
  */
 internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
     if (line.lane.isMotor) return if (brick == BrickKind.RCX) -MAX_POWER..MAX_POWER else -PERCENT..PERCENT
-    if (line.unit == ChartUnit.PERCENT) return 0..PERCENT
-    val isBattery = line.unit == ChartUnit.MILLIVOLTS
+    if (line.unit == MeasuringUnit.PERCENT) return 0..PERCENT
+    val isBattery = line.unit == MeasuringUnit.MILLIVOLTS
     var min = if (isBattery) LOW_MILLIVOLTS else 0
     var greatest = if (isBattery) FULL_MILLIVOLTS else 1
-    val nothing = if (line.unit == ChartUnit.CENTIMETRES) NOTHING_HEARD else Int.MAX_VALUE
+    val nothing = if (line.unit == MeasuringUnit.CENTIMETRES) SonarDevice.NOTHING else Int.MAX_VALUE
     for (piece in 0..<line.size) {
-        min = minOf(min, line.min(piece))
-        val high = line.greatest(piece)
-        greatest = maxOf(greatest, if (high < nothing) high else line.min(piece).takeIf { it < nothing } ?: 0)
+        val values = line.range(piece) ?: continue
+        min = minOf(min, values.first)
+        greatest =
+            maxOf(greatest, if (values.last < nothing) values.last else values.first.takeIf { it < nothing } ?: 0)
     }
     return min..greatest
 }
@@ -166,9 +168,6 @@ internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
 private const val MAX_ZOOM = 8
 private const val MAX_POWER = 8
 private const val PERCENT = 100
-
-/** What a sonar says that hears nothing. */
-private const val NOTHING_HEARD = 255
 
 /** What the battery of a driving NXT seldom leaves: a full one has 8 V. */
 private const val LOW_MILLIVOLTS = 7_000

@@ -64,7 +64,7 @@ internal fun RobotHints(
     val here = ElementRef(ElementKind.ROBOT, state.robot)
     val sentences = listOfNotNull(
         state.fileError,
-        editing.refusal?.let { stringResource(refusalWord(it)) },
+        editing.error?.let { stringResource(robotEditErrorText(it)) },
         stringResource(Res.string.robot_save_refused).takeIf { state.isSavingRefused },
     ) + editing.errors.take(MAX_ERRORS).map { it.sentence(language) } +
         world.editing.errors.filter { it.thing == here }.take(1).map { validationErrorText(world.world, it) }

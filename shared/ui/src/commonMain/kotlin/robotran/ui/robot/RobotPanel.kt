@@ -2,6 +2,7 @@ package robotran.ui.robot
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
@@ -41,7 +42,9 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.elements
 import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.readyRobotWithBrick
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_brick
 import robotran.ui.resources.robot_choose_first
@@ -82,8 +85,14 @@ internal enum class RobotTab(val title: StringResource) {
 @Composable
 internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
     val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
     Row(
-        Modifier.fillMaxWidth().background(colours.pane).horizontalScroll(rememberScrollState()).selectableGroup(),
+        Modifier
+            .fillMaxWidth()
+            .background(colours.pane)
+            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .horizontalScroll(scroll)
+            .selectableGroup(),
         Arrangement.spacedBy(4.dp),
     ) {
         for (each in RobotTab.entries) {
@@ -92,6 +101,7 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
                 Modifier
                     .testTag("tab-robot-${each.name.lowercase()}")
                     .defaultMinSize(88.dp, Dimensions.TARGET)
+                    .broughtIntoSight(isOpen)
                     .focusRing()
                     .selectable(isOpen, role = Role.Tab) { onChoose(each) }
                     .width(IntrinsicSize.Max)

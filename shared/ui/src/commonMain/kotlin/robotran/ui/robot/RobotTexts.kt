@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.sensors.SensorKind
-import robotran.robotediting.Refusal
+import robotran.robotediting.RobotEditError
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotItem
@@ -146,11 +146,11 @@ private fun directionText(part: SensorPart): String? = when (val facing = part.f
 
 private const val BACK = 180.0
 
-internal fun refusalWord(refusal: Refusal): StringResource = when (refusal) {
-    Refusal.TOO_MANY_PARTS -> Res.string.robot_refusal_parts
-    Refusal.TOO_MANY_CASTERS -> Res.string.robot_refusal_casters
-    Refusal.TOO_MANY_CORNERS -> Res.string.robot_refusal_corners
-    Refusal.TOO_FEW_CORNERS -> Res.string.robot_refusal_few_corners
-    Refusal.SAME_THING -> Res.string.robot_refusal_same
-    Refusal.NEEDED -> Res.string.robot_refusal_needed
+internal fun robotEditErrorText(error: RobotEditError): StringResource = when (error) {
+    RobotEditError.TOO_MANY_PARTS -> Res.string.robot_refusal_parts
+    RobotEditError.TOO_MANY_CASTERS -> Res.string.robot_refusal_casters
+    RobotEditError.TOO_MANY_CORNERS -> Res.string.robot_refusal_corners
+    RobotEditError.TOO_FEW_CORNERS -> Res.string.robot_refusal_few_corners
+    RobotEditError.SAME_THING -> Res.string.robot_refusal_same
+    RobotEditError.NEEDED -> Res.string.robot_refusal_needed
 }

@@ -29,6 +29,9 @@ import robotran.workshop.state.WorkshopStatus
 
 /** The space reserved for the status. */
 internal enum class StatusSpace(val lines: Int) {
+    /** Three lines for large text on a phone, with the time next to them. */
+    LARGE(3),
+
     /** Two lines with the time next to them. */
     BROAD(2),
 
@@ -50,7 +53,7 @@ internal fun RunStatus(run: RunPaneState, status: WorkshopStatus, room: StatusSp
 private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val elsewhere = seekingStatusText(run, status)
-    val wrong = elsewhere == null && (status is WorkshopStatus.HasErrors || status is WorkshopStatus.Failed)
+    val wrong = elsewhere == null && isWrong(status)
     Text(
         elsewhere ?: statusText(status),
         // While seeking, the timeline itself announces the position.
@@ -63,6 +66,9 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
         overflow = TextOverflow.Ellipsis,
     )
 }
+
+private fun isWrong(status: WorkshopStatus): Boolean =
+    status is WorkshopStatus.HasErrors || status is WorkshopStatus.RobotImpossible || status is WorkshopStatus.Failed
 
 @Composable
 private fun Clock(run: RunPaneState) {

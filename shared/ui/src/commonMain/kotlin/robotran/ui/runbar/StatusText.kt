@@ -31,6 +31,7 @@ import robotran.ui.resources.status_stopped
 import robotran.ui.resources.time_up
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
+import robotran.world.messages.sentence
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
@@ -75,6 +76,10 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 
     is WorkshopStatus.HasErrors -> {
         mistakenText(status.line, status.file)
+    }
+
+    is WorkshopStatus.RobotImpossible -> {
+        status.draft.error.sentence(LocalLanguage.current)
     }
 
     is WorkshopStatus.Running -> {

@@ -64,7 +64,7 @@ internal fun CoveredSheet(
             isSolved = state.learning.solved != null && state.run.isSolved,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
-        if (isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)) LowerOutcome(state, onEvent, withNotice)
+        if (isOutcomeAbove(state) && !isOutcomeReplaced(state)) LowerOutcome(state, onEvent, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -85,7 +85,7 @@ private fun BoxWithConstraintsScope.Messages(
     val hasRoom = maxHeight >= LOW
     val max = if (hasRoom) maxHeight / 2 else tall
     val outcomeMax = if (isSmall) tall else max
-    val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state, isSmall)
+    val isOutcomeHere = !isOutcomeAbove(state) && !isOutcomeReplaced(state)
     val isFolded = isTaskFolded(state)
     val tellsTries = !cardTellsTries(state, withNotice)
     Column(
@@ -151,7 +151,8 @@ private fun BoxWithConstraintsScope.LowerOutcome(
 
 /** On a phone, the card of an assignment is folded from the first run on, unless the pupil has chosen. */
 private fun BoxWithConstraintsScope.isTaskFolded(state: WorkshopState): Boolean {
-    val assignment = state.assignment?.takeIf { it.isOpenForTries } ?: return false
+    val assignment = state.assignment ?: return state.taskFolded
+    if (!assignment.isOpenForTries) return false
     return assignment.isTaskFolded ?: (isSmall && (assignment.tries.tries > 0 || !state.untouched))
 }
 
@@ -164,10 +165,14 @@ private fun cardTellsTries(state: WorkshopState, canHandIn: Boolean): Boolean =
 
 /**
  * Whether the card of the task is shown in the place of the outcome: that of an assignment, which has the hint, in the
- * place of what was missing, and where [isSmall] any in the place of both. Run hides it, so the pupil has asked for it.
+ * place of what was missing, and on a phone any that is not folded in the place of both. Run hides it, so the pupil has
+ * asked for it.
  */
-private fun isOutcomeReplaced(state: WorkshopState, isSmall: Boolean): Boolean =
-    state.taskShown && state.hasTask && (isSmall || (state.assignment != null && state.learning.solved == null))
+private fun BoxWithConstraintsScope.isOutcomeReplaced(state: WorkshopState): Boolean = when {
+    !state.taskShown || !state.hasTask -> false
+    state.assignment == null -> isSmall && !state.taskFolded
+    else -> isSmall || state.learning.solved == null
+}
 
 /** Whether what the outcome is about, a place or the robot, is in the upper half of the paper. */
 private fun isOutcomeAbove(state: WorkshopState): Boolean {

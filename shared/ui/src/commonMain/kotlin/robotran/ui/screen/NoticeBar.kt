@@ -3,6 +3,8 @@ package robotran.ui.screen
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -13,6 +15,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
@@ -41,30 +44,36 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
     val action = notice.action
     if (text.isEmpty() && action != null) return ActionAlone(action, onEvent, modifier)
     val colour = if (notice.isError) colours.error else colours.onPane
-    Row(
+    BoxWithConstraints(
         modifier
             .fillMaxWidth()
             .background(if (notice.isError) colours.errorPane else colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
-            .defaultMinSize(minHeight = Dimensions.TARGET)
-            .padding(start = 16.dp)
             .testTag("notice"),
-        verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(
-            text,
-            Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
-                liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
-            },
-            color = colour,
-            fontSize = TextSizes.BODY,
-        )
-        action?.let { ActionButton(it, onEvent) }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {
-            onEvent(WorkshopEvent.NoticeDismissed)
-        }, colour = colour)
+        val isBeside = maxWidth >= BESIDE * LocalDensity.current.fontScale
+        Column {
+            Row(
+                Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
+                Text(
+                    text,
+                    Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
+                        liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
+                    },
+                    color = colour,
+                    fontSize = TextSizes.BODY,
+                )
+                if (isBeside) action?.let { ActionButton(it, onEvent) }
+                IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {
+                    onEvent(WorkshopEvent.NoticeDismissed)
+                }, colour = colour)
+            }
+            if (!isBeside) action?.let { ActionButton(it, onEvent) }
+        }
     }
 }
 
@@ -90,4 +99,6 @@ private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit)
     )
 }
 
+/** At the usual font size, a narrower notice has its action below the text. */
+private val BESIDE = 440.dp
 private val SHAPE = Shapes.MEDIUM

@@ -48,10 +48,11 @@ internal fun readings(world: World, state: SessionState): List<SensorReading> = 
         val box = robot.box
         for (input in now.brick.inputs) {
             val part = robot.parts.firstOrNull { it.port == input.port } ?: continue
+            val value = valueText(input, part.kind) ?: continue
             val isPressed = part is BumperPart && now.robot.isPressed(part, robot.bumpers.indexOf(part.on(null)))
             add(
                 SensorReading(
-                    "${input.port}: ${input.value}",
+                    "${input.port}: $value",
                     placeOf(part, now.robot, box),
                     if (isPressed) SheetColours.TOUCH else SheetColours.SIGHT,
                 ),

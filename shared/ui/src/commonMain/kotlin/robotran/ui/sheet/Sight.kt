@@ -1,6 +1,7 @@
 package robotran.ui.sheet
 
 import robotran.brick.sensors.SensorKind
+import robotran.nxt.hardware.SonarDevice
 import robotran.nxt.state.NxtState
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.Facing
@@ -88,7 +89,7 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
 private fun heard(part: SensorPart, snapshot: RobotSnapshot): Double? {
     val port = part.port ?: return null
     val distance = (snapshot.brick as? NxtState)?.sensorPorts?.getOrNull(port - 1)?.distance ?: return null
-    return distance.toDouble().takeIf { it < NOTHING_HEARD }
+    return distance.toDouble().takeIf { it < SonarDevice.NOTHING }
 }
 
 private const val LIGHT_DEGREES = 60.0
@@ -97,4 +98,3 @@ private const val SOUND_DEGREES = 40.0
 /** In centimetres: farther than that, a wall is not heard reliably. */
 private const val FARTHEST = 160.0
 private const val BEHIND_ECHO = 3.0
-private const val NOTHING_HEARD = 255.0

@@ -2,6 +2,7 @@ package robotran.ui.world
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
@@ -28,7 +29,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
-import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
@@ -69,7 +69,7 @@ import robotran.world.World
  *
  * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  * @param course where the assignment is in its course; null if it is in none.
- * @param isFolded whether only the title and the goals are shown.
+ * @param isFolded whether only the title is shown and, of an assignment, the goals.
  * @param areButtonsFixed whether there is room for buttons that do not scroll.
  */
 @Composable
@@ -100,29 +100,36 @@ internal fun TaskCard(
                 drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height))
             },
     ) {
-        if (assignment == null) {
-            Row(Modifier.weight(1f, fill = false), verticalAlignment = Alignment.Top) {
-                Column(Modifier.weight(1f)) { TaskOfWorld(world, learning, onEvent) }
-                HideTask(onEvent)
-            }
-        } else {
-            Row(verticalAlignment = Alignment.Top) {
-                // It does not scroll, and must leave room for the rest.
-                val lines = if (areButtonsFixed && LocalDensity.current.fontScale <= LARGE) 2 else 1
-                Title(world, Modifier.weight(1f).padding(start = START, top = 12.dp), lines)
-                IconTouch(
-                    if (isFolded) UNFOLD_ICON else FOLD_ICON,
-                    stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
-                    "task-fold",
-                    { onEvent(AssignmentEvent.TaskFolded(!isFolded)) },
+        Row(verticalAlignment = Alignment.Top) {
+            // It does not scroll, and must leave room for the rest.
+            val hasLines = areButtonsFixed && (assignment == null || LocalDensity.current.fontScale <= LARGE)
+            val lines = if (hasLines && !isFolded) 2 else 1
+            val fold = {
+                val change = !isFolded
+                onEvent(
+                    if (assignment ==
+                        null
+                    ) {
+                        WorkshopEvent.TaskFolded(change)
+                    } else {
+                        AssignmentEvent.TaskFolded(change)
+                    },
                 )
-                HideTask(onEvent)
             }
-            if (isFolded) {
-                FoldedAssignment(learning, assignment, goals, canHandIn)
-            } else {
-                WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed, course)
-            }
+            val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
+            Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
+            IconTouch(
+                if (isFolded) UNFOLD_ICON else FOLD_ICON,
+                stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
+                "task-fold",
+                fold,
+            )
+            HideTask(onEvent)
+        }
+        when {
+            assignment == null -> if (!isFolded) TaskOfWorld(world, learning, onEvent)
+            isFolded -> FoldedAssignment(learning, assignment, goals, canHandIn)
+            else -> WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed, course)
         }
     }
 }
@@ -135,8 +142,7 @@ private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
 
 @Composable
 private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
-    Scrolling(top = 12.dp) {
-        Title(world)
+    Scrolling {
         TaskText(world)
         learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
     }
@@ -193,7 +199,7 @@ private fun TaskText(world: World) = Text(
 )
 
 @Composable
-private fun ColumnScope.Scrolling(top: Dp = 0.dp, content: @Composable ColumnScope.() -> Unit) {
+private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
     val scroll = rememberScrollState()
     val colours = LocalRobotranColours.current
     Column(
@@ -201,7 +207,7 @@ private fun ColumnScope.Scrolling(top: Dp = 0.dp, content: @Composable ColumnSco
             .weight(1f, fill = false)
             .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
             .verticalScroll(scroll)
-            .padding(start = START, top = top, bottom = 12.dp, end = if (top == 0.dp) 12.dp else 0.dp),
+            .padding(start = START, bottom = 12.dp, end = 12.dp),
         Arrangement.spacedBy(4.dp),
         content = content,
     )

@@ -1,6 +1,7 @@
 package robotran.ui.worldedit
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
@@ -28,6 +29,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.broughtIntoSight
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_tab_chosen
 import robotran.ui.resources.worldedit_tab_goals
@@ -50,8 +53,14 @@ internal enum class EditTab(val title: StringResource) {
 @Composable
 internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
     val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
     Row(
-        Modifier.fillMaxWidth().background(colours.pane).horizontalScroll(rememberScrollState()).selectableGroup(),
+        Modifier
+            .fillMaxWidth()
+            .background(colours.pane)
+            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .horizontalScroll(scroll)
+            .selectableGroup(),
         Arrangement.spacedBy(4.dp),
     ) {
         for (each in EditTab.entries) {
@@ -60,6 +69,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
                 Modifier
                     .testTag("tab-edit-${each.name.lowercase()}")
                     .defaultMinSize(72.dp, Dimensions.TARGET)
+                    .broughtIntoSight(isOpen)
                     .focusRing()
                     .selectable(isOpen, role = Role.Tab) { onChoose(each) }
                     .padding(horizontal = 12.dp),
@@ -72,6 +82,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
                     color = if (isOpen) colours.onPane else colours.quiet,
                     fontSize = TextSizes.COMPACT,
                     fontWeight = FontWeight.SemiBold,
+                    maxLines = 1,
                 )
                 Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
             }

@@ -2,6 +2,7 @@ package robotran.ui.drawer
 
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertContentDescriptionContains
 import androidx.compose.ui.test.assertContentDescriptionEquals
@@ -155,7 +156,7 @@ class RunDrawerTest {
 
     @Test
     fun `the chart of an NXT has units, the counters of its motors and its battery`() = onTablet { workshop ->
-        workshop.with("forward 10\nshow distance", on = BuiltInWorlds.plainFor(BrickKind.NXT))
+        workshop.with("forward 10\nshow distance\nwait 4 seconds", on = BuiltInWorlds.plainFor(BrickKind.NXT))
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
         workshop.handle(RunEvent.RunPressed)
         pass(3_000)
@@ -165,13 +166,18 @@ class RunDrawerTest {
         }
         pass(300)
         for ((lane, value) in listOf("sensor_4" to "Sensor 4: \\d+ cm", "degrees_a" to "Turned A: \\d+ °")) {
-            val said = onNodeWithTag("value-$lane", useUnmergedTree = true).onParent().fetchSemanticsNode().config
-            val words = said[SemanticsProperties.ContentDescription].single()
+            val words = spokenOf(lane)
             assertTrue(Regex(value).matches(words), words)
         }
-        val battery = onNodeWithTag("value-battery", useUnmergedTree = true).onParent().fetchSemanticsNode().config
-        assertEquals("Battery: 8004 mV", battery[SemanticsProperties.ContentDescription].single())
+        assertEquals("Battery: 8004 mV", spokenOf("battery"))
+        pass(4_000)
+        // The brick switches it off at the end of the program.
+        assertEquals("Sensor 4: no value", spokenOf("sensor_4"))
     }
+
+    private fun ComposeUiTest.spokenOf(lane: String): String =
+        onNodeWithTag("value-$lane", useUnmergedTree = true).onParent().fetchSemanticsNode()
+            .config[SemanticsProperties.ContentDescription].single()
 
     @Test
     fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->

@@ -77,6 +77,7 @@ class SightTest {
         val state = SheetScenes.state(SheetScenes.everything).copy(robots = listOf(now))
         val reading = readings(SheetScenes.everything.copy(robots = listOf(place)), state).last()
         assertTrue(reading.place.x < 40.0, "${reading.place}")
+        assertEquals("4: 30 cm", reading.text)
     }
 
     private companion object {

@@ -20,6 +20,7 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Settings
 import robotran.world.World
 import kotlin.test.Test
+import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 /** Tests the world's task on every kind of screen. */
@@ -46,6 +47,27 @@ class TaskCardTest {
                 onNodeWithTag("run").performClick()
                 pass(300)
                 onNodeWithTag("task-card").assertDoesNotExist()
+            }
+        }
+    }
+
+    @Test
+    fun `a read task folds to one line, which opens it again`() {
+        for ((width, height) in screens.values) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(LearningEvent.WorldChosen("nxt-square"))
+                pass(300)
+
+                fun height() = onNodeWithTag("task-card").fetchSemanticsNode().size.height
+                val whole = height()
+                checkTargets("task-fold", "task-hide")
+                onNodeWithTag("task-fold").performClick()
+                pass(300)
+                assertTrue(height() <= 64, "${height()} of $whole")
+                onNodeWithTag("task-text").assertDoesNotExist()
+                onNodeWithTag("task-title").performClick()
+                pass(300)
+                assertEquals(whole, height())
             }
         }
     }

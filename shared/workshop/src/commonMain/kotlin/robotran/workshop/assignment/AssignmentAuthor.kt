@@ -26,6 +26,7 @@ import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.MakingState
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.SolutionCheck
+import robotran.workshop.state.SolutionProgram
 import robotran.world.WorldLimits
 
 /** The page with which an author makes an assignment of the open project. */
@@ -139,7 +140,11 @@ internal class AssignmentAuthor(
             before?.title?.takeIf { it.isBlank() } ?: project.world.title,
             project.world.task,
             startPrograms(project.firstPrograms, assignment),
-            solutionPrograms(project.firstPrograms, assignment),
+            solutionPrograms(project.firstPrograms, assignment) + listOfNotNull(
+                offered(assignment)?.let {
+                    SolutionProgram(it.name, isTaken = false, isChanged = false, isOpen = false, isOfWorld = true)
+                },
+            ),
             solutionNow(assignment) != assignment.solution,
             project.world.goals.size,
             history.canUndo,
@@ -208,13 +213,16 @@ internal class AssignmentAuthor(
         change(assignment.copy(start = startWith(start, plainPrograms())))
     }
 
+    private fun offered(assignment: Assignment) = solutionOfWorld(current.project, plainPrograms(), assignment)
+
     private fun solutionNow(assignment: Assignment) = solutionNow(current.project, plainPrograms(), assignment)
 
     private fun switchSolution(now: MakingState, index: Int, on: Boolean) {
         val name = now.solution.getOrNull(index)?.name ?: return
         val open = plainPrograms()
         val others = now.assignment.solution.filter { it.name != name }
-        val all = others + listOfNotNull(open.firstOrNull { it.name == name }.takeIf { on })
+        val program = open.firstOrNull { it.name == name } ?: offered(now.assignment)?.takeIf { it.name == name }
+        val all = others + listOfNotNull(program.takeIf { on })
         // Grading starts the first one, so they stay in the order of the editor; those that are not open come last.
         val order = open.map { it.name }
         val sorted = all.sortedBy { program -> if (program.name in order) order.indexOf(program.name) else order.size }

@@ -8,6 +8,7 @@ import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.workshop.examples.firstProgram
+import robotran.workshop.learning.solutionsOf
 import robotran.workshop.programs.asProject
 import robotran.workshop.programs.uniqueName
 import robotran.workshop.run.EndedTry
@@ -32,6 +33,20 @@ internal fun solutionPrograms(open: List<ProjectProgram>, assignment: Assignment
     val names = open.map { it.name }
     return ofOpen + assignment.solution.filter { it.name !in names }
         .map { SolutionProgram(it.name, isTaken = true, isChanged = false, isOpen = false) }
+}
+
+/**
+ * The solution that comes with the world of [project] in the language of [assignment], to be offered beside the programs
+ * of [open]; null if there is none, or if the author has it already, or another one of its name.
+ */
+internal fun solutionOfWorld(project: Project, open: List<ProjectProgram>, assignment: Assignment): ProjectProgram? {
+    val task = WorldGallery.find(project.world)?.lesson ?: return null
+    val all = solutionsOf(task).map { it.asProject() }
+        .filter { assignment.languages.isEmpty() || it.language in assignment.languages }
+    val language = assignment.start.firstOrNull()?.language
+    val found = all.firstOrNull { it.language == language } ?: all.firstOrNull() ?: return null
+    val known = open + assignment.solution
+    return found.takeUnless { known.any { it.name == found.name || textsOf(it) == textsOf(found) } }
 }
 
 /** The solution with its programs as they are now in [open]; what [proposedSolution] says if there is none yet. */

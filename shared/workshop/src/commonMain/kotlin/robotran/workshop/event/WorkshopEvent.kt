@@ -13,6 +13,9 @@ sealed interface WorkshopEvent {
     /** Shows or hides the task of the world. */
     data class TaskShown(val shown: Boolean) : WorkshopEvent
 
+    /** Shows one line of the task of the world, or all of it; an assignment has an event of its own. */
+    data class TaskFolded(val folded: Boolean) : WorkshopEvent
+
     /** Dismisses the notice at the bottom. */
     data object NoticeDismissed : WorkshopEvent
 

@@ -1,5 +1,7 @@
 package robotran.workshop.learning
 
+import robotran.language.ProgramLanguage
+import robotran.learning.Lesson
 import robotran.learning.WorldGallery
 import robotran.workshop.state.PupilProgram
 import robotran.world.World
@@ -18,4 +20,11 @@ internal fun programsLeftBehind(world: World): (PupilProgram) -> Boolean {
         listOfNotNull(task?.program?.let { PupilProgram(it.name, it.text) }, task?.let { NqcVersions().start(it) })
     }
     return { program -> program.isGiven && program !in starts }
+}
+
+/** What "Show me" puts into tabs for [task], one program for each of its languages. */
+internal fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
+    val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
+    val name = if (language == ProgramLanguage.JAVA) "Solution" else "solution"
+    PupilProgram(name + language.extension, it.text)
 }

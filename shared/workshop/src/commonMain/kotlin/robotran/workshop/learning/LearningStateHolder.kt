@@ -288,9 +288,9 @@ class LearningStateHolder(
         if (shown && tutorial.loadedStep() != null) runControls.run()
     }
 
-    /** The hint of a try with another program does not fit the one to begin with. */
+    /** What a try with another program has left, its hint and what is on the sheet, is not about the one to begin with. */
     private fun putWorldProgram() {
-        state.worldTask?.let(worldTask::putProgram)
+        if (state.worldTask?.let(worldTask::putProgram) == true) runControls.startOver()
         changeWorldTask(worldTask::withoutHints)
     }
 

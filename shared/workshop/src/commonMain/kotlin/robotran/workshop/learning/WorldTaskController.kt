@@ -54,7 +54,7 @@ internal class WorldTaskController(
         return WorldTaskState(
             world,
             task,
-            help.copy(solutionShown = current.shownProgram in solutionsOf(task)),
+            help.copy(solutionShown = current.shownProgram in solutionsToShow(task)),
             current.project.pupilPrograms.none { it.name == task.program.name || isStartInNqc(it, task) },
         )
     }
@@ -63,11 +63,14 @@ internal class WorldTaskController(
     private fun isStartInNqc(program: PupilProgram, task: Lesson): Boolean =
         isInNqc && program.name == NqcVersions.nqcName(task.program.name)
 
-    /** Shows the pupil's version of the program to begin with, or adds the original, in NQC for who writes that. */
-    fun putProgram(state: WorldTaskState) {
+    /**
+     * Shows the pupil's version of the program to begin with, or adds the original, in NQC for who writes that. False if
+     * there is no room.
+     */
+    fun putProgram(state: WorldTaskState): Boolean {
         val given = PupilProgram(state.task.program.name, state.task.program.text)
         val program = nqc.start(state.task)?.takeIf { isInNqc } ?: given
-        newTabs.choose { it.name == program.name } || newTabs.addGiven(program)
+        return newTabs.choose { it.name == program.name } || newTabs.addGiven(program)
     }
 
     /** The [state] with one more hint if [shown], otherwise with none. */
@@ -88,7 +91,7 @@ internal class WorldTaskController(
 
     /** Adds the solution, in the language of the shown program if there is one, and runs it; or removes it. */
     fun showSolution(state: WorldTaskState, shown: Boolean) {
-        val solutions = solutionsOf(state.task)
+        val solutions = solutionsToShow(state.task)
         if (shown) {
             val solution = solutions.firstOrNull { it.language == current.shownProgram.language } ?: solutions.first()
             if (!state.help.solutionShown) nameBefore = current.shownProgram.name
@@ -99,13 +102,9 @@ internal class WorldTaskController(
         }
     }
 
-    /** The solutions of [task]; one in NQC only for who writes that, or has had it shown. */
-    private fun solutionsOf(task: Lesson): List<PupilProgram> {
-        val written = task.solutions.map {
-            val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
-            val isJava = language == ProgramLanguage.JAVA
-            PupilProgram(if (isJava) "Solution.java" else "solution${language.extension}", it.text)
-        }
+    /** The solutions of [task]; one translated to NQC only for who writes that, or has had it shown. */
+    private fun solutionsToShow(task: Lesson): List<PupilProgram> {
+        val written = solutionsOf(task)
         val hasNqc = current.project.pupilPrograms.any { it.language == ProgramLanguage.NQC }
         return if (hasNqc) (written + listOfNotNull(nqc.solution(task))).distinct() else written
     }

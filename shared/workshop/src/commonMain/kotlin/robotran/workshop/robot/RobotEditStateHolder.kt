@@ -115,7 +115,7 @@ internal class RobotEditStateHolder(
     private fun edit(edit: RobotEdit) {
         val now = state ?: return
         val editing = now.editing.after(edit)
-        val hasNews = edit is RobotEdit.Add || editing.refusal != null || editing.errors != now.editing.errors
+        val hasNews = edit is RobotEdit.Add || editing.error != null || editing.errors != now.editing.errors
         state = now.copy(
             editing = editing,
             fileError = null,

@@ -53,8 +53,15 @@ data class StartProgram(val name: String, val isStart: Boolean, val isChanged: B
  * @property isTaken whether it belongs to the solution.
  * @property isChanged whether it was changed since it was taken.
  * @property isOpen whether it is open in the editor.
+ * @property isOfWorld whether it comes with the world and is only offered so far.
  */
-data class SolutionProgram(val name: String, val isTaken: Boolean, val isChanged: Boolean, val isOpen: Boolean)
+data class SolutionProgram(
+    val name: String,
+    val isTaken: Boolean,
+    val isChanged: Boolean,
+    val isOpen: Boolean,
+    val isOfWorld: Boolean = false,
+)
 
 /** What an assignment lacks. */
 enum class MissingPart { TASK, GOALS, SOLUTION, START_IS_SOLUTION, SOLUTION_NOT_ALLOWED }

@@ -10,6 +10,7 @@ import robotran.simulation.state.SessionState
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.sheetPreview
 import robotran.world.World
+import robotran.world.robot.draftError
 
 /**
  * The complete UI state, one part per pane.
@@ -19,6 +20,7 @@ import robotran.world.World
  * @property pane the pane shown on screens with room for only one.
  * @property fullPane the pane that has the room of all others, on screens with room for several; null for none.
  * @property taskShown whether the world's task is shown above the sheet.
+ * @property taskFolded whether only one line of it is shown; an assignment remembers that itself.
  * @property notice the current message; null for none.
  * @property settingsShown whether the settings page is shown.
  * @property siteRequested whether that page opens at the base URL of links.
@@ -55,6 +57,7 @@ data class WorkshopState(
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
     val robotEdit: RobotEditState? = null,
+    val taskFolded: Boolean = false,
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file
@@ -100,6 +103,7 @@ data class WorkshopState(
 
     val status: WorkshopStatus
         get() = runStatus(brickTold.run).takeIf { running }
+            ?: draftError(world)?.let(WorkshopStatus::RobotImpossible)
             ?: diagnostics.firstOrNull()?.let {
                 WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 })
             }

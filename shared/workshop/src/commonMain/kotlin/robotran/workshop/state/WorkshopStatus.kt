@@ -1,5 +1,7 @@
 package robotran.workshop.state
 
+import robotran.world.robot.DraftError
+
 /** The status in the run bar, by priority. */
 sealed interface WorkshopStatus {
     /** Nothing has run yet, and Run is possible. */
@@ -13,6 +15,9 @@ sealed interface WorkshopStatus {
      * one.
      */
     data class HasErrors(val line: Int, val file: String? = null) : WorkshopStatus
+
+    /** No program runs, because a robot of the world cannot be built like this. */
+    data class RobotImpossible(val draft: DraftError) : WorkshopStatus
 
     /** The program has changed since the last run. */
     data object Changed : WorkshopStatus

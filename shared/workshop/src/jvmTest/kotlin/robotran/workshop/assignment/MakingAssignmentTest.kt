@@ -1,6 +1,8 @@
 package robotran.workshop.assignment
 
 import robotran.assignments.doing.firstPrograms
+import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.learning.WorldGallery
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -88,6 +90,30 @@ class MakingAssignmentTest {
         assertEquals(AnyAssignment.BEGIN, textOf(saved()))
         assertEquals(AnyAssignment.SOLUTION, saved().assignment?.solution?.single()?.files?.single()?.text)
         assertEquals("made.robotran", workshop.making.savedAs)
+    }
+
+    @Test
+    fun `the solution of a world of the gallery is offered in the language of the assignment`() {
+        val world = checkNotNull(WorldGallery.named("nxt-square"))
+        val lesson = checkNotNull(world.lesson)
+        val robot = ProjectRobot(world.plainWorld.robots.first().name, listOf(AnyAssignment.program("forward 1")))
+        val workshop = making(Project(world.world(Language.GERMAN), listOf(robot)))
+        val offered = SolutionProgram("solution.robo", false, isChanged = false, isOpen = false, isOfWorld = true)
+        assertEquals(offered, workshop.making.solution.last())
+        assertEquals(emptyList(), workshop.making.assignment.solution)
+        workshop.handle(AssignmentEvent.SolutionSwitched(workshop.making.solution.lastIndex, on = true))
+        assertEquals(lesson.solution.text, workshop.solutionText)
+        assertEquals(emptyList(), workshop.making.missing)
+        assertEquals(offered.copy(isTaken = true, isOfWorld = false), workshop.making.solution.last())
+        workshop.handle(AssignmentEvent.UndoRequested)
+        workshop.handle(
+            AssignmentEvent.Changed(workshop.making.assignment.copy(languages = listOf(ProgramLanguage.JAVA))),
+        )
+        assertEquals("Solution.java", workshop.making.solution.last().name)
+        workshop.handle(
+            AssignmentEvent.Changed(workshop.making.assignment.copy(languages = listOf(ProgramLanguage.NQC))),
+        )
+        assertTrue(workshop.making.solution.none { it.isOfWorld })
     }
 
     @Test

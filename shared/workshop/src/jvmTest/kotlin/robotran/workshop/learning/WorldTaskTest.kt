@@ -1,16 +1,24 @@
 package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
+import robotran.blockediting.palette.Palette
+import robotran.brick.controls.startButton
 import robotran.language.ProgramLanguage
 import robotran.learning.HintStage
 import robotran.learning.WorldGallery
+import robotran.projects.ProgramView
+import robotran.simulation.state.GoalStatus
+import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopStatus
 import robotran.workshop.state.WorldTaskState
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -86,6 +94,56 @@ class WorldTaskTest {
         assertEquals(1, shown.help.hints.size)
         workshop.handle(LearningEvent.WorldProgramRequested)
         assertTrue(shown.help.hints.isEmpty())
+    }
+
+    @Test
+    fun `the program to begin with has a fresh sheet, and the pupil's own stays`() {
+        choose("square")
+        val start = workshop.state.session.robot.pose
+        tries("pen down\nforward 10\n")
+        assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
+        assertTrue(workshop.state.run.shortfalls.isNotEmpty())
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        val now = workshop.state
+        assertEquals(0.0, now.session.ink.lengthCentimetres)
+        assertEquals(0, now.session.milliseconds)
+        assertEquals(start, now.session.robot.pose)
+        assertTrue(now.session.goals.all { it.status == GoalStatus.PENDING })
+        assertEquals(emptyList(), now.run.shortfalls)
+        assertEquals(WorkshopStatus.Ready, now.status)
+        assertEquals("pen down\nforward 10\n", now.programs.programs.first().files.single().text)
+    }
+
+    @Test
+    fun `whichever way a run begins, the task leaves the sheet, and comes back whole`() {
+        val brick = workshop.state.session.brick.kind.startButton
+        val starts = listOf(
+            listOf(RunEvent.RunPressed),
+            listOf(RunEvent.ButtonPressed(brick)),
+            listOf(
+                BlockEvent.ViewChosen(ProgramView.BLOCKS),
+                BlockEvent.DoneNow(
+                    BlockLoad.New(
+                        Palette.blocks.first {
+                            it.id ==
+                                "move"
+                        },
+                    ),
+                ),
+            ),
+        )
+        for (start in starts) {
+            choose("plain")
+            choose("square")
+            workshop.handle(WorkshopEvent.TaskFolded(true))
+            assertTrue(workshop.state.taskShown && workshop.state.taskFolded)
+            start.forEach(workshop::handle)
+            workshop.advance(200)
+            assertFalse(workshop.state.taskShown, "$start")
+            workshop.handle(RunEvent.ButtonReleased(brick))
+            workshop.handle(WorkshopEvent.TaskShown(true))
+            assertFalse(workshop.state.taskFolded)
+        }
     }
 
     @Test

@@ -16,6 +16,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.Notice
 import robotran.workshop.state.RobotEditState
+import robotran.workshop.state.WorkshopStatus
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
 import robotran.world.Wall
@@ -114,6 +115,8 @@ class RobotEditTest {
         done()
         assertNull(workshop.state.worldEdit)
         workshop.handle(ProgramEvent.ProgramEdited("forward 5"))
+        val status = assertIs<WorkshopStatus.RobotImpossible>(workshop.state.status)
+        assertIs<RobotError.PortTaken>(status.draft.error)
         workshop.handle(RunEvent.RunPressed)
         assertIs<Notice.RobotImpossible>(workshop.state.notice)
         assertFalse(workshop.state.running)
@@ -140,6 +143,7 @@ class RobotEditTest {
         make(RobotEdit.Choose(RobotElement.Part(0)), RobotEdit.SetPort(1))
         done()
         assertNull(workshop.state.notice)
+        assertEquals(WorkshopStatus.Ready, workshop.state.status)
     }
 
     @Test

@@ -26,6 +26,7 @@ import robotran.ui.resources.make_solution_closed
 import robotran.ui.resources.make_solution_first
 import robotran.ui.resources.make_solution_help
 import robotran.ui.resources.make_solution_none
+import robotran.ui.resources.make_solution_of_world
 import robotran.ui.resources.make_solution_show
 import robotran.ui.resources.make_solution_take
 import robotran.ui.theme.Dimensions
@@ -70,6 +71,7 @@ private fun ProgramRow(program: SolutionProgram, tag: String, onSwitch: (Boolean
     val colours = LocalRobotranColours.current
     val words = when {
         program.isChanged -> stringResource(Res.string.make_solution_changed, program.name)
+        program.isOfWorld -> stringResource(Res.string.make_solution_of_world, program.name)
         !program.isOpen -> stringResource(Res.string.make_solution_closed, program.name)
         else -> program.name
     }

@@ -17,7 +17,6 @@ import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
-import robotran.brick.state.RunState
 import robotran.nxt.state.NxtState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
@@ -67,7 +66,7 @@ internal fun NxtFront(
             }, { onRelease(button) }, Modifier.at(place, unit))
         }
         state.sensorPorts.forEachIndexed { port, sensor ->
-            SensorPlug(sensor, robot.partOn(sensor.port), state.poweredOn, state.run is RunState.Running, unit, {
+            SensorPlug(sensor, robot.partOn(sensor.port), state.poweredOn, unit, {
                 onTouch(port, it)
             }, Modifier.at(NxtPlan.SENSORS[port], unit))
         }

@@ -26,7 +26,6 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.SensorPortState
-import robotran.nxt.hardware.SensorType
 import robotran.ui.parts.holdable
 import robotran.ui.resources.Res
 import robotran.ui.resources.nxt_motor_backward
@@ -37,16 +36,17 @@ import robotran.ui.resources.run_sensor_none
 import robotran.ui.resources.run_sensor_touch
 import robotran.ui.resources.sensor
 import robotran.ui.resources.sensor_value
+import robotran.ui.sheet.valueText
 import robotran.ui.theme.focusRing
 import robotran.world.FingerTouchPart
 import robotran.world.RobotPart
 
 /**
- * A sensor port with what is plugged in and its value. It is lit while it is powered or its touch sensor is pressed.
+ * A sensor port with what is plugged in and, in its unit, what that measures, also while no program runs. It is lit while
+ * it is powered or its touch sensor is pressed.
  *
  * @param plugged the part on the port; null if it is empty.
  * @param isOn whether the brick is switched on.
- * @param isRead whether a program runs that may read the sensor.
  * @param onTouch called when the user presses or releases a touch sensor for fingers; never called for other sensors.
  */
 @Composable
@@ -54,14 +54,13 @@ internal fun SensorPlug(
     state: SensorPortState,
     plugged: RobotPart?,
     isOn: Boolean,
-    isRead: Boolean,
     unit: Dp,
     onTouch: (Boolean) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val isForFingers = plugged is FingerTouchPart
     val isPressed = plugged?.kind == SensorKind.TOUCH && state.isPressed
-    val showsValue = isOn && ((isRead && plugged != null) || state.type != SensorType.NO_SENSOR)
+    val value = if (isOn) valueText(state, plugged?.kind) else null
     val lit = isOn && (isPressed || state.isActive)
     Plug(
         if (lit) NxtColours.READ else NxtColours.SENSOR_PLUG,
@@ -71,7 +70,7 @@ internal fun SensorPlug(
         modifier
             .testTag("port-${state.port}")
             .touchable(isForFingers, onTouch)
-            .described(descriptionOf(state, plugged, showsValue)) {
+            .described(descriptionOf(state, plugged, value)) {
                 if (isForFingers) {
                     role = Role.Button
                     // An immediate release would be missed: one click presses it, the next releases it.
@@ -92,12 +91,12 @@ internal fun SensorPlug(
                 }
             }
         }
-        if (showsValue) PlugLabel(valueText(state, plugged?.kind), label, unit, VALUE_SIZE)
+        if (value != null) PlugLabel(value, label, unit, VALUE_SIZE)
     }
 }
 
 @Composable
-private fun descriptionOf(state: SensorPortState, plugged: RobotPart?, showsValue: Boolean): String {
+private fun descriptionOf(state: SensorPortState, plugged: RobotPart?, value: String?): String {
     val name = stringResource(
         when {
             plugged == null -> Res.string.run_sensor_none
@@ -106,16 +105,7 @@ private fun descriptionOf(state: SensorPortState, plugged: RobotPart?, showsValu
         },
     )
     val port = stringResource(Res.string.sensor, state.port, name)
-    return if (showsValue) stringResource(Res.string.sensor_value, port, state.value) else port
-}
-
-/** With its unit, if it has one; [kind] is that of the sensor, null if there is none. */
-internal fun valueText(state: SensorPortState, kind: SensorKind?): String = when {
-    state.type in PERCENT_TYPES -> "${state.value} %"
-    state.colour != null || state.distance == null -> "${state.value}"
-    kind == SensorKind.COMPASS -> "${state.value}°"
-    state.value < NOTHING_HEARD -> "${state.value} cm"
-    else -> "${state.value}"
+    return if (value == null) port else stringResource(Res.string.sensor_value, port, value)
 }
 
 @Composable
@@ -174,13 +164,3 @@ private fun Modifier.described(description: String, more: SemanticsPropertyRecei
         contentDescription = description
         more()
     }
-
-/** What an ultrasonic sensor says if it hears nothing. */
-private const val NOTHING_HEARD = 255
-private val PERCENT_TYPES = setOf(
-    SensorType.REFLECTION,
-    SensorType.LIGHT_ACTIVE,
-    SensorType.LIGHT_INACTIVE,
-    SensorType.SOUND_DB,
-    SensorType.SOUND_DBA,
-)

@@ -85,9 +85,18 @@ class NxtFrontTest {
         onNodeWithTag("port-B").assertContentDescriptionEquals("Motor B brakes, 0 degrees")
         onNodeWithTag("port-C").assertContentDescriptionEquals("Motor C backward, power 60 percent, 1198 degrees")
         onNodeWithTag("port-2").assertContentDescriptionEquals("Sensor 2, nothing: 0")
-        onNodeWithTag("port-3").assertContentDescriptionEquals("Sensor 3, light sensor: 57")
-        onNodeWithTag("port-4").assertContentDescriptionEquals("Sensor 4, ultrasonic sensor: 45")
+        onNodeWithTag("port-3").assertContentDescriptionEquals("Sensor 3, light sensor: 57 %")
+        onNodeWithTag("port-4").assertContentDescriptionEquals("Sensor 4, ultrasonic sensor: 45 cm")
     }
+
+    @Test
+    fun `while no program runs the ports show what their sensors measure, apart from a sonar, which is off`() =
+        show(NxtScenes.idle) {
+            onNodeWithTag("port-1").assertContentDescriptionContains(": 1", substring = true)
+            onNodeWithTag("port-2").assertContentDescriptionEquals("Sensor 2, nothing")
+            onNodeWithTag("port-3").assertContentDescriptionEquals("Sensor 3, light sensor: 57 %")
+            onNodeWithTag("port-4").assertContentDescriptionEquals("Sensor 4, ultrasonic sensor")
+        }
 
     @Test
     fun `a screen reader hears which entry of a menu is marked`() = show(NxtScenes.menu) {

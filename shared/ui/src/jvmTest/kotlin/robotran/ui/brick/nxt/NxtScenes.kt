@@ -11,6 +11,7 @@ import robotran.nxt.NxtBrick
 import robotran.nxt.hardware.I2cDevice
 import robotran.nxt.hardware.NxtColour
 import robotran.nxt.hardware.SensorType
+import robotran.nxt.hardware.SonarDevice
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
@@ -31,6 +32,15 @@ internal object NxtScenes {
 
     /** Just switched on. */
     val menu: NxtState = NxtBrick(listOf(Shown("Square"), Shown("Follow")), name = "yellow").state
+
+    /** The same with its sensors plugged in. The sonar is off. */
+    val idle: NxtState = NxtBrick(emptyList()).run {
+        setAnalog(0, 183)
+        setAnalog(2, 430)
+        connect(3, SonarDevice({ doubleArrayOf(45.0) }, clock))
+        repeat(600) { tick() }
+        state
+    }
 
     /** It drives ahead and tells how far the wall is. */
     val running: NxtState = started(Shown("Follow") { it.drive() }) {

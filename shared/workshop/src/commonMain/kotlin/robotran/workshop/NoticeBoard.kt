@@ -1,0 +1,43 @@
+package robotran.workshop
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import robotran.workshop.service.Notices
+import robotran.workshop.state.Notice
+import robotran.workshop.state.NoticeAction
+
+/**
+ * Holds the message at the bottom of the screen.
+ *
+ * @param isVisiting whether a hand-in is replayed.
+ * @param canUndo whether an undo that a notice offers is still possible.
+ */
+internal class NoticeBoard(private val isVisiting: () -> Boolean, private val canUndo: (NoticeAction) -> Boolean) :
+    Notices {
+    private var latest: Notice? by mutableStateOf(null)
+
+    /** While a hand-in is replayed, there is always the way back; that it is solved is said elsewhere. */
+    val shown: Notice?
+        get() = latest.takeUnless { it is Notice.WorldSolved && isVisiting() }
+            ?: Notice.HandInOpen.takeIf { isVisiting() }
+
+    override fun show(notice: Notice) {
+        latest = notice
+    }
+
+    fun dismiss() {
+        latest = null
+    }
+
+    /** Dismisses the notice if it [isOver]. */
+    fun dismissIf(isOver: (Notice) -> Boolean) {
+        if (latest?.let(isOver) == true) latest = null
+    }
+
+    /** Dismisses the notice and returns the action that it offers; null if it offers none. */
+    fun take(): NoticeAction? = shown?.action.also { latest = null }
+
+    /** Removes an offer to undo what cannot be undone any more. */
+    fun withdrawUndo() = dismissIf { notice -> notice.action?.let { !canUndo(it) } ?: false }
+}
