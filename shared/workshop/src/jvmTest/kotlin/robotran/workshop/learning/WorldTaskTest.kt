@@ -11,6 +11,7 @@ import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopStatus
 import robotran.workshop.state.WorldTaskState
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -151,6 +152,17 @@ class WorldTaskTest {
         tries(solution)
         workshop.advance(60_000)
         assertEquals(setOf("slalom"), workshop.state.learning.worldsDone)
+    }
+
+    @Test
+    fun `a mistake is told although an earlier program has solved the world`() {
+        choose("line-loop")
+        tries(assertNotNull(shown.task.solutions.find { it.name.endsWith(".robo") }).text)
+        workshop.advance(60_000)
+        assertEquals(WorkshopStatus.Solved, workshop.state.status)
+        workshop.handle(ProgramEvent.ProgramEdited("forwrd 3\n"))
+        runBlocking { workshop.compilePrograms() }
+        assertEquals(WorkshopStatus.HasErrors(1, null), workshop.state.status)
     }
 
     @Test
