@@ -146,6 +146,18 @@ class NqcOnScreenTest {
     }
 
     @Test
+    fun `after the program its variables are still there, and the datalog names them`() = onTablet { workshop ->
+        val log = "int rounds = 7;\ntask main()\n{\n    CreateDatalog(2);\n    AddToDatalog(rounds);\n}\n"
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("log.nqc", log)))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(2_000)
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
+        pass(500)
+        onNodeWithTag("variable-rounds").assertExists()
+        onNodeWithTag("datalog-1").assertContentDescriptionContains("Entry 1: rounds", substring = true)
+    }
+
+    @Test
     fun `the menu saves it for LEGO's firmware instead of a kit`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
         pass(300)

@@ -102,7 +102,9 @@ data class WorkshopState(
         )
 
     val status: WorkshopStatus
-        get() = runStatus(brickTold.run).takeIf { running }
+        get() = runStatus(brickTold.run).takeIf {
+            running && !(diagnostics.isNotEmpty() && run.isPaused && run.isSolved)
+        }
             ?: draftError(world)?.let(WorkshopStatus::RobotImpossible)
             ?: diagnostics.firstOrNull()?.let {
                 WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 })

@@ -212,6 +212,17 @@ class WorldTaskTest {
     }
 
     @Test
+    fun `a mistake is told although an earlier program has solved the world`() {
+        choose("line-loop")
+        tries(assertNotNull(shown.task.solutions.find { it.name.endsWith(".robo") }).text)
+        workshop.advance(60_000)
+        assertEquals(WorkshopStatus.Solved, workshop.state.status)
+        workshop.handle(ProgramEvent.ProgramEdited("forwrd 3\n"))
+        runBlocking { workshop.compilePrograms() }
+        assertEquals(WorkshopStatus.HasErrors(1, null), workshop.state.status)
+    }
+
+    @Test
     fun `a translated program that the pupil left unchanged leaves with its world`() {
         choose("slalom")
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
