@@ -53,7 +53,7 @@ data class SensorPortState(
         SensorKind.TOUCH -> if (isPressed) 1 else 0
         SensorKind.LIGHT, SensorKind.SOUND -> percent
         SensorKind.COLOUR -> colour?.run { (red + green + blue) * PERCENT / HIGHEST_SUM }
-        SensorKind.ULTRASONIC, SensorKind.COMPASS -> (distance ?: value).takeIf { hasMeasured }
+        SensorKind.ULTRASONIC, SensorKind.COMPASS -> distance.takeIf { hasMeasured }
         else -> value
     }
 

@@ -50,9 +50,7 @@ internal fun RunBar(
         val edge = if (room.status == StatusPlace.ABOVE) 12.dp else 16.dp
         Column(Modifier.padding(horizontal = edge, vertical = if (inOneRow) 4.dp else 8.dp)) {
             if (room.status == StatusPlace.ABOVE) {
-                val hasLargeText = LocalDensity.current.fontScale > LARGE
-                val space = if (hasLargeText && !isLow) StatusSpace.LARGE else StatusSpace.BROAD
-                RunStatus(run, status, space, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+                RunStatus(run, status, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
             }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
                 Controls(run, status, caretLine, room, onEvent)
@@ -97,6 +95,3 @@ private fun Controls(
     StepButton(caretLine, onEvent, room.words, menu = room.stepMenu)
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
 }
-
-/** Above this font scale, two lines are too few for a sentence on a phone. */
-private const val LARGE = 1.5f

@@ -29,9 +29,6 @@ import robotran.workshop.state.WorkshopStatus
 
 /** The space reserved for the status. */
 internal enum class StatusSpace(val lines: Int) {
-    /** Three lines for large text on a phone, with the time next to them. */
-    LARGE(3),
-
     /** Two lines with the time next to them. */
     BROAD(2),
 

@@ -57,27 +57,30 @@ sealed interface RunEvent : WorkshopEvent {
     /** Applies a manual input to the session, such as dragging the robot; it is recorded with its time. */
     data class SessionTouched(val input: SessionInput) : RunEvent
 
+    /** An action on the drawer below the world. */
+    sealed interface OfDrawer : RunEvent
+
     /** Shows [tab] in the drawer; null closes it. */
-    data class DrawerChosen(val tab: DrawerTab?) : RunEvent
+    data class DrawerChosen(val tab: DrawerTab?) : OfDrawer
 
     /** Shows [tab] next to the current tab of the drawer; null shows the current tab alone. */
-    data class DrawerBesideChosen(val tab: DrawerTab?) : RunEvent
+    data class DrawerBesideChosen(val tab: DrawerTab?) : OfDrawer
 
     /** Shows a thread and a frame in its call stack, by their indices. */
-    data class FrameChosen(val thread: Int, val frame: Int) : RunEvent
+    data class FrameChosen(val thread: Int, val frame: Int) : OfDrawer
 
     /** Shows only the ROM calls that match [filter]. */
-    data class LogFiltered(val filter: CallLogFilter) : RunEvent
+    data class LogFiltered(val filter: CallLogFilter) : OfDrawer
 
     /** Copies the visible ROM calls. */
-    data object LogCopied : RunEvent
+    data object LogCopied : OfDrawer
 
     /** Saves the visible ROM calls to a file. */
-    data object LogSaved : RunEvent
+    data object LogSaved : OfDrawer
 
     /** Saves the datalog of LEGO's firmware to a file. */
-    data object DatalogSaved : RunEvent
+    data object DatalogSaved : OfDrawer
 
     /** Shows or hides [lane] in the chart. */
-    data class LaneSwitched(val lane: ChartLane) : RunEvent
+    data class LaneSwitched(val lane: ChartLane) : OfDrawer
 }

@@ -31,7 +31,6 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
-import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
@@ -63,8 +62,7 @@ class RunStateHolder(
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
     private val idleDetector = IdleDetector()
-    private val drawer = DrawerUpdater()
-    private val export = RomLogExport(platform, scope, notices)
+    private val drawer = DrawerStateHolder(platform, scope, notices, navigator) { programs.state.program.name }
     private val stopLocation = StopLocation(programs)
     private var pendingStart: PendingStart? = null
 
@@ -94,52 +92,21 @@ class RunStateHolder(
     fun handle(event: RunEvent) {
         when (event) {
             RunEvent.RunPressed -> play()
-
             RunEvent.StopPressed -> stop()
-
             RunEvent.PausePressed -> togglePause()
-
             is RunEvent.StepPressed -> step(event.kind)
-
             is RunEvent.RunToLine -> runTo(event.line)
-
             RunEvent.StartedOver -> startOver()
-
             is RunEvent.SpeedChosen -> choose(event.speed)
-
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
-
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
-
             is RunEvent.RobotWatched -> watch(event.robot)
-
             RunEvent.RecordingPlayed -> playRecording()
-
             is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
-
             is RunEvent.ButtonPressed -> press(event.button)
-
             is RunEvent.ButtonReleased -> release(event.button)
-
             is RunEvent.SessionTouched -> touch(event.input)
-
-            is RunEvent.DrawerChosen -> openDrawer(event.tab)
-
-            is RunEvent.DrawerBesideChosen -> state = state.copy(drawer = state.drawer.choosingBeside(event.tab))
-
-            is RunEvent.FrameChosen -> drawer.choose(event.thread, event.frame)
-
-            is RunEvent.LogFiltered -> drawer.filter(event.filter)
-
-            RunEvent.LogCopied -> export.copy(state.drawer.log)
-
-            RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
-
-            RunEvent.DatalogSaved -> with(state.drawer.variables) {
-                export.save(datalog, variableNames, programs.state.program.name)
-            }
-
-            is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
+            is RunEvent.OfDrawer -> drawer.handle(event)
         }
         idleDetector.disturb()
         show()
@@ -292,8 +259,7 @@ class RunStateHolder(
         if (state.running) resume { player.play(line) } else start(programs.slotToRun, StartAction.PlayTo(line))
 
     private fun resume(how: () -> Unit) {
-        drawer.variables.willResume(player.session)
-        drawer.willResume()
+        drawer.willResume(player)
         how()
     }
 
@@ -371,11 +337,6 @@ class RunStateHolder(
         if (player.playback == PlaybackState.Paused && !state.running) player.play()
     }
 
-    private fun openDrawer(tab: DrawerTab?) {
-        state = state.copy(drawer = state.drawer.choosing(tab))
-        if (tab != null) navigator.show(Pane.WORLD)
-    }
-
     private fun firstState() = RunPaneState(
         run.world,
         player.state,
@@ -402,6 +363,7 @@ class RunStateHolder(
     private fun show() {
         run.update()
         if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name)
+        drawer.update(player)
         state = state.copy(
             world = run.world,
             session = player.state,
@@ -413,7 +375,7 @@ class RunStateHolder(
             marks = player.marks,
             calls = player.callLine,
             outcome = player.outcome,
-            drawer = drawer.fill(state.drawer, player),
+            drawer = drawer.state,
             immediate = run.world.robots.indices.map(run::immediateProgram),
             told = player.immediateRobot ?: 0,
             awake = isAwake(),
@@ -426,7 +388,7 @@ class RunStateHolder(
     }
 
     private fun isAwake(): Boolean = when (player.playback) {
-        PlaybackState.Paused -> DrawerTab.LOG in state.drawer.open && drawer.isBusy
+        PlaybackState.Paused -> drawer.isBusy
         is PlaybackState.Stepping, is PlaybackState.Seeking -> true
         is PlaybackState.Playing -> player.isInPast || idleDetector.isAwake(player.state)
     }
