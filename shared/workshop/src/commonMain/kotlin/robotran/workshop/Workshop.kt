@@ -432,6 +432,11 @@ class Workshop(
 
     override fun hideTask() = handle(WorkshopEvent.TaskShown(false))
 
+    override fun leavePages() {
+        if (learning.state.page != null) handle(LearningEvent.PageClosed)
+        if (settingsHolder.shown) handle(SettingsEvent.SettingsShown(false))
+    }
+
     override fun openSiteSetting() = handle(SettingsEvent.SiteRequested)
 
     override fun show(notice: Notice) = board.show(notice)
@@ -444,10 +449,7 @@ class Workshop(
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.projectChanged()
-        if (isAnother) {
-            settingsHolder.handle(SettingsEvent.SettingsShown(false))
-            showTask(state.hasTask)
-        }
+        if (isAnother) showTask(state.hasTask)
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
         board.withdrawUndo()

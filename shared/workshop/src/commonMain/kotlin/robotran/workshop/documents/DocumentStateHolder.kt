@@ -87,7 +87,7 @@ class DocumentStateHolder(
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
-            is DocumentEvent.OfProjectList -> launch { projects.handle(event) }
+            is DocumentEvent.OfProjectList -> handleProjectList(event)
             DocumentEvent.SaveRequested -> launch { saver.save() }
             DocumentEvent.SaveAsRequested -> launch { saver.saveAs() }
             DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(autosaver.name))
@@ -292,7 +292,13 @@ class DocumentStateHolder(
     private suspend fun savedProject(id: String): Project? =
         (autosaver.repository.read(id) as? SavedProjectResult.Found)?.work?.project
 
+    private fun handleProjectList(event: DocumentEvent.OfProjectList) {
+        if (event is DocumentEvent.SavedProjectChosen) navigator.leavePages()
+        launch { projects.handle(event) }
+    }
+
     private suspend fun begin(brick: BrickKind) {
+        navigator.leavePages()
         val name = autosaver.uniqueName()
         editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
         autosaver.startNew(name)

@@ -91,6 +91,7 @@ internal class FileOpener(
     }
 
     private suspend fun take(opened: OpenFilesResult.Opened) {
+        navigator.leavePages()
         takeWork(opened)
         if (opened.courses.isNotEmpty()) openCourses(opened.courses)
     }

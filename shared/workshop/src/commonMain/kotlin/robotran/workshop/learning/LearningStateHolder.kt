@@ -184,13 +184,9 @@ class LearningStateHolder(
         if (hasStarted) tutorial.saveProgram()
     }
 
-    /**
-     * Called after another project was loaded. Leaves the page, since a menu of the window may have been over it; shows
-     * the tutorial step of the project, or folds the tutorial if it is not a step.
-     */
+    /** Called after another project was loaded. Shows its tutorial step, or folds the tutorial if it is not a step. */
     fun projectChanged() {
         if (!hasStarted) return
-        if (state.page != null) leavePage()
         val shown = state.tutorial
         val step = tutorial.loadedStep()
         if (step == null) {

@@ -10,6 +10,9 @@ interface ScreenNavigator {
     /** Hides the task of the world above the sheet. */
     fun hideTask()
 
+    /** Leaves the pages that cover the workshop, for what a menu of the window has opened over them. */
+    fun leavePages()
+
     /** Opens the settings page at the base URL of links. */
     fun openSiteSetting()
 }
