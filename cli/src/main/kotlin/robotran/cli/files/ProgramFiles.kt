@@ -96,6 +96,10 @@ internal fun filesOfProgram(name: String): List<String> {
     return sources.ifEmpty { listOf(name) }
 }
 
+/** Whether there are class files in the folder [name]. */
+internal fun hasClassFiles(name: String): Boolean =
+    runCatching { Path.of(name).listDirectoryEntries("*$CLASS").isNotEmpty() }.getOrDefault(false)
+
 /** The name of the file or folder [path] without its parent folders. */
 internal fun nameOf(path: String): String = Path.of(path).toAbsolutePath().normalize().name
 

@@ -22,7 +22,8 @@ internal class GradeCommand(private val console: Console, private val desktop: D
     CoreCliktCommand("grade") {
     private val world by argument(
         "ASSIGNMENT",
-        help = "an assignment (.robotran), or a world with goals (.world.json, or a project or link with it)",
+        help = "an assignment (.robotran), a course (.course.json, its folder or a link), or a world with goals " +
+            "(.world.json, or a project or link with it)",
     )
     private val programs by argument(
         "HAND-IN",
@@ -60,6 +61,11 @@ internal class GradeCommand(private val console: Console, private val desktop: D
         metavar = "FILE",
         help = "writes a page to read and print, with a picture of each sheet if the desktop app is there",
     )
+    private val feedback by option(
+        "--feedback",
+        metavar = "FILE",
+        help = "writes a zip with a file for each pupil, in the folders of the learning platform",
+    )
     private val options by RunOptions()
     private val spoken by LanguageOption()
 
@@ -71,7 +77,7 @@ internal class GradeCommand(private val console: Console, private val desktop: D
             "mistakes."
 
     override fun run() {
-        val request = GradeRequest(world, programs, seeds, jobs, options, GradeOutputs(junit, report, csv, html))
+        val request = GradeRequest(world, programs, seeds, jobs, options, GradeOutputs(junit, report, csv, html, feedback))
         throw ProgramResult(ProgramGrader(console.speaking(spoken.language), desktop).run(request).status)
     }
 
@@ -97,7 +103,13 @@ internal class GradeRequest(
 )
 
 /** What to write: file names, - for the console, null for none. */
-internal class GradeOutputs(val junit: String?, val report: String?, val csv: String?, val html: String?) {
+internal class GradeOutputs(
+    val junit: String?,
+    val report: String?,
+    val csv: String?,
+    val html: String?,
+    val feedback: String? = null,
+) {
     /** Whether one of them replaces the table on the console. */
     val useConsole: Boolean get() = CONSOLE in listOf(junit, report, csv)
 

@@ -1,72 +1,77 @@
 package robotran.cli.grade
 
 import robotran.cli.console.textOf
-import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.CommandMessages
 import robotran.simulation.GoalReport
 import robotran.simulation.grade.Grade
 import java.io.StringWriter
 import javax.xml.stream.XMLOutputFactory
 import javax.xml.stream.XMLStreamWriter
 
-/** All grades as JUnit XML: one test suite per program, one test case per world and seed. Times are virtual seconds. */
-internal fun gradeJUnit(worldTitle: String, programs: List<ProgramGrades>): String {
+/**
+ * All grades as JUnit XML: one test suite per program, one test case per world and seed. Times are virtual seconds.
+ *
+ * @param messages the words in it.
+ */
+internal fun gradeJUnit(worldTitle: String, programs: List<ProgramGrades>, messages: CommandMessages): String {
     val text = StringWriter()
     val xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text)
     xml.writeStartDocument("UTF-8", "1.0")
-    xml.element("testsuites") { programs.forEach { xml.suite(worldTitle, it) } }
+    xml.element("testsuites") { programs.forEach { JUnitSuite(xml, worldTitle, messages).write(it) } }
     xml.writeEndDocument()
     xml.close()
     return text.toString()
 }
 
-private fun XMLStreamWriter.suite(worldTitle: String, program: ProgramGrades) {
-    val grades = (program as? ProgramGrades.Graded)?.grades.orEmpty()
-    val figures = listOf(
-        "name" to program.shownName,
-        "tests" to maxOf(1, grades.size),
-        "failures" to grades.count { !it.passed },
-        "errors" to if (program is ProgramGrades.Rejected) 1 else 0,
-        "skipped" to 0,
-        "time" to grades.sumOf { it.seconds },
-    )
-    element("testsuite", *figures.toTypedArray()) {
-        when (program) {
-            is ProgramGrades.Rejected -> case(worldTitle, program.shownName, 0.0) {
-                element("error", "message" to program.reasons.first(), "type" to "mistakes") {
-                    characters(program.reasons)
+private class JUnitSuite(
+    private val xml: XMLStreamWriter,
+    private val worldTitle: String,
+    private val messages: CommandMessages,
+) {
+    fun write(program: ProgramGrades) {
+        val grades = (program as? ProgramGrades.Graded)?.grades.orEmpty()
+        val figures = listOf(
+            "name" to program.shownName,
+            "tests" to maxOf(1, grades.size),
+            "failures" to grades.count { !it.passed },
+            "errors" to if (program is ProgramGrades.Rejected) 1 else 0,
+            "skipped" to 0,
+            "time" to grades.sumOf { it.seconds },
+        )
+        xml.element("testsuite", *figures.toTypedArray()) {
+            when (program) {
+                is ProgramGrades.Rejected -> case(program.shownName, 0.0) {
+                    xml.element("error", "message" to program.reasons.first(), "type" to "mistakes") {
+                        xml.characters(program.reasons)
+                    }
+                }
+
+                is ProgramGrades.Graded -> program.grades.zip(program.worlds, ::case)
+            }
+        }
+    }
+
+    private fun case(grade: Grade, world: String) {
+        val name = listOf(world, messages.seeds(grade.seed, grade.seed)).filter { it.isNotEmpty() }.joinToString()
+        case(name, grade.seconds) {
+            if (!grade.passed) {
+                val message = firstUnmet(grade.goals)?.sentence ?: messages.noGoal()
+                xml.element("failure", "message" to message, "type" to "goals") {
+                    val error = grade.report.error?.let(messages::programFailed)
+                    xml.characters(unmetLines(grade.report.goals) + listOfNotNull(error))
                 }
             }
-
-            is ProgramGrades.Graded -> program.grades.zip(program.worlds) { grade, world ->
-                case(worldTitle, grade, world)
-            }
-        }
-    }
-}
-
-private fun XMLStreamWriter.case(worldTitle: String, grade: Grade, world: String) =
-    case(worldTitle, listOf(world, "seed ${grade.seed}").filter { it.isNotEmpty() }.joinToString(), grade.seconds) {
-        if (!grade.passed) {
-            val message = firstUnmet(grade.goals)?.sentence ?: "no goal"
-            element("failure", "message" to message, "type" to "goals") {
-                characters(
-                    unmetLines(grade.report.goals) + listOfNotNull(
-                        grade.report.error?.let {
-                            "The program failed: $it"
-                        },
-                    ),
-                )
-            }
         }
     }
 
-private fun XMLStreamWriter.case(worldTitle: String, name: String, seconds: Double, content: () -> Unit) =
-    element("testcase", "classname" to worldTitle, "name" to name, "time" to seconds, content = content)
+    private fun case(name: String, seconds: Double, content: () -> Unit) =
+        xml.element("testcase", "classname" to worldTitle, "name" to name, "time" to seconds, content = content)
 
-/** A line for each unmet goal, and one for what it lacked. */
-private fun unmetLines(goals: List<GoalReport>): List<String> = goals.filterNot { it.met }.flatMap { goal ->
-    val shortfall = goal.shortfall?.takeIf { goal.parts.isEmpty() }?.let { "  ${EnglishCommandMessages.textOf(it)}" }
-    listOfNotNull("${goal.goal} (${percent(goal.progress)})", shortfall) + unmetLines(goal.parts).map { "  $it" }
+    /** A line for each unmet goal, and one for what it lacked. */
+    private fun unmetLines(goals: List<GoalReport>): List<String> = goals.filterNot { it.met }.flatMap { goal ->
+        val shortfall = goal.shortfall?.takeIf { goal.parts.isEmpty() }?.let { "  ${messages.textOf(it)}" }
+        listOfNotNull("${goal.goal} (${percent(goal.progress)})", shortfall) + unmetLines(goal.parts).map { "  $it" }
+    }
 }
 
 private fun XMLStreamWriter.element(name: String, vararg attributes: Pair<String, Any>, content: () -> Unit) {

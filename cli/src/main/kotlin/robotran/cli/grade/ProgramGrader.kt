@@ -1,21 +1,24 @@
 package robotran.cli.grade
 
 import kotlinx.coroutines.runBlocking
+import robotran.assignments.collecting.namedByClass
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
-import robotran.cli.files.filesOfProgram
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.RobotProgramsResult
+import robotran.cli.input.Submission
 import robotran.cli.input.SubmissionResult
 import robotran.cli.input.WorldChanges
+import robotran.cli.input.isCourse
 import robotran.cli.input.loadWorld
 import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
@@ -26,6 +29,7 @@ import robotran.world.World
 /** Implements `robotran grade`: reads all files, runs all programs, writes the results. */
 internal class ProgramGrader(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: GradeRequest): ExitCode {
+        if (isCourse(request.world)) return CourseGrader(console, desktop).run(request)
         val read = loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
         val built = read?.let { withDescribedRobots(it.world, request.options.robotFiles, console) }
             ?: return ExitCode.BAD_INPUT
@@ -37,7 +41,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
             return ExitCode.BAD_INPUT
         }
         val isForClass = place.project.assignment != null || request.outputs.csv != null ||
-            request.outputs.html != null || request.programs.any(::holdsSubmissions)
+            request.outputs.html != null || request.outputs.feedback != null || request.programs.any(::holdsSubmissions)
         return if (isForClass) {
             HandInsGrader(console, desktop).run(place, request)
         } else {
@@ -108,17 +112,25 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         shownName: String,
         place: LoadedWorld,
         request: GradeRequest,
-    ): RobotProgramsResult = when (val read = readSubmission(filesOfProgram(name), console, shownName)) {
+    ): RobotProgramsResult = when (val read = readSubmission(listOf(name), console, shownName)) {
         is SubmissionResult.Read -> {
             val reader =
                 ProgramCompiler(PENBOT_TARGET, request.options.java, console.language, request.options.firmware)
-            readLoads(place, reader, read.handIn, request.options.robots)
+            readLoads(place, reader, read.handIn.namedByClasses(), request.options.robots)
         }
 
         is SubmissionResult.Rejected -> {
             RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
         }
     }
+
+    /** A hand-in's file name never decides: platforms and browsers change it. */
+    private fun Submission.namedByClasses(): Submission = copy(
+        programs = programs.map { program ->
+            val java = program.source as? ProgramSource.Java
+            if (java == null) program else program.copy(source = java.copy(files = java.files.map(::namedByClass)))
+        },
+    )
 
     private fun grade(
         world: World,
@@ -137,7 +149,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
     private fun write(world: World, programs: List<ProgramGrades>, request: GradeRequest): List<String> {
         val writer = OutputWriter(console)
         return listOfNotNull(
-            request.outputs.junit?.let { writer.write(it, gradeJUnit(world.title, programs)) },
+            request.outputs.junit?.let { writer.write(it, gradeJUnit(world.title, programs, console.messages)) },
             request.outputs.report?.let { writer.write(it, gradeJson(request.world, world.title, programs)) },
         )
     }

@@ -1,5 +1,6 @@
 package robotran.cli.grade
 
+import robotran.assignments.grading.GradedHandIn
 import robotran.simulation.GoalReport
 import robotran.simulation.ReportedShortfall
 import robotran.simulation.grade.Grade
@@ -36,6 +37,24 @@ internal sealed interface ProgramGrades {
         val reasons: List<String>,
         val isReadable: Boolean,
     ) : ProgramGrades
+}
+
+/** [result] as a row called [shownName]. */
+internal fun gradesOf(result: GradedHandIn, files: SubmittedFiles, shownName: String): ProgramGrades {
+    val submission = result.submission
+    val name = files.pathOf(submission.origin) ?: submission.origin
+    val shown = shownName.filterNot { it.isISOControl() }
+    return when (result) {
+        is GradedHandIn.Graded ->
+            ProgramGrades.Graded(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })
+
+        is GradedHandIn.HasMistakes -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = true)
+
+        is GradedHandIn.Failed -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = false)
+
+        is GradedHandIn.Unusable ->
+            ProgramGrades.Rejected(name, shown, listOf(result.submission.reason), isReadable = false)
+    }
 }
 
 /** The first unmet goal that is not a group of other goals; null if all are met. */

@@ -2,6 +2,9 @@ package robotran.cli.grade
 
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectingLimits
+import robotran.assignments.collecting.composed
+import robotran.assignments.collecting.hasMain
+import robotran.assignments.collecting.isPlatformName
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.FileContent
 import robotran.cli.files.JAVA
@@ -15,10 +18,11 @@ import robotran.cli.messages.CommandMessages
 import robotran.projects.isLink
 import java.nio.file.Files
 import java.nio.file.Path
-import kotlin.io.path.getLastModifiedTime
+import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import kotlin.io.path.readBytes
 import kotlin.streams.asSequence
 
 /** What was named on the command line, for [robotran.assignments.collecting.collectHandIns]. */
@@ -51,13 +55,23 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
         val problem = reading(name, messages, { it }) {
             val folder = Path.of(name)
             val found = Files.walk(folder).use { walk ->
-                walk.asSequence().filter { it.isRegularFile() }.take(CollectingLimits.MAXIMUM_FILES).sorted().toList()
+                walk.asSequence().take(CollectingLimits.MAXIMUM_FILES).sorted().toList()
             }
-            found.filterNot { isHidden(folder.relativize(it)) }.forEach { addFile(it.toString(), it, base) }
+            found.filterNot { isHidden(folder.relativize(it)) }.forEach {
+                when {
+                    it.isRegularFile() -> addFile(it.toString(), it, base)
+
+                    // One without files is a pupil who has handed in nothing.
+                    it.isDirectory() -> collected += CollectedFile("${shownPath(it, base)}/", NOTHING)
+                }
+            }
             null
         }
         problem?.let { unreadable[name] = it }
     }
+
+    private fun shownPath(path: Path, base: Path?): String =
+        base?.relativize(path.toAbsolutePath().normalize())?.joinToString("/") ?: path.name
 
     private fun addFile(name: String, path: Path, base: Path?) {
         val problem = reading(name, messages, { it }) {
@@ -69,9 +83,9 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
                 }
 
                 is FileContent.Read -> {
-                    val shown = base?.relativize(path.toAbsolutePath().normalize())?.joinToString("/") ?: path.name
-                    collected += CollectedFile(shown, content.bytes, path.getLastModifiedTime().toMillis())
-                    paths[shown] = name
+                    val shown = shownPath(path, base)
+                    collected += CollectedFile(shown, content.bytes)
+                    paths[composed(shown)] = name
                     null
                 }
             }
@@ -117,10 +131,14 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
         walk.asSequence().filter { it.isRegularFile() && !isHidden(folder.relativize(it)) && isUseful(it.name) }
             .take(CollectingLimits.MAXIMUM_FILES).toList()
     }
-    val isJava = direct.any { it.endsWith(JAVA) } &&
+    val isJava = direct.any { it.endsWith(JAVA) } && !isOfSeveral(work) &&
         work.all { it.parent == folder && (it.name.endsWith(JAVA) || it.name.endsWith(TEXT)) }
     return work.isNotEmpty() && !isJava
 }
+
+/** Whether a learning platform has named the Java files [work], or more than one of them is a program. */
+private fun isOfSeveral(work: List<Path>): Boolean = work.any { isPlatformName(it.name) } ||
+    work.filter { it.name.endsWith(JAVA) }.count { hasMain(it.readBytes().decodeToString()) } > 1
 
 private fun isHidden(path: Path): Boolean = path.any { it.name.startsWith('.') && it.name.trim('.').isNotEmpty() }
 

@@ -4,6 +4,8 @@ import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
+import robotran.cli.files.filesOfProgram
+import robotran.cli.files.hasClassFiles
 import robotran.cli.files.readProgramFiles
 import robotran.projects.Project
 import robotran.world.LightFacing
@@ -29,7 +31,8 @@ internal sealed interface SubmissionResult {
 }
 
 /**
- * Reads a submission: either program files, or one project file or link. From a project only the programs of its first
+ * Reads a submission: either program files, or one project file or link. In a folder, sources count before what was
+ * compiled of them. From a project only the programs of its first
  * robot count; its world is ignored.
  *
  * @param linkName the name of the link in messages; null if there is only one link.
@@ -42,7 +45,9 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
             is ReadProject.Rejected -> SubmissionResult.Rejected(read.reason)
         }
     }
-    return when (val files = readProgramFiles(names, console.messages)) {
+    names.filter { filesOfProgram(it) != listOf(it) && hasClassFiles(it) }
+        .forEach { console.complain(console.messages.sourceCounts(it)) }
+    return when (val files = readProgramFiles(names.flatMap(::filesOfProgram), console.messages)) {
         is ProgramFiles.Read -> SubmissionResult.Read(Submission(files.programs))
         is ProgramFiles.Rejected -> SubmissionResult.Rejected(files.reason)
     }

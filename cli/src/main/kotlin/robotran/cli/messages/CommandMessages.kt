@@ -43,6 +43,9 @@ internal interface FileMessages {
 
     fun noClassFile(name: String): String
 
+    /** The folder [name] has sources and what was compiled of them. */
+    fun sourceCounts(name: String): String
+
     fun tooManyClasses(name: String, limit: Int): String
 
     fun classFileTooLarge(name: String, bytes: Int): String
@@ -157,6 +160,11 @@ internal interface GradeMessages {
     fun seedMissed(seed: Int, goal: String?, percent: String): String
 
     fun seedFailed(missed: String, error: String): String
+
+    /** In place of the first goal that was missed, in a world without goals. */
+    fun noGoal(): String
+
+    fun programFailed(error: String): String
 
     fun moreSeeds(count: Int, seeds: String): String
 

@@ -37,6 +37,8 @@ private object EnglishFileMessages : FileMessages {
 
     override fun noClassFile(name: String) = "There is no class file in $name."
 
+    override fun sourceCounts(name: String) = "In $name, the Java files count, and the compiled classes do not."
+
     override fun tooManyClasses(name: String, limit: Int) = "$name has too many classes: a brick takes $limit."
 
     override fun classFileTooLarge(name: String, bytes: Int) =
@@ -148,6 +150,10 @@ private object EnglishGradeMessages : GradeMessages {
         if (goal == null) "Seed $seed: no goal" else "Seed $seed: \"$goal\" was not met ($percent)"
 
     override fun seedFailed(missed: String, error: String) = "$missed. The program failed: $error"
+
+    override fun noGoal() = "no goal"
+
+    override fun programFailed(error: String) = "The program failed: $error"
 
     override fun moreSeeds(count: Int, seeds: String) = "And $count more: seeds $seeds."
 

@@ -38,6 +38,8 @@ private object GermanFileMessages : FileMessages {
 
     override fun noClassFile(name: String) = "In $name ist keine Klassendatei."
 
+    override fun sourceCounts(name: String) = "In $name zählen die Java-Dateien, nicht die übersetzten Klassen."
+
     override fun tooManyClasses(name: String, limit: Int) = "$name hat zu viele Klassen: In einen Stein passen $limit."
 
     override fun classFileTooLarge(name: String, bytes: Int) =
@@ -159,6 +161,10 @@ private object GermanGradeMessages : GradeMessages {
     }
 
     override fun seedFailed(missed: String, error: String) = "$missed. Das Programm konnte nicht weiter: $error"
+
+    override fun noGoal() = "kein Ziel"
+
+    override fun programFailed(error: String) = "Das Programm konnte nicht weiter: $error"
 
     override fun moreSeeds(count: Int, seeds: String) = "Und $count mehr: Startzahlen $seeds."
 

@@ -39,6 +39,8 @@ private object SpanishFileMessages : FileMessages {
 
     override fun noClassFile(name: String) = "En $name no hay ningún archivo de clase."
 
+    override fun sourceCounts(name: String) = "En $name cuentan los archivos de Java y no las clases compiladas."
+
     override fun tooManyClasses(name: String, limit: Int) =
         "$name tiene demasiadas clases: en un ladrillo caben $limit."
 
@@ -158,6 +160,10 @@ private object SpanishGradeMessages : GradeMessages {
         if (goal == null) "Semilla $seed: ninguna meta" else "Semilla $seed: no se ha conseguido \"$goal\" ($percent)"
 
     override fun seedFailed(missed: String, error: String) = "$missed. El programa ha fallado: $error"
+
+    override fun noGoal() = "ninguna meta"
+
+    override fun programFailed(error: String) = "El programa ha fallado: $error"
 
     override fun moreSeeds(count: Int, seeds: String) = "Y $count más: semillas $seeds."
 

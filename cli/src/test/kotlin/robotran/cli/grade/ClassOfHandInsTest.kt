@@ -25,7 +25,9 @@ import robotran.projects.writeProject
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
+import java.util.zip.ZipFile
 import kotlin.io.path.Path
+import kotlin.io.path.createDirectories
 import kotlin.io.path.exists
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
@@ -116,6 +118,114 @@ class ClassOfHandInsTest : CommandTest() {
             .jsonObject.getValue("runs").jsonArray.map { it.jsonObject }
         assertEquals(listOf(null, "farther"), runs.map { it["world"]?.jsonPrimitive?.content })
         assertContains(junit.readText(), "name=\"farther, seed 5\"")
+    }
+
+    @Test
+    fun `a folder, a zip and a sorted zip get the same table`() {
+        val files = listOf("loesung.robo" to "forward 30\n", "alt.robo" to "beep\n")
+            .map { (name, text) -> "Igor_1_assignsubmission_file_/$name" to text }
+        files.forEach { (name, text) -> program(text, "iw/$name") }
+        val zips = listOf(files, files.sortedBy { it.first }).mapIndexed { index, entries ->
+            val zip = zipOf(entries.map { (name, text) -> ZipEntry(name, text.encodeToByteArray()) })
+            folder.resolve("iw$index.zip").also { it.writeBytes(zip) }.toString()
+        }
+        val tables = (listOf(folder.resolve("iw").toString()) + zips).map {
+            assertEquals(0, grade(worldFile, it, "--csv", "-"))
+            console.said.single()
+        }
+        assertContains(tables[0], "Igor,solved,")
+        assertContains(tables[0], "All of alt.robo and loesung.robo were run: loesung.robo counts, none did better.")
+        assertEquals(List(3) { tables[0] }, tables)
+    }
+
+    @Test
+    fun `a renamed Java file is graded by its class, alone and as a platform names it`() {
+        val java = "import josx.platform.rcx.*;\npublic class Fahrt { public static void main(String[] a) { } }"
+        val alone = program(java, "one/Fahrt (1).java")
+        assertEquals(1, grade(worldFile, alone), console.complaints.joinToString())
+        program(java, "canvas/mullercarl_late_4712_99888_Fahrt-1.java")
+        program(java, "canvas/Fahrt (1).java")
+        assertEquals(1, grade(worldFile, folder.resolve("canvas").toString()), console.complaints.joinToString())
+        assertContains(console.said.single(), Regex("mullercarl +\\| +0 of 1"))
+        assertContains(console.said.single(), Regex("Fahrt \\(1\\) +\\| +0 of 1"))
+    }
+
+    @Test
+    fun `the source counts beside what was compiled of it, with a word`() {
+        program("public class Fahrt { public static void main(String[] a) { } }", "blue/Fahrt.java")
+        program("old", "blue/Fahrt.class")
+        program("", "blue/package.bluej")
+        program("", "blue/README.TXT")
+        val blue = folder.resolve("blue").toString()
+        assertEquals(1, grade(worldFile, blue), console.complaints.joinToString())
+        assertEquals(listOf("In $blue, the Java files count, and the compiled classes do not."), console.complaints)
+        console.complaints.clear()
+        assertEquals(0, commandLine.execute(listOf("run", blue)), console.complaints.joinToString())
+        assertContains(console.complaints, "In $blue, the Java files count, and the compiled classes do not.")
+    }
+
+    @Test
+    fun `a pupil's empty folder is a row`() {
+        program("forward 30\n", "some/Anna/prog.robo")
+        folder.resolve("some/Ben").createDirectories()
+        assertEquals(2, grade(worldFile, folder.resolve("some").toString()))
+        assertEquals(listOf("Ben: The folder is empty."), console.complaints)
+    }
+
+    @Test
+    fun `a report is in one language`() {
+        val anna = program("forward 5\n", "anna.robo")
+        val junit = folder.resolve("junit.xml")
+        assertEquals(1, grade(worldFile, anna, "--language", "de", "--junit", "$junit"))
+        assertContains(junit.readText(), "name=\"Startzahl ")
+        assertContains(junit.readText(), "(nach ")
+    }
+
+    @Test
+    fun `feedback goes into the folders of the platform, also for those who have handed in nothing`() {
+        val zip = folder.resolve("feedback.zip")
+        assertEquals(2, grade(worldFile, submissions(), "--feedback", "$zip"))
+        val names = ZipFile(zip.toFile()).use { file -> file.entries().toList().map { it.name } }
+        assertEquals(6, names.size)
+        assertContains(names, "Dora_4_assignsubmission_file_/Dora - feedback - Ahead.robotran")
+        assertContains(names, "Eva_5_assignsubmission_file_/Eva - feedback - Ahead.robotran")
+    }
+
+    @Test
+    fun `a course is graded in one table`() {
+        val other = world.copy(title = "The other one", robots = nearer.robots)
+        val second = Project(other, assignment = Assignment("other-1", checks = AssignmentChecks(1..2)))
+        program(writeProject(second), "course/other.robotran")
+        program(writeProject(teachers), "course/ahead.robotran")
+        val list = """{"format": "robotran-course", "version": 1, "title": "Both",
+            "assignments": ["ahead.robotran", "other.robotran"]}"""
+        program(list, "course/course.json")
+        val ofOther = handIn("Anna", "forward 40\n").let {
+            sealedHandIn(it.copy(world = other, assignment = Assignment("other-1")))
+        }
+        program(writeProject(handIn("Anna", "forward 30\n")), "all/anna1.robotran")
+        program(writeProject(ofOther), "all/anna2.robotran")
+        program("forward 40\n", "all/The other one/Ben.robo")
+        program("forward 40\n", "all/Cem.robo")
+        program(link(ofOther.let { sealedHandIn(it.copy(handIn = it.handIn?.copy(name = "Dora"))) }), "all/links.txt")
+        val csv = folder.resolve("course.csv")
+        val course = folder.resolve("course").toString()
+        assertEquals(2, grade(course, folder.resolve("all").toString(), "--csv", "$csv"), "${console.complaints}")
+        val rows = csv.readText().split("\r\n").map { it.split(',').take(3) }
+        assertEquals(
+            listOf(
+                listOf("\uFEFFname", "assignment", "verdict"),
+                listOf("Anna", "Ahead", "partly solved"),
+                listOf("Anna", "The other one", "solved"),
+                listOf("Ben", "The other one", "solved"),
+                listOf("Cem", "", "cannot be used"),
+                listOf("Dora", "The other one", "solved"),
+            ),
+            rows.dropLast(1),
+        )
+        val html = folder.resolve("course.html")
+        grade(course, folder.resolve("all").toString(), "--html", "$html")
+        assertContains(html.readText(), "<h2>The other one</h2>")
     }
 
     @Test

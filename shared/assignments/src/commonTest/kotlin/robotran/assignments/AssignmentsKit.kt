@@ -56,10 +56,9 @@ internal fun handIn(
     ),
 )
 
-internal fun file(path: String, text: String, modified: Long? = null) =
-    CollectedFile(path, text.encodeToByteArray(), modified)
+internal fun file(path: String, text: String) = CollectedFile(path, text.encodeToByteArray())
 
-internal fun file(path: String, project: Project, modified: Long? = null) = file(path, writeProject(project), modified)
+internal fun file(path: String, project: Project) = file(path, writeProject(project))
 
 internal suspend fun collect(vararg files: CollectedFile, assignment: Project = ASSIGNMENT): List<Submission> =
     collectHandIns(files.toList(), assignment).submissions

@@ -75,7 +75,7 @@ internal fun triesIn(place: JsonCursor, world: World) = AssignmentTries(
 )
 
 internal fun handInIn(place: JsonCursor) = HandIn(
-    place.member("name").text(AssignmentLimits.MAXIMUM_NAME_CHARACTERS),
+    place.member("name").text(AssignmentLimits.MAXIMUM_NAME_CHARACTERS, mayBeEmpty = true),
     place.member("tries").wholeNumber(0..Int.MAX_VALUE),
     place.optional("result")?.let(::resultIn),
     place.member("hash").text(AssignmentLimits.MAXIMUM_ID_CHARACTERS),

@@ -135,7 +135,7 @@ class Workshop(
             handIns.takes(it)
         }
     private val course: CourseStateHolder =
-        CourseStateHolder(platform, scope, this, this, document, document, this)
+        CourseStateHolder(platform, scope, this, this, document, document, this) { handIns.openCourse(it) }
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
@@ -233,9 +233,11 @@ class Workshop(
      * called once, before anything is shown. On the first run without a project shows the welcome page if [welcoming].
      */
     suspend fun start(welcoming: Boolean) {
+        val isReloaded = platform.window.projectId != null
         assignment.start()
         course.start()
         document.start()
+        if (isReloaded) handIns.restore()
         learning.start(welcoming && document.isFresh)
     }
 

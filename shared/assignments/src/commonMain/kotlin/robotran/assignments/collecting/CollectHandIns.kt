@@ -14,8 +14,10 @@ class CollectedHandIns(val submissions: List<Submission>, val notes: List<String
 /**
  * Finds the submissions for [assignment] in [files]: programs, projects, hand-ins, texts with links, and zips with any
  * of these, sorted by pupils. A pupil is a folder, or a file, or what a learning platform has written before its name;
- * hand-ins tell their pupil's name themselves. Of several hand-ins of one pupil the one with the most tries counts, or
- * else the newest, or else the last. The same name alone does not make one pupil of two files.
+ * hand-ins tell their pupil's name themselves. Which of several hand-ins and programs of one pupil count, [countingOf]
+ * and [Submission.Usable.alternatives] say. The same name alone does not make one pupil of two files.
+ *
+ * The result is the same however the files are packed, and in whatever order.
  *
  * Never fails: what cannot be used is a [Submission.Unusable] with the reason.
  *
@@ -28,30 +30,30 @@ suspend fun collectHandIns(
     language: Language = Language.ENGLISH,
 ): CollectedHandIns {
     val messages = CollectingMessages.of(language)
-    val reader = GroupReader(assignment, language)
-    val contents = groupsOf(Unpacking(messages).unpack(files), reader::isNoHandIn).map { reader.read(it) }
-    val notes = contents.flatMap { it.notes }.distinct()
-    val found = withoutCopies(contents.flatMap { it.candidates }).groupBy { it.pupil }.values.map(::chosenOf)
-    val rest = found.size - CollectingLimits.MAXIMUM_SUBMISSIONS
-    if (rest <= 0) return CollectedHandIns(found, notes)
+    val found = collectFound(Unpacking(messages).unpack(files), assignment, language)
+    val rest = found.submissions.size - CollectingLimits.MAXIMUM_SUBMISSIONS
+    if (rest <= 0) return found
     val reason = messages.leftOut(rest, CollectingLimits.MAXIMUM_SUBMISSIONS)
-    val shown = found.take(CollectingLimits.MAXIMUM_SUBMISSIONS)
-    return CollectedHandIns(shown + Submission.Unusable(messages.others(), "", reason), notes)
+    val shown = found.submissions.take(CollectingLimits.MAXIMUM_SUBMISSIONS)
+    return CollectedHandIns(shown + Submission.Unusable(messages.others(), "", reason), found.notes)
 }
 
-/** The hand-in that counts of all hand-ins of one pupil. */
-private fun chosenOf(candidates: List<Candidate>): Submission {
-    val usable = candidates.filter { it.submission is Submission.Usable }
-    if (usable.isEmpty()) return candidates.last().submission
-    val chosen = usable.withIndex().maxWith(
-        compareBy(
-            { (it.value.submission as Submission.Usable).handIn?.tries ?: -1 },
-            { it.value.modified },
-            { it.index },
-        ),
-    ).value.submission as Submission.Usable
-    val others = usable.size - 1
-    return if (others == 0) chosen else chosen.copy(remarks = chosen.remarks + SubmissionRemark.OlderLeftOut(others))
+/**
+ * The submissions in [found], however many.
+ *
+ * @param elsewhere the IDs of assignments for which hand-ins are collected elsewhere.
+ */
+internal suspend fun collectFound(
+    found: List<FoundFile>,
+    assignment: Project,
+    language: Language,
+    elsewhere: Set<String> = emptySet(),
+): CollectedHandIns {
+    val reader = GroupReader(assignment, language, elsewhere)
+    val contents = groupsOf(found, reader::isNoHandIn).map { reader.read(it) }
+    val ofPupils = withoutCopies(contents.flatMap { it.candidates }).groupBy { it.pupil }.values
+    val submissions = ofPupils.map { ofPupil -> countingOf(ofPupil.map { it.submission }) }
+    return CollectedHandIns(submissions, contents.flatMap { it.notes }.distinct())
 }
 
 /** Of copies of one hand-in outside of pupils' folders, and in one such folder, the first is left. */

@@ -3,10 +3,9 @@ package robotran.assignments.collecting
 /**
  * A file that a teacher has collected.
  *
- * @property path its name, with the folders that it lies in, separated by `/`.
- * @property modified when it was last changed, in milliseconds since 1970; null if unknown.
+ * @property path its name, with the folders that it lies in, separated by `/`. A folder ends with one.
  */
-class CollectedFile(val path: String, val bytes: ByteArray, val modified: Long? = null)
+class CollectedFile(val path: String, val bytes: ByteArray)
 
 /** The limits of [collectHandIns]. What exceeds one is an unusable submission; the others still count. */
 object CollectingLimits {

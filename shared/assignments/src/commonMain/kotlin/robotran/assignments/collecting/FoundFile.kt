@@ -3,16 +3,20 @@ package robotran.assignments.collecting
 /**
  * A file among the collected ones or in one of their zips.
  *
- * @property path folders and name; a zip counts as a folder.
- * @property modified in milliseconds since 1970; null if unknown.
+ * @property path folders and name; a zip counts as a folder. The name is empty for a folder with nothing in it.
  */
-internal class FoundFile(val path: List<String>, val modified: Long?, val content: FoundContent) {
+internal class FoundFile(val path: List<String>, val content: FoundContent) {
     val name: String get() = path.last()
     val shownPath: String get() = path.joinToString("/")
     val kind: FoundKind get() = FoundKind.of(name)
+    val isEmptyFolder: Boolean get() = name.isEmpty()
+    val isClassFile: Boolean get() = name.endsWith(CLASS, ignoreCase = true)
+
+    /** The text of a source; empty if it cannot be read. */
+    val text: String get() = (content as? FoundContent.Bytes)?.bytes?.decodeToString().orEmpty()
 
     /** The same file where [path] is. */
-    fun at(path: List<String>) = FoundFile(path, modified, content)
+    fun at(path: List<String>) = FoundFile(path, content)
 }
 
 internal sealed interface FoundContent {
@@ -47,12 +51,19 @@ internal enum class FoundKind(vararg val extensions: String) {
     }
 }
 
-/** Folders and name in [path]; null for what systems leave behind and for hidden files. */
+/** Folders and name in [path], or the folder alone if it ends with `/`; null for what systems keep and hidden files. */
 internal fun pathOf(path: String): List<String>? {
-    val parts = path.map { if (it.isISOControl()) '\uFFFD' else it }.joinToString("").replace('\\', '/').split('/')
-        .filter { it.isNotBlank() && it != "." && it != ".." }
+    val plain = composed(path).map { if (it.isISOControl()) '\uFFFD' else it }.joinToString("").replace('\\', '/')
+    val parts = plain.split('/').filter { it.isNotBlank() && it != "." && it != ".." }
     val isJunk = parts.size !in 1..MAXIMUM_PARTS || parts.any { it.startsWith('.') || it.lowercase() in JUNK }
     return parts.takeUnless { isJunk }
+}
+
+/** Whether an editor has left the file [name] beside what pupils make: BlueJ's own files, and locks of an office. */
+internal fun isLeftBehind(name: String): Boolean {
+    val plain = name.lowercase()
+    return plain.startsWith("~$") || plain.endsWith(".ctxt") || plain == "package.bluej" ||
+        plain.substringBefore('.') == "readme"
 }
 
 /** [name] without its extension, or whole if it has none. */
@@ -60,4 +71,5 @@ internal fun stemOf(name: String): String = name.substringBeforeLast('.').ifEmpt
 
 /** Deeper folders are no hand-ins. */
 private const val MAXIMUM_PARTS = 50
+private const val CLASS = ".class"
 private val JUNK = setOf("__macosx", "thumbs.db", "desktop.ini")

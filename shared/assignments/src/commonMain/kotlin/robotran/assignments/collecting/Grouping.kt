@@ -61,8 +61,8 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
      * @param prefix names the class if there are several; empty otherwise.
      */
     fun groups(files: List<FoundFile>, depth: Int, prefix: String): List<FileGroup> {
-        val direct = files.filter { it.path.size == depth + 1 }
-        val folders = (files - direct.toSet()).groupBy { it.path[depth] }
+        val direct = files.filter { it.path.size == depth + 1 && !it.isEmptyFolder }
+        val folders = files.filter { it.path.size > depth + 1 }.groupBy { it.path[depth] }
         if (folders.size == 1 && (direct.all(isNoHandIn) || isClass(folders.values.single(), depth + 1))) {
             return directGroups(direct, depth, prefix, isOnly = false) +
                 groups(folders.values.single(), depth + 1, prefix)
@@ -81,19 +81,29 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
 
     private fun directGroups(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> {
         val java = direct.filter { it.kind == FoundKind.JAVA }
-        val isOneProgram = java.size > 1 && java.count(::hasMain) < 2
+        val compiled = if (java.isEmpty()) emptyList() else direct.filter { it.isClassFile }
+        val isOneProgram = java.size > 1 && java.count(::startsHere) < 2
         val nqc = NqcFiles(direct)
-        val single = direct.filterNot { (isOneProgram && it in java) || it in nqc.included }.map { file ->
+        val parts = nqc.included + compiled + if (isOneProgram) java else emptyList()
+        val single = direct.filterNot { it in parts }.map { file ->
             val name = if (isOnly) file.path[depth - 1] else stemOf(file.name)
-            val files = (listOf(file) + nqc.includedBy(file)).map { it.at(listOf(it.name)) }
+            val files = (listOf(file) + nqc.includedBy(file) + classesOf(file, compiled)).map { it.at(listOf(it.name)) }
             FileGroup(null, prefix + name, file.shownPath, files, false, isOnly)
         }
         if (!isOneProgram) return single
-        val main = java.firstOrNull(::hasMain) ?: java.first()
+        val main = java.firstOrNull(::startsHere) ?: java.first()
         val name = main.path.getOrNull(depth - 1) ?: stemOf(main.name)
         val origin = main.path.dropLast(1).ifEmpty { main.path }.joinToString("/")
-        return single + FileGroup(null, prefix + name, origin, java.map { it.at(listOf(it.name)) }, true)
+        return single + FileGroup(null, prefix + name, origin, (java + compiled).map { it.at(listOf(it.name)) }, true)
     }
+
+    /** Those of [compiled] that the compiler has made of [source]. */
+    private fun classesOf(source: FoundFile, compiled: List<FoundFile>): List<FoundFile> =
+        if (source.kind != FoundKind.JAVA) {
+            emptyList()
+        } else {
+            compiled.filter { stemOf(it.name).substringBefore('$') == stemOf(source.name) }
+        }
 
     /** Whether a folder holds the folders of pupils, rather than the files of one. */
     private fun holdsPupils(files: List<FoundFile>, depth: Int): Boolean {
@@ -101,7 +111,7 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
         val folders = useful.filter { it.path.size > depth + 1 }.groupBy { it.path[depth] }
         if (useful.any { it.path.size == depth + 1 }) return false
         if (folders.size == 1) return holdsPupils(useful, depth + 1)
-        return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || useful.count(::hasMain) > 1)
+        return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || useful.count(::startsHere) > 1)
     }
 
     /** Whether the only folder beside loose files holds the projects of several pupils, rather than the work of one. */
@@ -111,12 +121,10 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
             works.any { it.name.endsWith(FileKind.PROJECT.extension, ignoreCase = true) }
     }
 
-    private fun hasMain(file: FoundFile): Boolean = file.kind == FoundKind.JAVA &&
-        (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
+    private fun startsHere(file: FoundFile): Boolean = file.kind == FoundKind.JAVA && hasMain(file.text)
 
     private companion object {
         /** One pupil may leave two, such as a program and a project. */
         const val MINIMUM_WORKS_OF_CLASS = 3
-        val MAIN = Regex("\\bvoid\\s+main\\s*\\(")
     }
 }

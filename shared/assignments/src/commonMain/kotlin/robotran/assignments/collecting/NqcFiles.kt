@@ -5,10 +5,7 @@ import robotran.programs.nqcIncludes
 /** Which of the [files] of a folder programs in NQC include; they are part of these programs. */
 internal class NqcFiles(private val files: List<FoundFile>) {
     private val names: Map<FoundFile, List<String>> = files.filter { it.kind == FoundKind.NQC }
-        .associateWith { file ->
-            val bytes = (file.content as? FoundContent.Bytes)?.bytes
-            nqcIncludes(bytes?.decodeToString().orEmpty()).map { it.substringAfterLast('/') }
-        }
+        .associateWith { file -> nqcIncludes(file.text).map { it.substringAfterLast('/') } }
 
     /** Those that another one includes, unless both include each other. */
     val included: Set<FoundFile> = names.keys.flatMap { includedBy(it) }.filterNot { it in includedBy(it) }.toSet()

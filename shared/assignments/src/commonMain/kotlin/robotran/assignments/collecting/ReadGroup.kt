@@ -5,11 +5,8 @@ import robotran.brick.program.BrickProgram
 import robotran.documents.programText
 import robotran.json.JsonLimits
 import robotran.language.Language
-import robotran.language.ProgramLanguage
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.fault
-import robotran.programs.nqcProgramsOf
 import robotran.programs.toLasm
 import robotran.projects.LinkResult
 import robotran.projects.Project
@@ -21,8 +18,16 @@ import robotran.projects.linksIn
 import robotran.projects.openHandInLink
 import robotran.projects.readProject
 
-/** Reads what the files of a group hold. */
-internal class GroupReader(private val assignment: Project, private val language: Language) {
+/**
+ * Reads what the files of a group hold.
+ *
+ * @param elsewhere the IDs of assignments whose hand-ins somebody else reads.
+ */
+internal class GroupReader(
+    private val assignment: Project,
+    private val language: Language,
+    private val elsewhere: Set<String> = emptySet(),
+) {
     private val messages = CollectingMessages.of(language)
     private val given = GivenWork(assignment)
     private val remarks = RemarkFinder(assignment, given)
@@ -50,8 +55,11 @@ internal class GroupReader(private val assignment: Project, private val language
         /** The assignment itself, which is a hand-in only where nothing else is. */
         private val copies = mutableListOf<Candidate>()
         private val notes = mutableListOf<String>()
+        private val compiled = mutableListOf<String>()
+        private var isElsewhere = false
 
         suspend fun add(file: FoundFile) {
+            if (file.isClassFile) compiled += file.name
             val bytes = when (val content = file.content) {
                 is FoundContent.Ignored -> return
                 is FoundContent.Problem -> return problems.plusAssign(content.reason)
@@ -95,18 +103,29 @@ internal class GroupReader(private val assignment: Project, private val language
 
         fun read(): ReadFiles {
             val hasWork = projects.any { it.submission is Submission.Usable }
-            val programs = if (hasWork) emptyList() else listOfNotNull(ofPrograms())
-            val usable = (projects + programs).ifEmpty { if (group.isPupils) copies else emptyList() }
-            val isNone = usable.isEmpty() && (group.isPupils || problems.isNotEmpty() || notes.isEmpty())
-            val reason = problems.firstOrNull() ?: notes.firstOrNull() ?: messages.nothingUsable()
-            if (!isNone) return ReadFiles(usable, notes)
+            val programs = programsOf(sources)
+            val found = if (hasWork || programs.isEmpty()) projects else projects + candidate(ofPrograms(programs))
+            val beside = SubmissionRemark.BesideProject(programs.map { it.name }).takeIf { hasWork && programs.any() }
+            val left = SubmissionRemark.CompiledLeftOut(compiled).takeIf { programs.any() && compiled.any() }
+            val parts = problems.distinct().map(SubmissionRemark::PartUnusable)
+            val all = (found.ifEmpty { if (group.isPupils) copies else emptyList() })
+                .map { it.with(listOfNotNull(beside, left) + parts) }
+            val isNone = all.isEmpty() && !isElsewhere && (group.isPupils || problems.isNotEmpty() || notes.isEmpty())
+            if (!isNone) return ReadFiles(all, notes)
+            val reason = problems.firstOrNull() ?: notes.firstOrNull() ?: nothingIn()
             return ReadFiles(listOf(candidate(Submission.Unusable(group.name, group.origin, reason))), emptyList())
+        }
+
+        private fun nothingIn(): String = when {
+            group.files.all { it.isEmptyFolder } -> messages.emptyFolder()
+            compiled.isNotEmpty() -> messages.onlyCompiled()
+            else -> messages.nothingUsable()
         }
 
         private suspend fun addText(file: FoundFile, text: String) {
             if (isProject(text)) {
                 when (val result = readProject(text, language)) {
-                    is ProjectFileResult.Loaded -> addProject(file, result.project, group.name, file.name)
+                    is ProjectFileResult.Loaded -> addProject(result.project, group.name, file.name)
                     is ProjectFileResult.Rejected -> problems += "${file.name}: ${result.message}"
                 }
                 return
@@ -121,7 +140,7 @@ internal class GroupReader(private val assignment: Project, private val language
             val name = if (isOnly || group.isFolder) group.name else messages.linkIn(file.name, line)
             val origin = if (isOnly) file.name else messages.linkIn(file.name, line)
             val reason = when (val result = openHandInLink(link, assignment.world, language)) {
-                is LinkResult.OfProject -> return addProject(file, result.project, name, origin, link)
+                is LinkResult.OfProject -> return addProject(result.project, name, origin, link)
                 is LinkResult.OfWorld -> messages.onlyWorld()
                 is LinkResult.OfCourse -> messages.onlyCourse()
                 is LinkResult.Rejected -> result.message
@@ -130,70 +149,59 @@ internal class GroupReader(private val assignment: Project, private val language
         }
 
         /** @param link from which [project] came; null if it is a file. */
-        private fun addProject(file: FoundFile, project: Project, name: String, origin: String, link: String? = null) {
+        private fun addProject(project: Project, name: String, origin: String, link: String? = null) {
             val isAssignment = given.isAssignment(project)
             when {
+                project.assignment?.id in elsewhere -> isElsewhere = true
                 project.feedback != null -> notes += messages.isFeedback(origin)
                 isAssignment && !group.isPupils -> notes += messages.isAssignment(origin)
-                else -> (if (isAssignment) copies else projects) += candidate(file, project, name, origin, link)
+                else -> (if (isAssignment) copies else projects) += candidate(project, name, origin, link)
             }
         }
 
-        private fun candidate(
-            file: FoundFile,
-            project: Project,
-            name: String,
-            origin: String,
-            link: String?,
-        ): Candidate {
+        private fun candidate(project: Project, name: String, origin: String, link: String?): Candidate {
             val handIn = project.handIn
-            val entered = handIn?.name.orEmpty().takeIf { it.isNotBlank() && group.key == null }
-            val shown = entered ?: name
+            val entered = handIn?.name.orEmpty().takeIf { it.isNotBlank() }
+            val shown = entered.takeIf { group.key == null } ?: name
             val first = project.world.robots.first().name
             val robot = project.robots.firstOrNull { it.name == first }
-            val submission = if (robot == null || robot.programs.isEmpty()) {
-                Submission.Unusable(shown, originOf(origin), messages.noProgram(first))
-            } else {
-                val found = remarks.of(project) + remarks.of(robot.programs)
-                Submission.Usable(shown, originOf(origin), robot, project, handIn, found)
+            val other = remarks.otherAssignment(project)
+            // Only a folder that is named after the pupil says anything against the hand-in.
+            val isOther = entered != null && group.isFolder && !mayBeSamePerson(entered, group.name)
+            val about = remarks.of(project) + listOfNotNull(entered.takeIf { isOther }?.let(SubmissionRemark::OtherName))
+            val submission = when {
+                other != null -> Submission.Unusable(shown, originOf(origin), messages.otherAssignment(other), about, project)
+
+                robot == null || robot.programs.isEmpty() ->
+                    Submission.Unusable(shown, originOf(origin), messages.noProgram(first), about, project)
+
+                else -> {
+                    val found = about + remarks.of(robot.programs) + listOfNotNull(remarks.chosenOf(robot))
+                    Submission.Usable(shown, originOf(origin), robot, project, handIn, found)
+                }
             }
-            return candidate(submission, file.modified ?: 0, link)
+            return candidate(submission, link)
         }
 
-        /** All Java files are one program; of files with the same name the newest counts. */
-        private fun ofPrograms(): Candidate? {
-            val newest = sources.groupBy { it.first.name }.values.map { same -> same.maxBy { it.first.modified ?: 0 } }
-            val programs = programsOf(newest.map { (file, text) -> file.kind to SourceFile(file.name, text) })
-            if (programs.isEmpty()) return null
-            val modified = newest.maxOf { it.first.modified ?: 0 }
-            val submission = if (programs.size > BrickProgram.MAX_PROGRAMS) {
+        private fun ofPrograms(programs: List<ProjectProgram>): Submission {
+            if (programs.size > BrickProgram.MAX_PROGRAMS) {
                 val reason = messages.tooManyPrograms(programs.size, BrickProgram.MAX_PROGRAMS)
-                Submission.Unusable(group.name, group.origin, reason)
-            } else {
-                val robot = ProjectRobot(assignment.world.robots.first().name, programs)
-                Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs))
+                return Submission.Unusable(group.name, group.origin, reason)
             }
-            return candidate(submission, modified)
-        }
-
-        private fun programsOf(files: List<Pair<FoundKind, SourceFile>>): List<ProjectProgram> {
-            val sources = files.groupBy({ it.first }, { it.second })
-            val java = sources[FoundKind.JAVA].orEmpty()
-            val alone = sources[FoundKind.ROBOLANG].orEmpty() + sources[FoundKind.LASM].orEmpty()
-            val programs = alone.map { file ->
-                ProgramSource.of(checkNotNull(ProgramLanguage.ofFile(file.name)), file.name, listOf(file))
-            } + nqcProgramsOf(sources[FoundKind.NQC].orEmpty()) +
-                listOfNotNull(java.firstOrNull()?.let { ProgramSource.Java(it.name, java) })
-            return programs.mapNotNull { ProjectProgram.of(it) }
+            val robot = ProjectRobot(assignment.world.robots.first().name, programs)
+            val usable = Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs))
+            return usable.copy(
+                alternatives = programs.indices.drop(1).map { usable.copy(robot = robot.copy(firstProgram = it)) },
+            )
         }
 
         /** @param link from which it came; null for files. */
-        private fun candidate(submission: Submission, modified: Long = 0, link: String? = null): Candidate {
+        private fun candidate(submission: Submission, link: String? = null): Candidate {
             val place = group.key ?: if (group.isFolder) group.origin else ""
             // A folder that no platform has made may still hold what several pupils have handed in.
             val pupil = group.key ?: listOf(link.takeUnless { group.isFolder } ?: group.origin, keyOf(submission.name))
                 .joinToString(" ")
-            return Candidate(place, pupil, modified, submission)
+            return Candidate(place, pupil, submission)
         }
 
         private fun originOf(file: String) = if (group.isFolder) "${group.origin}/$file" else file

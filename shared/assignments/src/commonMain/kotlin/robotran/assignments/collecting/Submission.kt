@@ -15,50 +15,67 @@ sealed interface Submission {
     /** The file, folder or link it came from, as shown to the teacher. */
     val origin: String
 
+    /** What the teacher should know. */
+    val remarks: List<SubmissionRemark>
+
+    /** The whole hand-in, to open it; null if there is no project in it. */
+    val project: Project?
+
     /**
      * There are programs in it.
      *
      * @property robot the programs and choices for the first robot.
-     * @property project the whole hand-in, to open it; null if there were only program files.
      * @property handIn what the pupil's device says about it; null for programs that were not handed in by the app.
-     * @property remarks what the teacher should know.
+     * @property alternatives what may count in its place: grading decides, see [choose]. They have none themselves.
      */
     data class Usable(
         override val name: String,
         override val origin: String,
         val robot: ProjectRobot,
-        val project: Project? = null,
+        override val project: Project? = null,
         val handIn: HandIn? = null,
-        val remarks: List<SubmissionRemark> = emptyList(),
-    ) : Submission
+        override val remarks: List<SubmissionRemark> = emptyList(),
+        val alternatives: List<Usable> = emptyList(),
+    ) : Submission {
+        /** All that may count, in an order that depends on names alone. */
+        val attempts: List<Usable> get() = listOf(copy(alternatives = emptyList())) + alternatives
+
+        /** The one of [attempts] with this [index] alone; it says so in a remark if there were others. */
+        fun choose(index: Int): Usable {
+            if (alternatives.isEmpty()) return this
+            val chosen = attempts[index]
+            val names = namesOf(attempts)
+            return chosen.copy(remarks = chosen.remarks + SubmissionRemark.BestCounts(names[index], names))
+        }
+    }
 
     /** Nothing in it can be used; [reason] is a sentence. */
-    data class Unusable(override val name: String, override val origin: String, val reason: String) : Submission
+    data class Unusable(
+        override val name: String,
+        override val origin: String,
+        val reason: String,
+        override val remarks: List<SubmissionRemark> = emptyList(),
+        override val project: Project? = null,
+    ) : Submission
 }
 
-/** What the teacher should know about a submission. */
-sealed interface SubmissionRemark {
-    /** The file was changed after it was handed in, or damaged. */
-    data object Changed : SubmissionRemark
+/** The same with [remarks], too. */
+internal fun Submission.with(remarks: List<SubmissionRemark>): Submission = when (this) {
+    is Submission.Unusable -> copy(remarks = this.remarks + remarks)
 
-    /** It was handed in for another assignment, called [title]. */
-    data class OtherAssignment(val title: String) : SubmissionRemark
+    is Submission.Usable -> copy(
+        remarks = this.remarks + remarks,
+        alternatives = alternatives.map { it.copy(remarks = it.remarks + remarks) },
+    )
+}
 
-    /** The pupil has changed the world, which the assignment does not allow. It is graded in the assignment's own. */
-    data object WorldChanged : SubmissionRemark
-
-    /** The pupil has changed the world, which the assignment allows. It is graded in the assignment's all the same. */
-    data object OwnWorld : SubmissionRemark
-
-    /** The programs are those that the pupil began with. */
-    data object Unchanged : SubmissionRemark
-
-    /** A program is in a language that the assignment does not allow. */
-    data class LanguageNotAllowed(val program: String) : SubmissionRemark
-
-    /** The programs use [words] that the assignment does not allow. */
-    data class WordsNotAllowed(val words: List<String>) : SubmissionRemark
-
-    /** The same pupil has handed in [count] more, older ones, which do not count. */
-    data class OlderLeftOut(val count: Int) : SubmissionRemark
+/** What tells [attempts] apart: the names of the programs that run, or those of the files they came from, or both. */
+private fun namesOf(attempts: List<Submission.Usable>): List<String> {
+    val programs = attempts.map { it.robot.programs.getOrNull(it.robot.firstProgram)?.name.orEmpty() }
+    val files = attempts.map { it.origin.substringAfterLast('/') }
+    return when {
+        attempts.all { it.origin == attempts.first().origin } -> programs
+        files.toSet().size == files.size -> files
+        else -> attempts.zip(programs) { attempt, program -> "${attempt.origin}: $program" }
+    }
 }

@@ -2,42 +2,52 @@ package robotran.assignments.collecting
 
 import robotran.assignments.messages.CollectingMessages
 
-/** Finds all files among the collected ones, also in zips and zips inside them, within the [CollectingLimits]. */
+/**
+ * Finds all files among the collected ones, also in zips and zips inside them, within the [CollectingLimits]. A folder
+ * in which there is none is a [FoundFile] without a name, so that its pupil is not forgotten.
+ */
 internal class Unpacking(private val messages: CollectingMessages) {
     private val found = mutableListOf<FoundFile>()
+    private val folders = linkedSetOf<List<String>>()
 
     suspend fun unpack(files: List<CollectedFile>): List<FoundFile> {
         for (file in files) {
             val path = pathOf(file.path) ?: continue
             if (found.size >= CollectingLimits.MAXIMUM_FILES) break
-            when (FoundKind.of(path.last())) {
-                FoundKind.ZIP -> {
-                    found +=
-                        unpacked(file.bytes, path, file.modified, CollectingLimits.MAXIMUM_ZIP_BYTES, 1)
-                }
+            when {
+                isNoFile(file.path, path) -> Unit
 
-                FoundKind.OTHER -> {
-                    found += FoundFile(path, file.modified, FoundContent.Ignored)
-                }
+                FoundKind.of(path.last()) == FoundKind.ZIP ->
+                    found += unpacked(file.bytes, path, CollectingLimits.MAXIMUM_ZIP_BYTES, 1)
 
-                else -> {
-                    found += FoundFile(path, file.modified, FoundContent.Bytes(file.bytes))
-                }
+                FoundKind.of(path.last()) == FoundKind.OTHER -> found += FoundFile(path, FoundContent.Ignored)
+
+                else -> found += FoundFile(path, FoundContent.Bytes(file.bytes))
             }
         }
-        return found
+        return found + emptyFolders()
+    }
+
+    /** Whether [path] is a folder, or something that an editor has left behind; its folder is noted. */
+    private fun isNoFile(written: String, path: List<String>): Boolean {
+        val isFolder = written.endsWith('/') || written.endsWith('\\')
+        if (!isFolder && !isLeftBehind(path.last())) return false
+        (if (isFolder) path else path.dropLast(1)).takeIf { it.isNotEmpty() }?.let(folders::add)
+        return true
+    }
+
+    private fun emptyFolders(): List<FoundFile> {
+        val full = found.flatMapTo(mutableSetOf()) { file -> file.path.indices.map { file.path.take(it) } }
+        val empty = folders.filter { it !in full }
+        // A folder that holds only empty ones is none itself.
+        val holding = empty.flatMapTo(mutableSetOf()) { path -> path.indices.map { path.take(it) } }
+        return empty.filter { it !in holding }.map { FoundFile(it + "", FoundContent.Ignored) }
     }
 
     /** The files in [zip]; or the zip itself with a problem, if it cannot be unpacked or becomes too large. */
-    private suspend fun unpacked(
-        zip: ByteArray,
-        path: List<String>,
-        modified: Long?,
-        budget: Int,
-        depth: Int,
-    ): List<FoundFile> {
+    private suspend fun unpacked(zip: ByteArray, path: List<String>, budget: Int, depth: Int): List<FoundFile> {
         val name = path.last()
-        val problem = { reason: String -> listOf(FoundFile(path, modified, FoundContent.Problem(reason))) }
+        val problem = { reason: String -> listOf(FoundFile(path, FoundContent.Problem(reason))) }
         val entries = when (val reading = readZip(zip)) {
             is ZipReading.Read -> reading.entries
             ZipReading.Broken -> return problem(messages.brokenZip(name))
@@ -49,15 +59,15 @@ internal class Unpacking(private val messages: CollectingMessages) {
         var left = budget
         for (entry in entries) {
             val place = folder + (pathOf(entry.path) ?: continue)
+            if (isNoFile(entry.path, place)) continue
             val kind = FoundKind.of(place.last())
             if (kind == FoundKind.OTHER) {
-                files += FoundFile(place, entry.modified, FoundContent.Ignored)
+                files += FoundFile(place, FoundContent.Ignored)
                 continue
             }
             val isZip = kind == FoundKind.ZIP
             if (isZip && depth == CollectingLimits.MAXIMUM_DEPTH) {
-                files +=
-                    FoundFile(place, entry.modified, FoundContent.Problem(messages.zipTooDeep(place.last(), depth)))
+                files += FoundFile(place, FoundContent.Problem(messages.zipTooDeep(place.last(), depth)))
                 continue
             }
             val limit = if (isZip) CollectingLimits.MAXIMUM_INNER_ZIP_BYTES else CollectingLimits.MAXIMUM_FILE_BYTES
@@ -66,16 +76,12 @@ internal class Unpacking(private val messages: CollectingMessages) {
             if (content == null && entry.size > left) return problem(messages.zipTooLarge(name, budget))
             left -= content?.size ?: 0
             if (content != null && isZip) {
-                val inner = unpacked(content, place, entry.modified, minOf(left, limit), depth + 1)
+                val inner = unpacked(content, place, minOf(left, limit), depth + 1)
                 left -= inner.sumOf { (it.content as? FoundContent.Bytes)?.bytes?.size ?: 0 }
                 files += inner
             } else {
-                files += FoundFile(
-                    place,
-                    entry.modified,
-                    content?.let(FoundContent::Bytes)
-                        ?: FoundContent.Problem(reason ?: messages.brokenZip(place.last())),
-                )
+                val problemOfFile = FoundContent.Problem(reason ?: messages.brokenZip(place.last()))
+                files += FoundFile(place, content?.let(FoundContent::Bytes) ?: problemOfFile)
             }
             if (found.size + files.size > CollectingLimits.MAXIMUM_FILES) {
                 return problem(messages.tooManyEntries(name, CollectingLimits.MAXIMUM_FILES))

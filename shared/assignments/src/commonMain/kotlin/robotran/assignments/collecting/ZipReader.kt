@@ -5,7 +5,7 @@ import robotran.projects.inflate
 
 /** The result of reading the directory of a zip file. */
 internal sealed interface ZipReading {
-    /** @property entries its files, without folders, in the order of its directory. */
+    /** @property entries its files and folders, in the order of its directory. */
     class Read(val entries: List<ZippedFile>) : ZipReading
 
     data object Broken : ZipReading
@@ -17,16 +17,14 @@ internal sealed interface ZipReading {
 }
 
 /**
- * A file in the directory of a zip.
+ * A file or folder in the directory of a zip.
  *
- * @property path in the zip, with `/` between folders.
- * @property modified in milliseconds since 1970, by the clock of the machine that made the zip; null if unknown.
+ * @property path in the zip, with `/` between folders and behind a folder.
  * @property size what the zip says about its length.
  */
 internal class ZippedFile(
     private val zip: ByteArray,
     val path: String,
-    val modified: Long?,
     val size: Long,
     val isEncrypted: Boolean,
     private val method: Int,
@@ -72,7 +70,7 @@ internal fun readZip(zip: ByteArray): ZipReading {
         if (header.next > end) return ZipReading.Broken
         if (header.isZip64) return ZipReading.Zip64
         place = header.next.toLong()
-        if (!header.isFolder) entries += header.file(shift) ?: return ZipReading.Broken
+        entries += header.file(shift) ?: return ZipReading.Broken
     }
     return ZipReading.Read(entries)
 }
@@ -89,7 +87,6 @@ private class DirectoryHeader(private val zip: ByteArray, private val place: Int
     val next: Int = nameStart + nameLength + zip.short(place + 30) + zip.short(place + 32)
     val isZip64 = compressedSize == UNKNOWN || size == UNKNOWN || localPlace == UNKNOWN
     private val name: String by lazy { nameOf(zip.copyOfRange(nameStart, nameStart + nameLength)).replace('\\', '/') }
-    val isFolder: Boolean get() = name.endsWith('/')
 
     /** @param shift where the zip begins. Returns null if its content is not where the directory says. */
     fun file(shift: Long): ZippedFile? {
@@ -99,7 +96,6 @@ private class DirectoryHeader(private val zip: ByteArray, private val place: Int
         return ZippedFile(
             zip,
             name,
-            timeOf(zip.short(place + 14), zip.short(place + 12)),
             size,
             flags and ENCRYPTED != 0,
             zip.short(place + 10),
@@ -127,21 +123,6 @@ private fun nameOf(bytes: ByteArray): String = try {
     }
 }
 
-/** Null for the first day that a zip can name, which stands for no time. */
-private fun timeOf(date: Int, time: Int): Long? {
-    if (date <= EARLIEST_DAY) return null
-    val day = daysSince1970(1980 + (date shr 9), (date shr 5) and 0xF, date and 0x1F)
-    val seconds = (time shr 11) * 3600 + ((time shr 5) and 0x3F) * 60 + (time and 0x1F) * 2
-    return (day * 86_400L + seconds) * 1000
-}
-
-/** Days of the Gregorian calendar; years begin with March, so that a leap day is the last. */
-private fun daysSince1970(year: Int, month: Int, day: Int): Int {
-    val marchYear = if (month > 2) year else year - 1
-    val dayOfYear = (153 * ((month + 9) % 12) + 2) / 5 + day - 1
-    return marchYear * 365 + marchYear / 4 - marchYear / 100 + marchYear / 400 + dayOfYear - DAYS_UNTIL_1970
-}
-
 private fun ByteArray.short(place: Int): Int =
     (this[place].toInt() and 0xFF) or ((this[place + 1].toInt() and 0xFF) shl 8)
 
@@ -159,8 +140,6 @@ private const val ENCRYPTED = 1
 
 /** Stands where a number does not fit into 32 bits. */
 private const val UNKNOWN = 0xFFFFFFFFL
-private const val EARLIEST_DAY = 0x0021
-private const val DAYS_UNTIL_1970 = 719_468
 
 private const val CODE_PAGE_437_START = 128
 private const val CODE_PAGE_437 =

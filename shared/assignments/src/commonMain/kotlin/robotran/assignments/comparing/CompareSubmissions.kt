@@ -31,10 +31,7 @@ data class SimilarPair(val first: Int, val second: Int, val share: Double) {
  * Programs to which little was added are not compared at all. Two languages have nothing in common.
  */
 fun compareSubmissions(submissions: List<Submission>, assignment: Project): List<SimilarPair> {
-    val first = assignment.world.robots.first()
-    val given = assignment.robots.firstOrNull { it.name == first.name }?.programs.orEmpty() +
-        assignment.assignment?.start.orEmpty()
-    val known = shinglesOf(given).toSet()
+    val known = givenShingles(assignment)
     val shingles = submissions.map { submission ->
         val programs = (submission as? Submission.Usable)?.robot?.programs.orEmpty()
         shinglesOf(programs).filterNot { it in known }.toIntArray().apply { sort() }
@@ -70,6 +67,29 @@ fun similarGroups(pairs: List<SimilarPair>): List<SimilarGroup> {
     return marked.groupBy { groupOf.getValue(it.first).min() }.map { (_, inside) ->
         SimilarGroup(groupOf.getValue(inside.first().first).sorted(), inside.minOf { it.share })
     }
+}
+
+/** The solution of [assignment], to be recognised. It cannot be if it is very short, since many find a short one. */
+internal class KnownSolution(assignment: Project) {
+    private val known by lazy { givenShingles(assignment) }
+    private val solutions by lazy {
+        assignment.assignment?.solution.orEmpty().map(::essenceOf).filter { it.size >= FEWEST_SHINGLES }
+    }
+
+    /** Whether one of [programs] differs from a solution at most in comments, blanks and chosen names. */
+    fun isIn(programs: List<ProjectProgram>): Boolean =
+        solutions.isNotEmpty() && programs.any { essenceOf(it) in solutions }
+
+    private fun essenceOf(program: ProjectProgram): List<Int> = shinglesOf(listOf(program)).filterNot { it in known }
+}
+
+/** What pupils get of [assignment]. */
+private fun givenShingles(assignment: Project): Set<Int> {
+    val first = assignment.world.robots.first()
+    val open = assignment.robots.firstOrNull { it.name == first.name }?.programs.orEmpty()
+    val solution = assignment.assignment?.solution.orEmpty().flatMap { program -> program.files.map { it.text.trim() } }
+    val given = open.filter { program -> program.files.none { it.text.trim() in solution } }
+    return shinglesOf(given + assignment.assignment?.start.orEmpty()).toSet()
 }
 
 /** The hashes of all runs of [SHINGLE_TOKENS] tokens of each program. */

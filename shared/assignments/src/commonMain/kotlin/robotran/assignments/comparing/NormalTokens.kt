@@ -65,6 +65,10 @@ private fun javaToken(text: String, range: IntRange): String? {
     }
 }
 
+/** The words, numbers and signs of Java in [source], without comments. */
+internal fun javaWords(source: String): Sequence<String> =
+    JAVA_TOKEN.findAll(withoutBlockComments(source)).map { it.value }.filterNot { it.startsWith("//") }
+
 /** A comment in a text or behind another comment is rare, and its loss does no harm. */
 private fun withoutBlockComments(text: String): String {
     if ("/*" !in text) return text
@@ -75,12 +79,16 @@ private fun withoutBlockComments(text: String): String {
 
 private fun isAfterDot(text: String, place: Int): Boolean = place > 0 && text[place - 1] == '.'
 
+/** Whether both are the same, whatever their comments, blanks and chosen names. */
+fun isSameProgram(one: ProjectProgram, other: ProjectProgram): Boolean =
+    one.language == other.language && normalTokens(one) == normalTokens(other)
+
 internal const val MAXIMUM_TOKENS = 5_000
 private const val NAME = "name"
 
 /** A line's comment, a text or character, a name, a number, or any other sign. */
 private val JAVA_TOKEN = Regex(
-    "//[^\\n]*|\"[^\"\\n]*\"|'[^'\\n]*'|[A-Za-z_][A-Za-z_0-9]*|[0-9][0-9A-Za-z_.]*|[^\\s]",
+    "//[^\\n]*|\"[^\"\\n]*\"|'[^'\\n]*'|[A-Za-z_\u00C0-\uD7FF][A-Za-z_0-9\u00C0-\uD7FF]*|[0-9][0-9A-Za-z_.]*|[^\\s]",
 )
 
 private val LASM_WORD = Regex("[A-Za-z_]\\w*|-?\\d+")

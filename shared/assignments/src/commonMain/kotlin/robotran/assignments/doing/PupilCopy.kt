@@ -1,5 +1,6 @@
 package robotran.assignments.doing
 
+import robotran.assignments.comparing.isSameProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment
@@ -52,13 +53,18 @@ private fun plainCopy(project: Project, programs: List<ProjectProgram>) =
 
 /** Programs that are part of the solution stay with the teacher, also those that are open in the author's editor. */
 private fun beginning(project: Project, assignment: Assignment): List<ProjectProgram> {
-    val solution = assignment.solution.flatMap { program ->
+    val texts = assignment.solution.flatMap { program ->
         program.files.map { it.text.trim() }
     }.filter { it.isNotEmpty() }
     val given = assignment.start.ifEmpty { project.firstPrograms }
-    val begin = given.filter { program -> program.files.none { it.text.trim() in solution } }
+    val begin = given.filterNot { program ->
+        program.files.any { it.text.trim() in texts } || isSolution(program, assignment)
+    }
     return if (begin.isEmpty() && given.isNotEmpty()) listOf(blankFor(given.first())) else begin
 }
+
+private fun isSolution(program: ProjectProgram, assignment: Assignment): Boolean =
+    program.files.any { it.text.isNotBlank() } && assignment.solution.any { isSameProgram(it, program) }
 
 private fun blankFor(program: ProjectProgram): ProjectProgram {
     val name = if (program.language == ProgramLanguage.JAVA) program.name else "program${program.language.extension}"

@@ -5,7 +5,7 @@ import robotran.assignments.collecting.Submission
 /**
  * Keeps the progress of grading [submissions], in whatever order their results come. Not thread-safe.
  *
- * @param runsOfOne the number of runs of a hand-in.
+ * @param runsOfOne the number of runs of a hand-in of which only one thing can count.
  */
 class GradingBoard(private val submissions: List<Submission>, private val runsOfOne: Int) {
     private val rows: MutableList<GradingRow> = submissions.mapTo(mutableListOf()) {
@@ -16,13 +16,13 @@ class GradingBoard(private val submissions: List<Submission>, private val runsOf
         private set
 
     /** What is known so far. */
-    val state: GradingState get() = GradingState(rows.toList(), rows.sumOf(::done), rows.sumOf(::total), isCancelled)
+    val state: GradingState get() = GradingState(rows.toList(), rows.indices.sumOf(::done), rows.indices.sumOf(::total), isCancelled)
 
     /** Begins with the first row that waits: returns its index and hand-in, or null if none waits. */
     fun begin(): Pair<Int, Submission.Usable>? {
         val row = if (isCancelled) -1 else rows.indexOfFirst { it is GradingRow.Waiting }
         val submission = submissions.getOrNull(row) as? Submission.Usable ?: return null
-        rows[row] = GradingRow.Running(submission, 0, runsOfOne)
+        rows[row] = GradingRow.Running(submission, 0, runsOf(row))
         return row to submission
     }
 
@@ -48,17 +48,18 @@ class GradingBoard(private val submissions: List<Submission>, private val runsOf
         }
     }
 
-    private fun total(row: GradingRow): Int = when (row) {
-        is GradingRow.Waiting -> runsOfOne
-        is GradingRow.Running -> row.total
-        is GradingRow.Graded -> runsOf(row)
+    private fun total(row: Int): Int = when (val state = rows[row]) {
+        is GradingRow.Waiting -> runsOf(row)
+        is GradingRow.Running -> state.total
+        is GradingRow.Graded -> if (state.result is GradedHandIn.Graded) runsOf(row) else 0
     }
 
-    private fun done(row: GradingRow): Int = when (row) {
+    private fun done(row: Int): Int = when (val state = rows[row]) {
         is GradingRow.Waiting -> 0
-        is GradingRow.Running -> row.done
-        is GradingRow.Graded -> runsOf(row)
+        is GradingRow.Running -> state.done
+        is GradingRow.Graded -> total(row)
     }
 
-    private fun runsOf(row: GradingRow.Graded): Int = (row.result as? GradedHandIn.Graded)?.runs?.size ?: 0
+    /** As many as there may be: what has mistakes does not run. */
+    private fun runsOf(row: Int): Int = runsOfOne * ((submissions[row] as? Submission.Usable)?.attempts?.size ?: 0)
 }

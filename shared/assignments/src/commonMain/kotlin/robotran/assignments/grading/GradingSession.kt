@@ -35,9 +35,10 @@ class GradingSession(private val grader: HandInGrader, submissions: List<Submiss
             // It may have been cancelled while it was compiled.
             is Preparation.Ready -> if (!board.isCancelled) current = RunningHandIn(row, preparation)
 
-            is Preparation.HasMistakes -> board.finish(row, GradedHandIn.HasMistakes(submission, preparation.reasons))
+            is Preparation.HasMistakes ->
+                board.finish(row, GradedHandIn.HasMistakes(preparation.submission, preparation.reasons))
 
-            is Preparation.Failed -> board.finish(row, GradedHandIn.Failed(submission, preparation.reasons))
+            is Preparation.Failed -> board.finish(row, GradedHandIn.Failed(preparation.submission, preparation.reasons))
         }
     }
 
@@ -119,12 +120,12 @@ suspend fun gradeAll(
     finish: (List<PreparedRun>) -> List<RunResult>,
 ): List<GradedHandIn> {
     val prepared = submissions.map { if (it is Submission.Usable) grader.prepare(it) else null }
-    val ready = prepared.filterIsInstance<Preparation.Ready>()
-    val results = finish(ready.flatMap { it.runs() }).chunked(maxOf(1, grader.plan.runs)).iterator()
+    val runs = prepared.filterIsInstance<Preparation.Ready>().associateWith { it.runs() }
+    val results = finish(runs.values.flatten()).iterator()
     return submissions.zip(prepared) { submission, preparation ->
         when (preparation) {
             null -> GradedHandIn.Unusable(submission as Submission.Unusable)
-            is Preparation.Ready -> preparation.graded(results.next())
+            is Preparation.Ready -> preparation.graded(runs.getValue(preparation).map { results.next() })
             is Preparation.HasMistakes -> GradedHandIn.HasMistakes(preparation.submission, preparation.reasons)
             is Preparation.Failed -> GradedHandIn.Failed(preparation.submission, preparation.reasons)
         }

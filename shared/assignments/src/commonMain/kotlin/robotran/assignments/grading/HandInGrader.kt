@@ -9,6 +9,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
+import robotran.projects.ProjectRobot
 import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
@@ -40,46 +41,67 @@ class HandInGrader(
 ) {
     private val compiler = ProgramCompiler(PENBOT_TARGET, java, language, firmware)
 
-    /** Compiles the programs of [submission] for each world of the plan. */
+    /** Compiles the programs of [submission], and those of what may count in its place, for each world of the plan. */
     suspend fun prepare(submission: Submission.Usable): Preparation = try {
-        prepareUnguarded(submission)
+        val compiled = mutableMapOf<Any, RobotLoads>()
+        val attempts = submission.attempts.map { prepareOne(it, compiled) }
+        if (attempts.any { it is PreparedAttempt.Ready }) {
+            Preparation.Ready(submission, attempts, this)
+        } else {
+            attempts.first().unready(submission.choose(0))
+        }
     } catch (cancelled: CancellationException) {
         throw cancelled
     } catch (problem: Throwable) {
         Preparation.Failed(submission, listOf(reasonOf(problem)))
     }
 
-    private suspend fun prepareUnguarded(submission: Submission.Usable): Preparation {
+    /** @param compiled what is known so far: variations mostly have the same robots, and compiling Java takes long. */
+    private suspend fun prepareOne(submission: Submission.Usable, compiled: MutableMap<Any, RobotLoads>): PreparedAttempt {
         // That is no mistake of the pupil's.
         plan.worlds.firstNotNullOfOrNull { unfinishedRobot(it.world, language) }?.let { unfinished ->
-            return Preparation.Failed(submission, unfinished.diagnostics.map { it.message })
+            return PreparedAttempt.Failed(unfinished.diagnostics.map { it.message })
         }
-        val first = assignment.world.robots.first().name
-        val robots = listOf(submission.robot.copy(name = first)) + assignment.robots.filter { it.name != first }
-        val sources = robots.associate { robot -> robot.name to robot.programs.map { it.source } }
-        // Variations mostly have the same robots, and compiling Java takes long.
-        val compiled = mutableMapOf<Any, RobotLoads>()
         val loads = plan.worlds.map { graded ->
-            val known = graded.world.robots.map { it.name }
-            val own = graded.world.robots.first().name
-            val given = sources.mapKeys { (name, _) -> if (name == first) own else name }.filterKeys { it in known }
-            val robotsOfWorld = graded.world.robots.map { Triple(it.name, it.program, it.description.target) }
-            val result = compiled.getOrPut(robotsOfWorld) { readRobotLoads(graded.world, compiler, given) }
-            when (result) {
-                is RobotLoads.Ready -> {
-                    loadsWith(
-                        robots.map { if (it.name == first) it.copy(name = own) else it },
-                        graded.world,
-                        result.loads,
-                    )
-                }
-
-                is RobotLoads.HasErrors -> {
-                    return Preparation.HasMistakes(submission, result.diagnostics.map(::lineOf))
-                }
+            when (val result = loadsFor(graded, submission.robot, compiled)) {
+                is RobotLoads.Ready -> result.loads
+                is RobotLoads.HasErrors -> return PreparedAttempt.HasMistakes(result.diagnostics.map(::lineOf))
             }
         }
-        return Preparation.Ready(submission, plan.worlds.zip(loads), this)
+        return PreparedAttempt.Ready(plan.worlds.zip(loads))
+    }
+
+    /** All programs of [robot] are on its brick, unless one that does not run has mistakes. */
+    private suspend fun loadsFor(
+        graded: GradedWorld,
+        robot: ProjectRobot,
+        compiled: MutableMap<Any, RobotLoads>,
+    ): RobotLoads {
+        val all = compiledFor(graded, robot, compiled)
+        val first = robot.programs.getOrNull(robot.firstProgram)
+        if (all is RobotLoads.Ready || first == null || robot.programs.size == 1) return all
+        return compiledFor(graded, robot.copy(programs = listOf(first), firstProgram = 0), compiled)
+    }
+
+    private suspend fun compiledFor(
+        graded: GradedWorld,
+        robot: ProjectRobot,
+        compiled: MutableMap<Any, RobotLoads>,
+    ): RobotLoads {
+        val known = graded.world.robots.map { it.name }
+        val own = graded.world.robots.first().name
+        val first = assignment.world.robots.first().name
+        val robots = listOf(robot.copy(name = own)) + assignment.robots.filter { it.name != first }
+        val sources = robots.associate { it.name to it.programs.map { program -> program.source } }
+        val robotsOfWorld = graded.world.robots.map { Triple(it.name, it.program, it.description.target) }
+        val result = compiled.getOrPut(robot.programs to robotsOfWorld) {
+            readRobotLoads(graded.world, compiler, sources.filterKeys { it in known })
+        }
+        return if (result is RobotLoads.Ready) {
+            result.copy(loads = loadsWith(robots, graded.world, result.loads))
+        } else {
+            result
+        }
     }
 
     internal fun run(world: GradedWorld, loads: List<RobotLoad>, seed: Int, keepsState: Boolean) = PreparedRun(

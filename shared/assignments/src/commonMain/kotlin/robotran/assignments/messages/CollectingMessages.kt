@@ -58,10 +58,20 @@ interface CollectingMessages {
     /** The name of a link that was pasted or scanned; they are numbered from 1. */
     fun pastedLink(number: Int): String
 
+    /** It is not graded, since it was made for the assignment called [title]. */
+    fun otherAssignment(title: String): String
+
+    /** In a course: neither it nor its folder says which assignment it is for. */
+    fun noTask(): String
+
+    /** A folder has no file in it. */
+    fun emptyFolder(): String
+
+    /** There are class files, and not the Java that they were made of. */
+    fun onlyCompiled(): String
+
     /** The file is not as it was handed in. From here on, the functions are remarks on a submission that is usable. */
     fun changed(): String
-
-    fun otherAssignment(title: String): String
 
     fun worldChanged(): String
 
@@ -78,8 +88,35 @@ interface CollectingMessages {
 
     fun wordsNotAllowed(words: List<String>): String
 
-    /** The same pupil has handed in [count] more. */
-    fun olderLeftOut(count: Int): String
+    /** It is the teacher's own file. */
+    fun teachersFile(): String
+
+    /** A program equals the teacher's solution. */
+    fun isSolution(): String
+
+    /** @param entered what the hand-in says; the pupil's folder says something else. */
+    fun otherName(entered: String): String
+
+    /** Of [all], which were graded, [chosen] did best. */
+    fun bestCounts(chosen: String, all: List<String>): String
+
+    /** Of the programs [all], [chosen] was chosen in the app. */
+    fun chosenInApp(chosen: String, all: List<String>): String
+
+    /** @param programs files that lie beside a project. */
+    fun besideProject(programs: List<String>): String
+
+    /** @param origins of hand-ins of the same pupil. */
+    fun fewerTries(origins: List<String>): String
+
+    /** @param origins of hand-ins of the same pupil that are too many to be tried. */
+    fun notTried(origins: List<String>): String
+
+    /** @param reason a sentence. */
+    fun partUnusable(reason: String): String
+
+    /** @param classes files with compiled classes. */
+    fun compiledLeftOut(classes: List<String>): String
 
     companion object {
         fun of(language: Language): CollectingMessages =

@@ -49,9 +49,16 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun pastedLink(number: Int) = "Pasted link $number"
 
-    override fun changed() = "The file was changed after it was handed in, or it is damaged."
-
     override fun otherAssignment(title: String) = "It was handed in for another assignment: $title."
+
+    override fun noTask() = "Nothing says which task of the course it is for. " +
+        "Put the name of the task into the name of the file or a folder."
+
+    override fun emptyFolder() = "The folder is empty."
+
+    override fun onlyCompiled() = "There are only compiled classes in it. Ask for the Java files."
+
+    override fun changed() = "The file was changed after it was handed in, or it is damaged."
 
     override fun worldChanged() =
         "The world was changed, which the assignment does not allow. It was graded in the assignment's own world."
@@ -68,9 +75,26 @@ internal object EnglishCollectingMessages : CollectingMessages {
     override fun wordsNotAllowed(words: List<String>) =
         "It uses words that the assignment does not allow: ${listed(words, "and")}."
 
-    override fun olderLeftOut(count: Int) = if (count == 1) {
-        "One more hand-in of the same pupil does not count: it is older."
-    } else {
-        "$count more hand-ins of the same pupil do not count: they are older."
-    }
+    override fun teachersFile() = "This is your own file of the assignment."
+
+    override fun isSolution() = "The program is the same as your solution."
+
+    override fun otherName(entered: String) = "The hand-in says that it is from $entered."
+
+    override fun bestCounts(chosen: String, all: List<String>) =
+        "All of ${listed(all, "and")} were run: $chosen counts, none did better."
+
+    override fun chosenInApp(chosen: String, all: List<String>) =
+        "Of ${listed(all, "and")}, $chosen counts: it was chosen in the app."
+
+    override fun besideProject(programs: List<String>) =
+        "The project counts. ${listed(programs, "and")} beside it ${if (programs.size == 1) "does" else "do"} not."
+
+    override fun fewerTries(origins: List<String>) = "The hand-in with the most tries counts, without ${listed(origins, "and")}."
+
+    override fun notTried(origins: List<String>) = "These are too many to be run, too: ${listed(origins, "and")}."
+
+    override fun partUnusable(reason: String) = "Left out: $reason"
+
+    override fun compiledLeftOut(classes: List<String>) = "The source counts, without the compiled ${listed(classes, "and")}."
 }

@@ -19,6 +19,8 @@ internal object EnglishReportMessages : ReportMessages {
         "comment",
     )
 
+    override fun assignment() = "assignment"
+
     override fun meanSeconds() = "seconds (mean)"
 
     override fun solved() = "solved"

@@ -49,9 +49,16 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun pastedLink(number: Int) = "Eingefügter Link $number"
 
-    override fun changed() = "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
-
     override fun otherAssignment(title: String) = "Es wurde für eine andere Aufgabe abgegeben: $title."
+
+    override fun noTask() = "Nichts sagt, zu welcher Aufgabe des Kurses es gehört. " +
+        "Schreib den Namen der Aufgabe in den Namen der Datei oder eines Ordners."
+
+    override fun emptyFolder() = "Der Ordner ist leer."
+
+    override fun onlyCompiled() = "Darin sind nur übersetzte Klassen. Frag nach den Java-Dateien."
+
+    override fun changed() = "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
 
     override fun worldChanged() =
         "Die Welt wurde geändert, was die Aufgabe nicht erlaubt. Bewertet wurde in der Welt der Aufgabe."
@@ -68,9 +75,29 @@ internal object GermanCollectingMessages : CollectingMessages {
     override fun wordsNotAllowed(words: List<String>) =
         "Es benutzt Wörter, die die Aufgabe nicht erlaubt: ${listed(words, "und")}."
 
-    override fun olderLeftOut(count: Int) = if (count == 1) {
-        "Eine weitere Abgabe derselben Person zählt nicht: Sie ist älter."
-    } else {
-        "$count weitere Abgaben derselben Person zählen nicht: Sie sind älter."
-    }
+    override fun teachersFile() = "Das ist deine eigene Datei der Aufgabe."
+
+    override fun isSolution() = "Das Programm ist dasselbe wie deine Lösung."
+
+    override fun otherName(entered: String) = "In der Abgabe steht, dass sie von $entered ist."
+
+    override fun bestCounts(chosen: String, all: List<String>) =
+        "Gelaufen sind ${listed(all, "und")}: Es zählt $chosen, keines war besser."
+
+    override fun chosenInApp(chosen: String, all: List<String>) =
+        "Von ${listed(all, "und")} zählt $chosen: Das war in der App gewählt."
+
+    override fun besideProject(programs: List<String>) =
+        "Das Projekt zählt. Daneben ${if (programs.size == 1) "liegt" else "liegen"} ${listed(programs, "und")}."
+
+    override fun fewerTries(origins: List<String>) =
+        "Es zählt die Abgabe mit den meisten Versuchen, ohne ${listed(origins, "und")}."
+
+    override fun notTried(origins: List<String>) =
+        "Diese sind zu viele und liefen nicht mit: ${listed(origins, "und")}."
+
+    override fun partUnusable(reason: String) = "Weggelassen: $reason"
+
+    override fun compiledLeftOut(classes: List<String>) =
+        "Der Quelltext zählt, ohne das Übersetzte in ${listed(classes, "und")}."
 }

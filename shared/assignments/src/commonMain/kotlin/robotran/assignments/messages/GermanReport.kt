@@ -8,8 +8,8 @@ internal object GermanReportMessages : ReportMessages {
         "Ergebnis",
         "Ziele erreicht",
         "Ziele",
-        if (worlds == 1) "Seeds erreicht" else "Seeds erreicht (alle Welten)",
-        if (worlds == 1) "Seeds" else "Seeds (alle Welten)",
+        if (worlds == 1) "Startzahlen erreicht" else "Startzahlen erreicht (alle Welten)",
+        if (worlds == 1) "Startzahlen" else "Startzahlen (alle Welten)",
         "Sekunden",
         "Zeilen",
         "Versuche",
@@ -18,6 +18,8 @@ internal object GermanReportMessages : ReportMessages {
         "fast das gleiche Programm",
         "Rückmeldung",
     )
+
+    override fun assignment() = "Aufgabe"
 
     override fun meanSeconds() = "Sekunden (Mittel)"
 
@@ -44,7 +46,7 @@ internal object GermanReportMessages : ReportMessages {
     }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
-        val seeds = if (firstSeed == lastSeed) "dem Seed $firstSeed" else "den Seeds $firstSeed bis $lastSeed"
+        val seeds = if (firstSeed == lastSeed) "der Startzahl $firstSeed" else "den Startzahlen $firstSeed bis $lastSeed"
         return if (worlds == 1) "Jede lief mit $seeds." else "Jede lief in $worlds Welten mit $seeds."
     }
 
@@ -52,9 +54,9 @@ internal object GermanReportMessages : ReportMessages {
 
     override fun goal() = "Ziel"
 
-    override fun seedsMet() = "Seeds erreicht"
+    override fun seedsMet() = "Startzahlen erreicht"
 
-    override fun missedWith(seeds: String) = "verfehlt mit Seed $seeds"
+    override fun missedWith(seeds: String) = "verfehlt mit Startzahl $seeds"
 
     override fun similarHandIns() = "Ähnliche Abgaben"
 

@@ -13,6 +13,9 @@ interface ReportMessages {
      */
     fun columns(worlds: Int): List<String>
 
+    /** In a course, the heading of the column with the title of the assignment. */
+    fun assignment(): String
+
     /** The heading of the mean of the seconds. */
     fun meanSeconds(): String
 

@@ -48,9 +48,16 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun pastedLink(number: Int) = "Enlace pegado $number"
 
-    override fun changed() = "El archivo se cambió después de entregarlo, o está dañado."
-
     override fun otherAssignment(title: String) = "Se entregó para otra tarea: $title."
+
+    override fun noTask() = "Nada dice de qué tarea del curso es. " +
+        "Pon el nombre de la tarea en el nombre del archivo o de una carpeta."
+
+    override fun emptyFolder() = "La carpeta está vacía."
+
+    override fun onlyCompiled() = "Solo tiene clases compiladas. Pide los archivos de Java."
+
+    override fun changed() = "El archivo se cambió después de entregarlo, o está dañado."
 
     override fun worldChanged() =
         "El mundo está cambiado, y la tarea no lo permite. Se ha evaluado en el mundo de la tarea."
@@ -66,9 +73,29 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun wordsNotAllowed(words: List<String>) = "Usa palabras que la tarea no permite: ${listed(words, "y")}."
 
-    override fun olderLeftOut(count: Int) = if (count == 1) {
-        "Otra entrega de la misma persona no cuenta: es anterior."
-    } else {
-        "Otras $count entregas de la misma persona no cuentan: son anteriores."
-    }
+    override fun teachersFile() = "Es tu propio archivo de la tarea."
+
+    override fun isSolution() = "El programa es igual que tu solución."
+
+    override fun otherName(entered: String) = "La entrega dice que es de $entered."
+
+    override fun bestCounts(chosen: String, all: List<String>) =
+        "Se han probado ${listed(all, "y")}: cuenta $chosen, ninguno lo hizo mejor."
+
+    override fun chosenInApp(chosen: String, all: List<String>) =
+        "De ${listed(all, "y")} cuenta $chosen, elegido en la aplicación."
+
+    override fun besideProject(programs: List<String>) =
+        "Cuenta el proyecto. Al lado ${if (programs.size == 1) "está" else "están"} ${listed(programs, "y")}."
+
+    override fun fewerTries(origins: List<String>) =
+        "Cuenta la entrega con más intentos, sin ${listed(origins, "y")}."
+
+    override fun notTried(origins: List<String>) =
+        "Estas son demasiadas y no se han probado: ${listed(origins, "y")}."
+
+    override fun partUnusable(reason: String) = "No cuenta: $reason"
+
+    override fun compiledLeftOut(classes: List<String>) =
+        "Cuenta el código fuente, sin lo compilado en ${listed(classes, "y")}."
 }

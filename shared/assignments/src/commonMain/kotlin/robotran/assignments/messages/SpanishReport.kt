@@ -19,6 +19,8 @@ internal object SpanishReportMessages : ReportMessages {
         "comentarios",
     )
 
+    override fun assignment() = "tarea"
+
     override fun meanSeconds() = "segundos (media)"
 
     override fun solved() = "resuelta"

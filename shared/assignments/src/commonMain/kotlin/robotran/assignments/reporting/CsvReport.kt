@@ -13,9 +13,23 @@ import robotran.language.withComma
  * begins with an apostrophe.
  */
 fun csvReport(report: ClassReport, language: Language = Language.ENGLISH): String {
+    val titles = ReportMessages.of(language).columns(report.plan.worlds.size)
+    return csvOf(listOf(titles) + report.results.indices.map { rowOf(report, it, language) }, language)
+}
+
+/** The same for a course: with the assignment of each hand-in behind the name. */
+fun csvReport(report: CourseReport, language: Language = Language.ENGLISH): String {
     val messages = ReportMessages.of(language)
-    val titles = messages.columns(report.plan.worlds.size)
-    val rows = listOf(titles) + report.results.indices.map { rowOf(report, it, language) }
+    val titles = messages.columns(report.tasks.maxOfOrNull { it.plan.worlds.size } ?: 1)
+    val rows = report.rows(language).map { (task, index) ->
+        withTask(rowOf(task, index, language), task.assignment.world.title)
+    }
+    return csvOf(listOf(withTask(titles, messages.assignment())) + rows, language)
+}
+
+private fun withTask(row: List<String>, task: String) = listOf(row.first(), task) + row.drop(1)
+
+private fun csvOf(rows: List<List<String>>, language: Language): String {
     val separator = language.choose(english = ",", spanish = ";", german = ";")
     return rows.joinToString("") { row ->
         row.joinToString(separator, postfix = "\r\n") { cellOf(it, separator) }
@@ -24,6 +38,10 @@ fun csvReport(report: ClassReport, language: Language = Language.ENGLISH): Strin
 
 /** The same as a file. It begins with a byte order mark, without which some spreadsheets do not take it for UTF-8. */
 fun csvFile(report: ClassReport, language: Language = Language.ENGLISH): ByteArray =
+    "\uFEFF${csvReport(report, language)}".encodeToByteArray()
+
+/** The same for a course. */
+fun csvFile(report: CourseReport, language: Language = Language.ENGLISH): ByteArray =
     "\uFEFF${csvReport(report, language)}".encodeToByteArray()
 
 private fun rowOf(report: ClassReport, index: Int, language: Language): List<String> {

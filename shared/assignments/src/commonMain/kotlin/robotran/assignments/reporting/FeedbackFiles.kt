@@ -1,6 +1,9 @@
 package robotran.assignments.reporting
 
+import robotran.assignments.collecting.PlatformName
 import robotran.assignments.collecting.Submission
+import robotran.assignments.doing.ordinaryText
+import robotran.assignments.doing.pupilCopy
 import robotran.assignments.grading.GradedHandIn
 import robotran.documents.ZipEntry
 import robotran.documents.projectFile
@@ -16,41 +19,61 @@ import robotran.projects.Project
  * A file for one pupil, with the hand-in and the teacher's answer.
  *
  * @property name as [feedbackFileName] makes it, unique among the files of a class.
+ * @property path the same with what the learning platform expects before it, such as the pupil's folder, if the hand-in
+ * comes from one.
  */
-class FeedbackFile(val name: String, val bytes: ByteArray)
+class FeedbackFile(val name: String, val path: String, val bytes: ByteArray)
 
-/** One file for each hand-in of [report] that has programs. */
+/** One file for each hand-in of [report], also for those that cannot be used: their pupils learn why. */
 fun feedbackFiles(report: ClassReport, language: Language = Language.ENGLISH): List<FeedbackFile> {
     val taken = mutableSetOf<String>()
     val title = report.assignment.world.title
     return report.results.mapIndexedNotNull { index, result ->
-        val bytes = feedbackProject(report, index)?.let(::projectFile) ?: return@mapIndexedNotNull null
+        val project = feedbackProject(report, index)
+        // Better the answer alone than none, if the hand-in cannot be written.
+        val bytes = projectFile(project) ?: projectFile(Project(report.assignment.world, feedback = project.feedback))
+            ?: return@mapIndexedNotNull null
+        val prefix = PlatformName.prefixFor(result.submission.origin)
         val name = generateSequence(1) { it + 1 }
             .map { number -> feedbackFileName(result.submission.name, title, language, number) }
-            .first { taken.add(it.lowercase()) }
-        FeedbackFile(name, bytes)
+            .first { taken.add("$prefix$it".lowercase()) }
+        FeedbackFile(name, "$prefix$name", bytes)
     }
 }
 
-/** All [feedbackFiles] as one zip. */
+/** All [feedbackFiles] as one zip, in the folders of the platform from which the hand-ins came. */
 fun feedbackZip(report: ClassReport, language: Language = Language.ENGLISH): ByteArray =
-    zipOf(feedbackFiles(report, language).map { ZipEntry(it.name, it.bytes) })
+    zipOf(feedbackFiles(report, language).map { ZipEntry(it.path, it.bytes) })
 
-/** The answer to the hand-in with the index [index]; null if it has no programs. */
-fun feedbackProject(report: ClassReport, index: Int): Project? {
+/** The same for all assignments of a course. */
+fun feedbackZip(report: CourseReport, language: Language = Language.ENGLISH): ByteArray =
+    zipOf(report.tasks.flatMap { feedbackFiles(it, language) }.distinctBy { it.path }.map { ZipEntry(it.path, it.bytes) })
+
+/** The answer to the hand-in with the index [index]. It has nothing that only the teacher has. */
+fun feedbackProject(report: ClassReport, index: Int): Project {
     val result = report.results[index]
-    val submission = result.submission as? Submission.Usable ?: return null
+    val submission = result.submission
     val results = (result as? GradedHandIn.Graded)?.let { graded ->
         report.plan.worlds.map { world ->
             val runs = graded.runsIn(world.name).take(AssignmentLimits.MAXIMUM_SEEDS)
             FeedbackResult(world.name, runs.count { it.grade.passed }, runs.size)
         }
     }
-    val comment = report.comments[index].orEmpty().take(AssignmentLimits.MAXIMUM_TEXT_CHARACTERS)
-    val project = submission.project ?: Project(
+    val lines = listOf(report.comments[index].orEmpty()) + reasonsOf(result)
+    val comment = ordinaryText(
+        lines.filter { it.isNotBlank() }.joinToString("\n"),
+        AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
+        severalLines = true,
+    )
+    val project = submission.project?.let(::withoutSecrets) ?: Project(
         report.assignment.world,
-        listOf(submission.robot),
+        listOfNotNull((submission as? Submission.Usable)?.robot),
         assignment = report.assignment.assignment?.let { Assignment(it.id, mayChangeWorld = it.mayChangeWorld) },
     )
     return project.copy(feedback = Feedback(comment, results.orEmpty()))
+}
+
+private fun withoutSecrets(project: Project): Project {
+    val own = project.assignment ?: return project
+    return if (own.checks == null && own.solution.isEmpty()) project else pupilCopy(project)
 }

@@ -5,14 +5,18 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 
-/** Writes a table with a row for each hand-in of [report] to [html]. What no hand-in has is left out. */
-internal fun writeOverview(report: ClassReport, html: HtmlWriter, language: Language) {
+/**
+ * Writes a table with a row for each hand-in of [report] to [html]. What no hand-in has is left out.
+ *
+ * @param anchor what leads to a hand-in begins with it.
+ */
+internal fun writeOverview(report: ClassReport, html: HtmlWriter, language: Language, anchor: String = "p") {
     val columns = overviewColumns(report, language)
     html.raw("<table class=\"all\"><thead><tr>")
     columns.forEach { html.element("th", it.title, WORDS.takeIf { _ -> it.isWide }) }
     html.raw("</tr></thead>\n<tbody>\n")
     report.results.forEachIndexed { index, result ->
-        html.raw("<tr><td class=\"$WORDS\"><a href=\"#p$index\">")
+        html.raw("<tr><td class=\"$WORDS\"><a href=\"#$anchor$index\">")
         html.text(result.submission.name)
         html.raw("</a></td>")
         columns.drop(1).forEach { html.element("td", it.text(index), it.style(result)) }

@@ -17,34 +17,52 @@ import kotlin.io.encoding.Base64
  * @param pictures draws the end of the first run of each hand-in; null for a page without pictures.
  */
 fun htmlReport(report: ClassReport, pictures: WorldPictures?, language: Language = Language.ENGLISH): String =
-    HtmlReport(report, pictures, language).write()
+    htmlPage(report.assignment.world.title, language) { html -> HtmlReport(report, pictures, language, html, "p").write() }
 
+/** The same for a course: who has solved what, and then each assignment. */
+fun htmlReport(report: CourseReport, pictures: WorldPictures?, language: Language = Language.ENGLISH): String =
+    htmlPage(report.title, language) { html ->
+        writeMatrix(report, html, language)
+        report.tasks.forEachIndexed { task, ofTask ->
+            if (ofTask.assignment.world.title.isNotEmpty()) html.element("h2", ofTask.assignment.world.title)
+            HtmlReport(ofTask, pictures, language, html, "t${task}p").write()
+        }
+    }
+
+private fun htmlPage(title: String, language: Language, content: (HtmlWriter) -> Unit): String {
+    val html = HtmlWriter()
+    html.raw("<!DOCTYPE html>\n<html lang=\"${language.tag}\"><head><meta charset=\"utf-8\">\n")
+    html.raw("<meta http-equiv=\"Content-Security-Policy\" content=\"$POLICY\">\n")
+    html.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n")
+    html.element("title", title)
+    html.raw("<style>$REPORT_STYLE</style></head>\n<body>\n")
+    html.element("h1", title)
+    content(html)
+    html.raw("</body></html>\n")
+    return html.text
+}
+
+private const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
+/** @param anchor what leads to a hand-in begins with it. */
 private class HtmlReport(
     private val report: ClassReport,
     private val pictures: WorldPictures?,
     private val language: Language,
+    private val html: HtmlWriter,
+    private val anchor: String,
 ) {
     private val messages = ReportMessages.of(language)
-    private val html = HtmlWriter()
 
-    fun write(): String {
-        val title = report.assignment.world.title
-        html.raw("<!DOCTYPE html>\n<html lang=\"${language.tag}\"><head><meta charset=\"utf-8\">\n")
-        html.raw("<meta http-equiv=\"Content-Security-Policy\" content=\"$POLICY\">\n")
-        html.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n")
-        html.element("title", title)
-        html.raw("<style>$REPORT_STYLE</style></head>\n<body>\n")
-        html.element("h1", title)
+    fun write() {
         val passed = report.results.count { (it as? GradedHandIn.Graded)?.hasPassed == true }
         val seeds = report.plan.seeds
         val plan = messages.plan(report.plan.worlds.size, seeds.first, seeds.last)
         html.element("p", "${messages.summary(report.results.size, passed)} $plan")
-        writeOverview(report, html, language)
+        writeOverview(report, html, language, anchor)
         similar()
         notes()
         report.results.indices.forEach(::section)
-        html.raw("</body></html>\n")
-        return html.text
     }
 
     private fun notes() {
@@ -62,7 +80,7 @@ private class HtmlReport(
 
     private fun section(index: Int) {
         val result = report.results[index]
-        html.raw("<section id=\"p$index\">")
+        html.raw("<section id=\"$anchor$index\">")
         html.element("h2", result.submission.name)
         html.element("p", messages.verdict(result.verdict), result.verdict.name.lowercase())
         if (result is GradedHandIn.Graded) {
@@ -135,7 +153,6 @@ private class HtmlReport(
     }
 
     private companion object {
-        const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
         const val MOST_SEEDS = 10
 
         /** A longer one is larger than the same picture in pixels. */

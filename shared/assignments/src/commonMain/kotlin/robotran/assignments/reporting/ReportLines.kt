@@ -1,6 +1,5 @@
 package robotran.assignments.reporting
 
-import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
 import robotran.assignments.comparing.similarGroups
 import robotran.assignments.grading.GradedHandIn
@@ -8,20 +7,20 @@ import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 
-/** What a teacher should know about usable hand-ins, one line each, with the pupil's name. */
+/** What a teacher should know about hand-ins, one line each, with the pupil's name. */
 fun remarkLines(report: ClassReport, language: Language): List<String> = report.results.indices
-    .filter { report.results[it] !is GradedHandIn.Unusable }
     .flatMap { index -> warnings(report, index, language).map { "${report.results[index].submission.name}: $it" } }
 
 /** Why the hand-in [index] has no grade, and what else a teacher should know about it, in sentences or lines. */
-internal fun remarksOf(report: ClassReport, index: Int, language: Language): List<String> {
-    val reasons = when (val result = report.results[index]) {
-        is GradedHandIn.Unusable -> listOf(result.submission.reason)
-        is GradedHandIn.HasMistakes -> result.reasons
-        is GradedHandIn.Failed -> result.reasons
-        is GradedHandIn.Graded -> emptyList()
-    }
-    return reasons + warnings(report, index, language)
+internal fun remarksOf(report: ClassReport, index: Int, language: Language): List<String> =
+    reasonsOf(report.results[index]) + warnings(report, index, language)
+
+/** Why [result] has no grade, in sentences or lines. */
+internal fun reasonsOf(result: GradedHandIn): List<String> = when (result) {
+    is GradedHandIn.Unusable -> listOf(result.submission.reason)
+    is GradedHandIn.HasMistakes -> result.reasons
+    is GradedHandIn.Failed -> result.reasons
+    is GradedHandIn.Graded -> emptyList()
 }
 
 private fun warnings(report: ClassReport, index: Int, language: Language): List<String> {
@@ -29,7 +28,7 @@ private fun warnings(report: ClassReport, index: Int, language: Language): List<
     val submission = report.results[index].submission
     val same = report.countOfName(submission.name)
     val ofName = listOfNotNull(messages.sameName(same, submission.origin).takeIf { same > 1 })
-    return ofName + (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
+    return ofName + submission.remarks.map { messages.remark(it) }
 }
 
 /** The similar hand-ins of [report], a sentence for each group. */

@@ -99,7 +99,7 @@ class CollectSubmissionsTest {
                 file("maze/Go.java", "class Go { static void main(String[] a) { } }"),
             )
         assertEquals(listOf("maze"), names(found))
-        assertEquals(listOf("Arm.java", "Go.java"), programs(found.single()))
+        assertEquals(listOf("Go.java", "Arm.java"), programs(found.single()))
     }
 
     @Test
@@ -127,7 +127,7 @@ class CollectSubmissionsTest {
         )
         val platform = listOf("Anna Meyer", "Anna Meyer", "Ben Özil", "cemali", "dorad", "Eva", "Fay")
         assertEquals(platform, names(found))
-        assertEquals(listOf("Go.java", "Arm.java"), programs(found[2]))
+        assertEquals(listOf("Arm.java", "Go.java"), programs(found[2]))
         assertEquals("There is no program, no project and no link in it.", reason(found[6]))
     }
 
@@ -173,18 +173,17 @@ class CollectSubmissionsTest {
     }
 
     @Test
-    fun `of several hand-ins of a pupil the one with most tries counts, or the newest`() = runTest {
+    fun `of several hand-ins of a pupil the one with most tries counts`() = runTest {
         val found = collect(
             file("anna/a.robotran", handIn("Anna", tries = 3)),
             file("anna/b.robotran", handIn(" anNA ", tries = 7)),
             file("anna/c.robotran", handIn("Anna", tries = 2)),
-            file("ben/x.robotran", handIn("Ben", listOf(robolang("buzz\n", "newer.robo"))), modified = 2000),
-            file("ben/y.robotran", handIn("Ben", listOf(robolang("beep\n"))), modified = 1000),
+            file("ben/x.robotran", handIn("Ben")),
         )
         assertEquals(listOf(" anNA ", "Ben"), names(found))
         assertEquals(7, assertIs<Submission.Usable>(found[0]).handIn?.tries)
-        assertEquals(listOf<SubmissionRemark>(SubmissionRemark.OlderLeftOut(2)), remarks(found[0]))
-        assertEquals(listOf("newer.robo"), programs(found[1]))
+        val others = listOf("anna/a.robotran", "anna/c.robotran")
+        assertEquals(listOf<SubmissionRemark>(SubmissionRemark.FewerTries(others)), remarks(found[0]))
     }
 
     @Test
@@ -205,12 +204,13 @@ class CollectSubmissionsTest {
         )
         assertEquals(emptyList(), remarks(found[0]))
         assertEquals(listOf<SubmissionRemark>(SubmissionRemark.Changed), remarks(found[1]))
-        assertEquals(listOf<SubmissionRemark>(SubmissionRemark.OtherAssignment("Draw")), remarks(found[2]))
+        assertEquals("It was handed in for another assignment: Draw.", reason(found[2]))
         assertEquals(listOf<SubmissionRemark>(SubmissionRemark.WorldChanged), remarks(found[3]))
         assertEquals(
             listOf(
                 SubmissionRemark.LanguageNotAllowed("Prog.java"),
                 SubmissionRemark.WordsNotAllowed(listOf("beep", "show", "abs")),
+                SubmissionRemark.ChosenInApp("prog.robo", listOf("prog.robo", "Prog.java")),
             ),
             remarks(found[4]),
         )
@@ -229,12 +229,12 @@ class CollectSubmissionsTest {
             file("plain.robotran", Project(BuiltInWorlds.plain)),
             file("long.robo", "a".repeat(200_001)),
             file("photo.jpg", "JFIF"),
-            file("six/a.robo", ""),
-            file("six/b.robo", ""),
-            file("six/c.robo", ""),
-            file("six/d.robo", ""),
-            file("six/e.robo", ""),
-            file("six/f.robo", ""),
+            file("six/a.robo", "show 97"),
+            file("six/b.robo", "show 98"),
+            file("six/c.robo", "show 99"),
+            file("six/d.robo", "show 100"),
+            file("six/e.robo", "show 101"),
+            file("six/f.robo", "show 102"),
             deep,
         )
         val reasons = found.associate { it.name to (it as? Submission.Unusable)?.reason.orEmpty() }

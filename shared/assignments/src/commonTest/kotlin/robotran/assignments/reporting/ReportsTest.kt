@@ -19,6 +19,7 @@ import robotran.language.Language
 import robotran.projects.FeedbackResult
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
+import robotran.projects.ProjectRobot
 import robotran.projects.readProject
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.picture.NoWorldPictures
@@ -30,7 +31,6 @@ import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertIs
-import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class ReportsTest {
@@ -191,19 +191,67 @@ class ReportsTest {
         val report = report()
         val files = feedbackFiles(report)
         assertEquals(
-            listOf("Anna, the -first-", "=1+2", "+1+2", "cem").map { "$it - feedback - Draw.robotran" },
+            listOf("Anna, the -first-", "=1+2", "+1+2", "cem", "dora").map { "$it - feedback - Draw.robotran" },
             files.map { it.name },
         )
         val anna = assertIs<ProjectFileResult.Loaded>(readProject(files.first().bytes)).project
         assertEquals("Well <done>!\nGo on.", anna.feedback?.comment)
         assertEquals(listOf(FeedbackResult("", 2, 2), FeedbackResult("other", 2, 2)), anna.feedback?.results)
         assertEquals("Anna, the \"first\"", anna.handIn?.name)
-        val cem = checkNotNull(feedbackProject(report, 3))
+        val cem = feedbackProject(report, 3)
         assertEquals("draw-1", cem.assignment?.id)
-        assertNull(feedbackProject(report, 4))
         val zip = collectHandIns(listOf(CollectedFile("all.zip", feedbackZip(report))), ASSIGNMENT)
-        assertEquals(listOf(0, 4), listOf(zip.submissions.size, zip.notes.size))
-        assertEquals("cem - feedback - Draw.robotran is feedback, not a hand-in.", zip.notes.last())
+        assertEquals(listOf(0, 5), listOf(zip.submissions.size, zip.notes.size))
+        assertEquals("dora - feedback - Draw.robotran is feedback, not a hand-in.", zip.notes.last())
+    }
+
+    @Test
+    fun `who has handed in nothing that runs gets feedback, too, and learns why`() = runTest {
+        val report = report()
+        assertTrue("There is no command" in feedbackProject(report, 3).feedback?.comment.orEmpty())
+        val dora = assertIs<ProjectFileResult.Loaded>(readProject(feedbackFiles(report).last().bytes)).project
+        assertEquals("There is no program, no project and no link in it.", dora.feedback?.comment)
+        assertEquals(report.results.size, feedbackFiles(report).size)
+    }
+
+    @Test
+    fun `the zip with feedback is laid out as the platform wants it back`() = runTest {
+        val submissions = collect(
+            file("all/Mueller Anna_12345_assignsubmission_file_/a.robo", DRAWS),
+            file("all/Eva_12349_assignsubmission_onlinetext_/onlinetext.html", "nothing"),
+            file("all/meyerben_4712_99888_Fahrt-1.robo", DRAWS),
+            file("all/Ida.robo", DRAWS),
+        )
+        val results = gradeAll(
+            HandInGrader(ASSIGNMENT, GradingPlan.of(ASSIGNMENT), loadPhysicsEngine(), Language.ENGLISH),
+            submissions,
+        ) { runs -> runs.map { it.finish() } }
+        assertEquals(
+            listOf(
+                "Mueller Anna_12345_assignsubmission_file_/Mueller Anna - feedback - Draw.robotran",
+                "Eva_12349_assignsubmission_file_/Eva - feedback - Draw.robotran",
+                "meyerben_4712_99888_meyerben - feedback - Draw.robotran",
+                "Ida - feedback - Draw.robotran",
+            ),
+            feedbackFiles(ClassReport(ASSIGNMENT, GradingPlan.of(ASSIGNMENT), results)).map { it.path },
+        )
+    }
+
+    @Test
+    fun `feedback on the teacher's own file keeps the teacher's secrets`() = runTest {
+        val secret = robolang("forward 98\n")
+        val teachers = ASSIGNMENT.copy(
+            robots = listOf(ProjectRobot(ASSIGNMENT.world.robots.first().name, listOf(secret))),
+            assignment = ASSIGNMENT.assignment?.copy(solution = listOf(secret)),
+        )
+        val submissions = collect(file("c/vera/maze.robotran", teachers), file("c/wim/a.robo", DRAWS))
+        val report = ClassReport(
+            ASSIGNMENT,
+            GradingPlan.of(ASSIGNMENT),
+            submissions.map { GradedHandIn.HasMistakes(it as Submission.Usable, emptyList()) },
+        )
+        val file = feedbackFiles(report).first().bytes.decodeToString()
+        assertFalse("checks" in file || "solution" in file || "forward 98" in file, file)
     }
 
     @Test

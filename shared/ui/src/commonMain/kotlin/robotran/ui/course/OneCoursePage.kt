@@ -2,6 +2,8 @@ package robotran.ui.course
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
@@ -28,6 +30,7 @@ import robotran.ui.resources.course_done
 import robotran.ui.resources.course_go_on
 import robotran.ui.resources.course_task_begun
 import robotran.ui.resources.course_task_best
+import robotran.ui.resources.hand_ins_menu
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.CourseEvent
@@ -69,14 +72,22 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
                     }
                 },
             )
-            if (page.canBeChanged) {
-                SecondButton(stringResource(Res.string.course_change), "course-change", {
-                    onEvent(CourseEvent.MakingRequested(page.key))
-                })
-            }
+            if (page.canBeChanged) TeachersButtons(page, onEvent)
         }
     }
 }
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun TeachersButtons(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) =
+    FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+        SecondButton(stringResource(Res.string.hand_ins_menu), "course-hand-ins", {
+            onEvent(CourseEvent.HandInsRequested(page.key))
+        })
+        SecondButton(stringResource(Res.string.course_change), "course-change", {
+            onEvent(CourseEvent.MakingRequested(page.key))
+        })
+    }
 
 @Composable
 private fun noteOf(task: CourseTask): String? {

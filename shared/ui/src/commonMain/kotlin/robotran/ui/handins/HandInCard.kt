@@ -24,7 +24,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.assignments.grading.GradingPlan
 import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_lines
 import robotran.ui.resources.hand_ins_seconds
@@ -39,16 +38,18 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInTask
 
 /** A hand-in where there is no room for a table. A touch opens it. */
 @Composable
 internal fun HandInCard(
     row: HandInRow,
     index: Int,
-    plan: GradingPlan,
+    task: HandInTask,
     onEvent: (HandInsEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
+    val plan = task.plan
     val colours = LocalRobotranColours.current
     Row(
         Modifier.fillMaxWidth().border(1.dp, colours.line, Shapes.MEDIUM).background(colours.pane, Shapes.MEDIUM),
@@ -75,11 +76,11 @@ internal fun HandInCard(
                 val size = if (aspect >= WIDE) {
                     Modifier.widthIn(max = WIDE_WIDTH).fillMaxWidth().aspectRatio(aspect)
                 } else {
-                    Modifier.size(pictureSize(plan, PICTURE_WIDTH))
+                    Modifier.size(cardPictureSize(plan))
                 }
                 HandInPicture(row.results, plan, size)
             }
-            Column(room, Arrangement.spacedBy(6.dp)) { CardWords(row, plan) }
+            Column(room, Arrangement.spacedBy(6.dp)) { CardWords(row, task) }
         }
         Column {
             ReplayOfRow(row, index, onEvent)
@@ -97,12 +98,12 @@ private fun Opening(isStacked: Boolean, modifier: Modifier, content: @Composable
 }
 
 @Composable
-private fun CardWords(row: HandInRow, plan: GradingPlan) {
+private fun CardWords(row: HandInRow, task: HandInTask) {
     val colours = LocalRobotranColours.current
-    NameLines(row)
+    NameLines(row, task.title)
     VerdictMark(row.verdict)
     row.results?.let { graded ->
-        if (graded.runs.size > 1) RunMarks(graded, plan)
+        if (graded.runs.size > 1) RunMarks(graded, task.plan)
         Text(runsText(graded), color = colours.onPane, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
     }
     val figures = listOfNotNull(
@@ -122,7 +123,6 @@ private fun CardWords(row: HandInRow, plan: GradingPlan) {
     CommentLine(row)
 }
 
-private val PICTURE_WIDTH = 110.dp
 private val WIDE_WIDTH = 320.dp
 private const val LARGE = 1.5f
 

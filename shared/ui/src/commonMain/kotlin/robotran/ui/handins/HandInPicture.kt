@@ -52,13 +52,18 @@ internal fun HandInPicture(graded: GradedHandIn.Graded?, plan: GradingPlan, modi
 }
 
 /**
- * The size of a picture in the table: as wide as the sheet of [plan] asks, so that nothing of it stays empty, and of
- * the same area for all but very long sheets.
+ * The size of a picture in the table, where many rows are to be in sight: as wide as the sheet of [plan] asks, so that
+ * nothing of it stays empty, and of the same area for all but very long sheets.
  */
-internal fun pictureSize(plan: GradingPlan, maxWidth: Dp = MAX_WIDTH): DpSize {
+internal fun rowPictureSize(plan: GradingPlan): DpSize = pictureSize(plan, ROW_AREA, 48.dp..ROW_WIDTH, ROW_HEIGHT)
+
+/** The same on a card. */
+internal fun cardPictureSize(plan: GradingPlan): DpSize = pictureSize(plan, CARD_AREA, 56.dp..CARD_WIDTH, CARD_WIDTH)
+
+private fun pictureSize(plan: GradingPlan, area: Float, widths: ClosedRange<Dp>, maxHeight: Dp): DpSize {
     val aspect = aspectOf(plan)
-    val width = sqrt(AREA * aspect).coerceIn(MIN_WIDTH.value, maxWidth.value)
-    return DpSize(width.dp, (width / aspect).coerceAtMost(MAX_HEIGHT.value).dp)
+    val width = sqrt(area * aspect).dp.coerceIn(widths)
+    return DpSize(width, (width / aspect).coerceAtMost(maxHeight))
 }
 
 /** Width divided by height of the sheet. */
@@ -102,7 +107,8 @@ private class KeptPictures {
 private val pictures = KeptPictures()
 
 /** In dp by dp. */
-private const val AREA = 6_400f
-private val MIN_WIDTH = 56.dp
-private val MAX_WIDTH = 150.dp
-private val MAX_HEIGHT = 110.dp
+private const val ROW_AREA = 3_600f
+private val ROW_WIDTH = 128.dp
+private val ROW_HEIGHT = 64.dp
+private const val CARD_AREA = 6_400f
+private val CARD_WIDTH = 110.dp

@@ -43,7 +43,8 @@ import robotran.workshop.state.HandInsState
 internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean, onEvent: (HandInsEvent) -> Unit) {
     if (row.programs.isEmpty()) return
     val chosen = state.opened?.beside
-    val other = besideOf(state, chosen)
+    val solution = state.taskOf(row).solution
+    val other = besideOf(state, chosen, solution)
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         PartTitle(Res.string.hand_in_program)
         val choices = choicesOf(state, row)
@@ -74,9 +75,13 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
 
 /** Title and programs of what [chosen] means; null for nothing. */
 @Composable
-private fun besideOf(state: HandInsState, chosen: String?): Pair<String, List<ProjectProgram>>? = when (chosen) {
+private fun besideOf(
+    state: HandInsState,
+    chosen: String?,
+    solution: List<ProjectProgram>,
+): Pair<String, List<ProjectProgram>>? = when (chosen) {
     null -> null
-    "" -> stringResource(Res.string.hand_in_solution) to state.solution
+    "" -> stringResource(Res.string.hand_in_solution) to solution
     else -> state.rows.firstOrNull { it.id == chosen }?.let { it.name to it.programs }
 }?.takeIf { it.second.isNotEmpty() }
 
@@ -88,7 +93,7 @@ private fun choicesOf(state: HandInsState, row: HandInRow): List<Pair<String?, S
         state.comparable.filter { it.id == state.opened?.beside }
     return listOfNotNull(
         null to stringResource(Res.string.hand_in_beside_none),
-        ("" to stringResource(Res.string.hand_in_solution)).takeIf { state.solution.isNotEmpty() },
+        ("" to stringResource(Res.string.hand_in_solution)).takeIf { state.taskOf(row).solution.isNotEmpty() },
     ) + shown.distinct().map { it.id to it.name }
 }
 

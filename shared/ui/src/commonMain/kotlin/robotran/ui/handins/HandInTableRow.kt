@@ -29,6 +29,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
@@ -58,16 +59,17 @@ import robotran.ui.theme.focusRing
 import robotran.ui.worldedit.EditIcons
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInTask
 
 /** The titles of the columns; each row tells screen readers itself what its figures mean. */
 @Composable
-internal fun ColumnTitles(plan: GradingPlan) = Row(Modifier.fillMaxWidth().clearAndSetSemantics { }) {
+internal fun ColumnTitles(picture: DpSize) = Row(Modifier.fillMaxWidth().clearAndSetSemantics { }) {
     Row(
         Modifier.weight(1f).padding(horizontal = Space.SMALL),
         Arrangement.spacedBy(Space.MEDIUM),
         Alignment.Bottom,
     ) {
-        Spacer(Modifier.width(pictureSize(plan).width))
+        Spacer(Modifier.width(picture.width))
         Title(Res.string.hand_ins_column_name, Modifier.weight(NAME_WEIGHT))
         Title(Res.string.hand_ins_column_result, Modifier.width(scaled(RESULT_WIDTH)))
         Title(Res.string.hand_ins_column_runs, Modifier.width(scaled(RUNS_WIDTH)))
@@ -79,16 +81,18 @@ internal fun ColumnTitles(plan: GradingPlan) = Row(Modifier.fillMaxWidth().clear
     Spacer(Modifier.width(Dimensions.TARGET * 2))
 }
 
-/** A hand-in as a row of the table. A touch opens it. */
+/** A hand-in as a row of the table, with a picture of the size [picture]. A touch opens it. */
 @Composable
 internal fun HandInTableRow(
     row: HandInRow,
     index: Int,
-    plan: GradingPlan,
+    task: HandInTask,
+    picture: DpSize,
     onEvent: (HandInsEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
+    val plan = task.plan
     Row(
         Modifier.fillMaxWidth().border(1.dp, colours.line, Shapes.MEDIUM).background(colours.pane, Shapes.MEDIUM),
         verticalAlignment = Alignment.CenterVertically,
@@ -108,15 +112,17 @@ internal fun HandInTableRow(
             Arrangement.spacedBy(Space.MEDIUM),
             Alignment.CenterVertically,
         ) {
-            HandInPicture(row.results, plan, Modifier.size(pictureSize(plan)))
-            NameCell(row)
+            HandInPicture(row.results, plan, Modifier.size(picture))
+            NameCell(row, task)
             Box(Modifier.width(scaled(RESULT_WIDTH))) { VerdictMark(row.verdict) }
             RunsCell(row, plan)
             Figure(row.lines.takeIf { it > 0 }?.toString().orEmpty())
             Figure(triesOf(row)?.toString().orEmpty())
             Figure(row.results?.seconds?.let { secondsText(it) }.orEmpty())
             Column(Modifier.weight(REMARKS_WEIGHT), Arrangement.spacedBy(Space.HAIR)) {
-                for (remark in remarksOf(row)) RemarkLine(remark)
+                // One text of few lines, so that many rows are in sight; a touch shows all of it.
+                val remarks = remarksOf(row)
+                if (remarks.isNotEmpty()) RemarkLine(remarks.joinToString(" "))
                 CommentLine(row)
             }
         }
@@ -161,11 +167,12 @@ internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> 
 }
 
 @Composable
-private fun RowScope.NameCell(row: HandInRow) = Column(Modifier.weight(NAME_WEIGHT)) { NameLines(row) }
+private fun RowScope.NameCell(row: HandInRow, task: HandInTask) =
+    Column(Modifier.weight(NAME_WEIGHT)) { NameLines(row, task.title) }
 
-/** The name, and where it comes from. */
+/** The name, and where it comes from; in a course also [task], unless it is empty. */
 @Composable
-internal fun NameLines(row: HandInRow) {
+internal fun NameLines(row: HandInRow, task: String = "") {
     val colours = LocalRobotranColours.current
     val style = TextStyle(
         colours.onPane,
@@ -174,6 +181,7 @@ internal fun NameLines(row: HandInRow) {
         lineHeight = LineHeights.COMPACT,
     )
     ShortenedText(row.name, style, maxLines = 2)
+    if (task.isNotEmpty()) RemarkLine(task)
     // The name of the file says nothing more if it is the pupil's.
     val origin = row.submission.origin
     if (!row.hasNamesake && (origin == row.name || origin.substringBeforeLast('.') == row.name)) return

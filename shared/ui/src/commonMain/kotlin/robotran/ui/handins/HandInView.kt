@@ -117,7 +117,7 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
                     onEvent(HandInsEvent.ReplayRequested(row.id, null))
                 })
             }
-            if (row.graded != null && row.programs.isNotEmpty()) {
+            if (row.graded != null) {
                 SecondButton(stringResource(Res.string.hand_in_feedback), "hand-in-feedback", {
                     onEvent(HandInsEvent.FeedbackFileRequested(row.id))
                 })
@@ -131,13 +131,14 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
 @Composable
 private fun Results(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
     val graded = row.results ?: return
-    val aspect = state.plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
+    val plan = state.taskOf(row).plan
+    val aspect = plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
     HandInPicture(
         graded,
-        state.plan,
+        plan,
         Modifier.widthIn(max = PICTURE_HEIGHT * aspect).fillMaxWidth().aspectRatio(aspect),
     )
-    HandInRuns(row, graded, state.plan, onEvent)
+    HandInRuns(row, graded, plan, onEvent)
 }
 
 /** A title of a part of the page. */

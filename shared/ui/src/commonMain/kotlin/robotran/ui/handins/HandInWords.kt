@@ -101,8 +101,7 @@ internal fun remarksOf(row: HandInRow): List<String> {
     val namesake = listOfNotNull(
         if (row.hasNamesake) stringResource(Res.string.hand_ins_namesake, submission.origin) else null,
     )
-    return reasons + namesake + alike +
-        (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
+    return reasons + namesake + alike + submission.remarks.map { messages.remark(it) }
 }
 
 internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usable)?.handIn?.tries

@@ -44,16 +44,20 @@ import robotran.workshop.state.HandInsKind
 import robotran.workshop.state.HandInsMessage
 import robotran.workshop.state.HandInsState
 
-/** What the hand-ins are graded with, and what can be done with all of them. */
+/**
+ * What the hand-ins are graded with, and what can be done with all of them.
+ *
+ * @param hasActions false where these stay above the table.
+ */
 @Composable
-internal fun HandInsHead(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
+internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (HandInsEvent) -> Unit) =
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         when (state.kind) {
             HandInsKind.WITH_CHECKS -> Unit
             HandInsKind.WITHOUT_CHECKS -> Remark(stringResource(Res.string.hand_ins_no_checks))
             HandInsKind.WORLD -> Remark(stringResource(Res.string.hand_ins_world))
         }
-        Actions(state, onEvent)
+        if (hasActions) HandInsActions(state, onEvent)
         Text(
             stringResource(Res.string.hand_ins_local),
             color = LocalRobotranColours.current.quiet,
@@ -62,9 +66,15 @@ internal fun HandInsHead(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
         )
     }
 
+/** What can be done with all hand-ins. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) = FlowRow(
+internal fun HandInsActions(
+    state: HandInsState,
+    onEvent: (HandInsEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) = FlowRow(
+    modifier,
     horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
     verticalArrangement = Arrangement.spacedBy(Space.SMALL),
 ) {

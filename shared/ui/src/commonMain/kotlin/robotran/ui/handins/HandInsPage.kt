@@ -1,6 +1,8 @@
 package robotran.ui.handins
 
 import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.runtime.Composable
@@ -14,6 +16,7 @@ import robotran.ui.resources.hand_in_go_back
 import robotran.ui.resources.hand_ins_of
 import robotran.ui.resources.hand_ins_title
 import robotran.ui.resources.page_close
+import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInsState
 
@@ -35,7 +38,14 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
         BoxWithConstraints(Modifier.weight(1f)) {
             val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)
             if (row == null) {
-                HandInsTable(state, list, form, onEvent)
+                // Where there is room, they do not scroll away.
+                val areActionsFixed = form != TableForm.CARDS && maxHeight >= ROOM * LocalDensity.current.fontScale
+                Column {
+                    if (areActionsFixed) {
+                        HandInsActions(state, onEvent, Modifier.padding(horizontal = Space.PAGE).padding(top = Space.SMALL))
+                    }
+                    HandInsTable(state, list, form, hasActions = !areActionsFixed, onEvent)
+                }
             } else {
                 HandInView(state, row, isWide = form != TableForm.CARDS, ofOne, onEvent)
             }
@@ -45,3 +55,6 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
 }
 
 private val MAX_WIDTH = 1400.dp
+
+/** A page as high as this has room for buttons that stay. */
+private val ROOM = 480.dp

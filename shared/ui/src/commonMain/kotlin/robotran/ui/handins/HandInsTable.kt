@@ -32,6 +32,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_empty
 import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+import robotran.workshop.state.HandInTask
 import robotran.workshop.state.HandInsState
 
 /**
@@ -39,9 +41,16 @@ import robotran.workshop.state.HandInsState
  * the focus.
  *
  * @param list keeps its place meanwhile.
+ * @param hasActions whether what can be done with all of them scrolls with them.
  */
 @Composable
-internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableForm, onEvent: (HandInsEvent) -> Unit) {
+internal fun HandInsTable(
+    state: HandInsState,
+    list: LazyGridState,
+    form: TableForm,
+    hasActions: Boolean,
+    onEvent: (HandInsEvent) -> Unit,
+) {
     val focus = remember { FocusRequester() }
     var wanted by remember { mutableStateOf(state.last) }
     LaunchedEffect(Unit) {
@@ -59,7 +68,7 @@ internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableF
         horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
         verticalArrangement = Arrangement.spacedBy(Space.SMALL),
     ) {
-        whole("head") { HandInsHead(state, onEvent) }
+        whole("head") { HandInsHead(state, hasActions, onEvent) }
         if (state.rows.isEmpty() && !state.isReading) {
             whole("empty") {
                 EmptyState(
@@ -71,15 +80,15 @@ internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableF
             }
         } else {
             whole("summary") { HandInsSummary(state, onEvent) }
-            if (form == TableForm.TABLE) whole("columns") { ColumnTitles(state.plan) }
+            if (form == TableForm.TABLE) whole("columns") { ColumnTitles(rowPictureSize(state.tasks.first().plan)) }
         }
         itemsIndexed(state.rows, { _, row -> "row ${row.id}" }) { index, row ->
             val isWanted = row.id == wanted
             val modifier = if (isWanted) Modifier.focusRequester(focus) else Modifier
             if (form == TableForm.TABLE) {
-                HandInTableRow(row, index, state.plan, onEvent, modifier)
+                HandInTableRow(row, index, taskOf(state, row), rowPictureSize(state.tasks.first().plan), onEvent, modifier)
             } else {
-                HandInCard(row, index, state.plan, onEvent, modifier)
+                HandInCard(row, index, taskOf(state, row), onEvent, modifier)
             }
             if (isWanted) {
                 LaunchedEffect(Unit) {
@@ -90,6 +99,10 @@ internal fun HandInsTable(state: HandInsState, list: LazyGridState, form: TableF
         }
     }
 }
+
+/** What is for no assignment of a course has no title of one. */
+private fun taskOf(state: HandInsState, row: HandInRow): HandInTask =
+    state.taskOf(row).let { if (row.task in state.tasks.indices) it else it.copy(title = "") }
 
 /** Scrolls to the item [index] unless all of it is in sight. */
 private suspend fun LazyGridState.show(index: Int) {

@@ -36,6 +36,7 @@ import robotran.ui.assignment.AssignmentButtons
 import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.Goals
+import robotran.ui.assignment.HandInButton
 import robotran.ui.assignment.HandInLine
 import robotran.ui.assignment.HandedInLine
 import robotran.ui.assignment.Line
@@ -128,7 +129,7 @@ internal fun TaskCard(
         }
         when {
             assignment == null -> if (!isFolded) TaskOfWorld(world, learning, onEvent)
-            isFolded -> FoldedAssignment(learning, assignment, goals, canHandIn)
+            isFolded -> FoldedAssignment(learning, assignment, goals, canHandIn, onEvent)
             else -> WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed, course)
         }
     }
@@ -147,18 +148,23 @@ private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEve
         learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
     }
 
-/** A hint that has just come, the goals and the tries, so that the world can be seen. */
+/** A hint that has just come, the goals, the tries and handing in, so that the world can be seen. */
 @Composable
 private fun ColumnScope.FoldedAssignment(
     learning: LearningState,
     assignment: AssignmentState,
     goals: List<GoalProgress>,
-    tellsTries: Boolean,
+    canHandIn: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
 ) = Scrolling {
     HintCards(assignment.hints, learning.isInBlocks)
     Goals(goals)
-    if (tellsTries) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
+    if (canHandIn) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
     HandedInLine(assignment)
+    // After a try it is one touch away; before, there is nothing to hand in.
+    if (canHandIn && assignment.isOpenForTries && assignment.tries.tries > 0) {
+        HandInButton(assignment, "assignment-hand-in", onEvent)
+    }
 }
 
 @Composable

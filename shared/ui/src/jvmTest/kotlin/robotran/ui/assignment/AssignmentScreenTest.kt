@@ -182,6 +182,7 @@ class AssignmentScreenTest {
         pass(SETTLED)
         assertTrue(!has("assignment-text"))
         assertEquals(2, onAllNodesWithTag("assignment-goal").fetchSemanticsNodes().size)
+        assertTrue(has("assignment-hand-in"))
         touch("task-fold")
         assertTrue(has("assignment-text"))
         it.handle(WorkshopEvent.TaskShown(false))

@@ -54,6 +54,9 @@ internal class AssignmentAuthor(
     private val history = MakingHistory(platform.clock)
     private val sharing = AssignmentSharing(platform, current, preferences)
     private var checking: Job? = null
+    private var deciding: Job? = null
+    private val beginning = PupilsBeginning(runs)
+    private val giving = AskedGiving(runs)
 
     fun handle(event: AssignmentEvent.OfAuthor) {
         if (event == AssignmentEvent.MakingRequested) return open()
@@ -75,13 +78,15 @@ internal class AssignmentAuthor(
             is AssignmentEvent.VariationOpened -> leaveFor(event.index)
             is AssignmentEvent.CheckRequested -> check(event.on)
             AssignmentEvent.TeacherFileSaved -> share { sharing.saveForTeacher(it) }
-            AssignmentEvent.PupilFileSaved -> share { sharing.saveForPupils(it) }
-            AssignmentEvent.PupilLinkRequested -> share { sharing.makeLink(it) }
+            AssignmentEvent.PupilFileSaved -> give { sharing.saveForPupils(it) }
+            AssignmentEvent.PupilLinkRequested -> give { sharing.makeLink(it) }
             AssignmentEvent.PupilLinkCopied -> share { sharing.copyLink(it) }
             AssignmentEvent.PupilLinkShared -> share { sharing.shareLink(it) }
             AssignmentEvent.PupilLinkClosed -> state = now.copy(link = null)
-            AssignmentEvent.EmbedCodeCopied -> share { sharing.copyEmbedCode(it) }
+            AssignmentEvent.EmbedCodeCopied -> give { sharing.copyEmbedCode(it) }
             is AssignmentEvent.PackageSaved -> pack(now, event.version)
+            AssignmentEvent.GivingConfirmed -> giveAllTheSame()
+            AssignmentEvent.GivingCancelled -> state = now.copy(asksBeforeGiving = false, isPacking = false)
         }
     }
 
@@ -95,6 +100,7 @@ internal class AssignmentAuthor(
     /** Called after another project was opened. */
     fun leave() {
         checking?.cancel()
+        deciding?.cancel()
         isAway = false
         isTaskChanged = false
         state = null
@@ -104,10 +110,25 @@ internal class AssignmentAuthor(
     private fun open() {
         if (state != null) return
         val before = current.project.assignment
-        val made = before?.let(::completed)
-            ?: newAssignment(current.project, platform.clock.now, solvingProgram(current.project, lastTry()))
+        val made = before?.let(::completed) ?: begun()
         if (made != before) assignments.changeAssignment(made)
         state = stateNow()
+        if (before == null) deciding = scope.launch { decideBeginning(made) }
+    }
+
+    private fun begun(): Assignment {
+        val solution = solvingProgram(current.project, lastTry())
+        val unsure = beginning.unsure(plainPrograms())
+        return newAssignment(current.project, platform.clock.now, solution, unsure)
+    }
+
+    /** Pupils begin with the author's programs, except with those that solve the task, if the author has not chosen. */
+    private suspend fun decideBeginning(made: Assignment) {
+        val decided = beginning.decide(current.project, made, plainPrograms())
+        val now = current.project.assignment?.takeIf { it.id == made.id && it.start == made.start } ?: return
+        val solution = if (now.solution == made.solution) decided.solution else now.solution
+        assignments.changeAssignment(now.copy(start = decided.start, solution = solution))
+        if (state != null) refresh()
     }
 
     /** [before] with what the author has written meanwhile, beside what pupils begin with, as the solution. */
@@ -307,9 +328,25 @@ internal class AssignmentAuthor(
         }
     }
 
+    /** Shares by [what], or asks first if pupils would begin with a solution. */
+    private fun give(what: suspend (MakingState) -> MakingState) {
+        scope.launch {
+            if (giving.mustAsk(current.project, what)) {
+                state = state?.copy(asksBeforeGiving = true)
+            } else {
+                share(what)
+            }
+        }
+    }
+
+    private fun giveAllTheSame() {
+        state = state?.copy(asksBeforeGiving = false)
+        giving.confirmed(current.project)?.let(::share)
+    }
+
     private fun pack(page: MakingState, version: ScormVersion) {
         if (page.isPacking) return
         state = page.copy(isPacking = true)
-        share { sharing.savePackage(it, version) }
+        give { sharing.savePackage(it, version) }
     }
 }

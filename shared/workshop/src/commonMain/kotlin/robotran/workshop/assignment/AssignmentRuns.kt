@@ -104,6 +104,16 @@ internal class AssignmentRuns(
         )
     }
 
+    /** Those of [programs] that reach all goals of the world of [project], each by itself, with the world's own seed. */
+    suspend fun solving(project: Project, programs: List<ProjectProgram>): List<ProjectProgram> {
+        if (project.world.goals.isEmpty()) return emptyList()
+        val plain = project.copy(assignment = project.assignment?.copy(checks = null))
+        return programs.filter { program ->
+            val run = (prepare(plain, listOf(program), firstProgram = 0) as? Preparation.Ready)?.runs()?.first()
+            run != null && (finish(run) {} as? RunResult.Finished)?.grade?.passed == true
+        }
+    }
+
     private suspend fun startRuns(project: Project, solution: List<ProjectProgram>): List<PreparedRun> {
         val start = pupilCopy(project).firstPrograms
         val solved = solution.firstOrNull()?.let(::textsOf)

@@ -1,5 +1,6 @@
 package robotran.workshop.assignment
 
+import robotran.assignments.comparing.isSameProgram
 import robotran.assignments.doing.canBeShown
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
@@ -19,16 +20,24 @@ import robotran.world.WorldLimits
 import kotlin.io.encoding.Base64
 
 /**
- * A new assignment about [project]: pupils begin with its programs.
+ * A new assignment about [project]: pupils begin with its programs, except with [solution] and what equals it.
  *
  * @param now in milliseconds since 1970.
  * @param solution the program that has met all goals; null if none has.
+ * @param unsure programs of which nobody knows yet whether they solve it; pupils do not begin with them for now.
  */
-internal fun newAssignment(project: Project, now: Long, solution: ProjectProgram? = null): Assignment {
+internal fun newAssignment(
+    project: Project,
+    now: Long,
+    solution: ProjectProgram? = null,
+    unsure: List<ProjectProgram> = emptyList(),
+): Assignment {
     val stamp = FileStamp.of(writeProject(project)).text.take(STAMP_DIGITS)
+    val open = project.firstPrograms.map { it.copy(view = null) }
+    val proposed = proposedStart(open).filterNot { it in unsure || (solution != null && isSameProgram(it, solution)) }
     return Assignment(
         id = "${now.coerceAtLeast(0).toString(radix = 36)}-$stamp",
-        start = proposedStart(project.firstPrograms.map { it.copy(view = null) }),
+        start = startWith(proposed, open),
         checks = AssignmentChecks(FIRST_SEEDS),
         solution = listOfNotNull(solution),
     )
@@ -57,11 +66,14 @@ internal fun ordinary(typed: Assignment): Assignment {
 
 /** What [assignment], about [project], lacks. */
 internal fun missingParts(project: Project, assignment: Assignment): List<MissingPart> = buildList {
-    val solution = assignment.solution.map(::textsOf)
     if (project.world.task.isBlank() && assignment.text.isBlank()) add(MissingPart.TASK)
     if (project.world.goals.isEmpty()) add(MissingPart.GOALS)
-    if (solution.isEmpty()) add(MissingPart.SOLUTION)
-    if (assignment.start.isNotEmpty() && assignment.start.all { textsOf(it) in solution }) {
+    if (assignment.solution.isEmpty()) add(MissingPart.SOLUTION)
+    if (assignment.start.isNotEmpty() &&
+        assignment.start.all { start ->
+            assignment.solution.any { isSameProgram(it, start) }
+        }
+    ) {
         add(MissingPart.START_IS_SOLUTION)
     }
     if (notAllowedIn(assignment, assignment.solution).isNotEmpty()) add(MissingPart.SOLUTION_NOT_ALLOWED)

@@ -31,7 +31,11 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.OpenCourseTask
 import robotran.workshop.state.SavedOwnCourse
 
-/** Holds the courses on this device, the pupil's way through them, and what a teacher makes. */
+/**
+ * Holds the courses on this device, the pupil's way through them, and what a teacher makes.
+ *
+ * @param lookAtHandIns opens the page with what pupils have handed in for a course.
+ */
 class CourseStateHolder(
     private val platform: Platform,
     private val scope: CoroutineScope,
@@ -40,6 +44,7 @@ class CourseStateHolder(
     private val switcher: ProjectSwitcher,
     private val stored: StoredAssignments,
     private val notices: Notices,
+    private val lookAtHandIns: (Course) -> Unit,
 ) {
     private val shelf = CourseShelf(platform.store, scope)
     private val author = CourseAuthor(platform, scope, preferences, shelf, switcher, stored) { show(it) }
@@ -70,6 +75,7 @@ class CourseStateHolder(
             is CourseEvent.RemovalRequested -> askForRemoval(event.key)
             CourseEvent.Removed -> remove()
             is CourseEvent.OwnCourseSaved -> launch { saveOwn(event.name) }
+            is CourseEvent.HandInsRequested -> launch { shelf.course(event.key)?.let(lookAtHandIns) }
             is CourseEvent.MakingRequested -> launch { author.open(event.key) }
             is CourseEvent.OfAuthor -> author.handle(event)
         }

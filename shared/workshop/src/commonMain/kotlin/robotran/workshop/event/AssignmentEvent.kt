@@ -111,4 +111,9 @@ sealed interface AssignmentEvent : WorkshopEvent {
 
     /** Copies what shows the assignment in a frame of another page. */
     data object EmbedCodeCopied : OfAuthor
+
+    /** Shares what pupils begin with although it solves the task. */
+    data object GivingConfirmed : OfAuthor
+
+    data object GivingCancelled : OfAuthor
 }

@@ -29,6 +29,9 @@ sealed interface CourseEvent : WorkshopEvent {
     /** Saves the course [name] that comes with Robotran as a file, see [robotran.assignments.course.OwnCourses]. */
     data class OwnCourseSaved(val name: String) : CourseEvent
 
+    /** Opens the hand-ins for all assignments of the course [key]. */
+    data class HandInsRequested(val key: String) : CourseEvent
+
     /** Opens the page that makes a course: a new one, or that with the key [key]. */
     data class MakingRequested(val key: String?) : CourseEvent
 

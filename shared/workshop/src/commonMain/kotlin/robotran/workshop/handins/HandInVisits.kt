@@ -28,7 +28,8 @@ internal class HandInVisits(
     /** Opens [row] and runs it, see [replayProject]. Returns whether it is open. */
     suspend fun visit(open: OpenAssignment, row: HandInRow, run: HandInRun?): Boolean {
         val submission = row.submission as? Submission.Usable ?: return false
-        val project = replayProject(open.project, open.plan, submission, run) ?: return false
+        val task = open.tasks.getOrNull(row.task) ?: return false
+        val project = replayProject(task.project, task.plan, submission, run) ?: return false
         val name = validProjectName(row.name) ?: open.name
         val result = switcher.visitProject(name, project) as? SwitchResult.Switched ?: return false
         left = result.left

@@ -10,11 +10,11 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import robotran.assignments.collecting.CollectedFile
-import robotran.assignments.collecting.CollectedHandIns
+import robotran.assignments.collecting.CourseHandIns
 import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.comparing.compareSubmissions
 import robotran.documents.StoreResult
+import robotran.projects.Course
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.FileKind
@@ -70,7 +70,7 @@ class HandInsStateHolder internal constructor(
         when (event) {
             HandInsEvent.Requested -> Unit
 
-            HandInsEvent.Closed -> close()
+            HandInsEvent.Closed -> closeForNow(open)
 
             HandInsEvent.FilesRequested -> scope.launch { bring(platform.files.open(KINDS)) }
 
@@ -82,7 +82,7 @@ class HandInsStateHolder internal constructor(
 
             HandInsEvent.ScanEnded -> scanning.end()
 
-            is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted() }
+            is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted(open.language) }
 
             HandInsEvent.GradingCancelled -> stopGrading()
 
@@ -139,6 +139,18 @@ class HandInsStateHolder internal constructor(
         scope.launch { if (visits.returnTo(open)) showAgain() }
     }
 
+    /** Opens the page again if it was open for the open project before a reload. */
+    suspend fun restore() {
+        val project = current.project
+        if (project.world.goals.isEmpty() || state != null) return
+        if (OpenAssignment(title(), project, preferences.language, platform.store).kept.wasOpen()) request()
+    }
+
+    private fun closeForNow(open: OpenAssignment) {
+        close()
+        scope.launch { open.kept.writeOpen(false) }
+    }
+
     /** Closes the page and stops all work. */
     fun close() {
         reading?.cancel()
@@ -152,34 +164,50 @@ class HandInsStateHolder internal constructor(
     /** Waits until all comments are kept. */
     suspend fun saveNow() = comments.saveNow()
 
+    /** Opens the page for all assignments of [course] together. */
+    fun openCourse(course: Course) {
+        val first = course.assignments.firstOrNull()
+        if (state != null || first == null) return
+        val known = open
+        if (known != null && known.isFor(course, preferences.language)) return showAgain()
+        open(OpenAssignment(course.title, first, preferences.language, platform.store, course))
+    }
+
     private fun request() {
         if (visits.isVisiting) return goBack()
         if (state != null) return
         val known = open
         if (known != null && known.isFor(current.project, preferences.language)) return showAgain()
-        val opened = OpenAssignment(title(), current.project, preferences.language, platform.store)
+        open(OpenAssignment(title(), current.project, preferences.language, platform.store))
+    }
+
+    private fun open(opened: OpenAssignment) {
         open = opened
         resting = null
         state = opened.firstState(scanning.kinds).copy(isReading = true)
         reading = scope.launch {
             val batches = opened.kept.read()
             for (batch in batches) opened.take(collect(opened, batch))
-            opened.submissions.removeAll(opened.kept.removed)
+            opened.removeAll(opened.kept.removed)
             opened.lastLink = PastedLinks.last(batches.flatten())
             show { copy(isReading = false) }
             update(opened)
+            opened.kept.writeOpen(true)
         }
     }
 
     private fun showAgain() {
         state = resting
         val open = open
+        if (state != null && open != null) scope.launch { open.kept.writeOpen(true) }
         when {
             // Reading was cut short.
-            state == null || open == null -> {
+            state == null -> {
                 this.open = null
-                request()
+                if (open == null) request() else open(open.emptied())
             }
+
+            open == null -> request()
 
             state?.isStopped == false -> {
                 grading.begin(open)
@@ -210,42 +238,44 @@ class HandInsStateHolder internal constructor(
         val message = if (hasRoom) take(open, collected) else TOO_MUCH
         show { copy(isReading = false, told = message) }
         update(open)
+        open.kept.writeOpen(true)
     }
 
     private suspend fun take(open: OpenAssignment, files: List<CollectedFile>): HandInsMessage {
         val collected = collect(open, files)
-        val found = collected.submissions
+        val found = collected.tasks.flatten() + collected.unsorted
         if (found.isEmpty()) return HandInsMessage.NothingFound(collected.notes)
         val new = open.take(collected)
-        open.kept.writeRemoved(open.submissions.removed)
+        open.kept.writeRemoved(open.removed)
         val kept = if (new.isEmpty()) StoreResult.Done else open.kept.add(files)
         val unusable = new.count { it is Submission.Unusable }
         return notKept(kept)
             ?: HandInsMessage.Brought(new.size - unusable, found.size - new.size, collected.notes, unusable)
     }
 
-    private suspend fun collect(open: OpenAssignment, files: List<CollectedFile>): CollectedHandIns =
-        withContext(platform.background) {
-            PastedLinks.named(collectHandIns(files, open.project, open.language), open.language)
-        }
+    private suspend fun collect(open: OpenAssignment, files: List<CollectedFile>): CourseHandIns =
+        withContext(platform.background) { PastedLinks.named(open.collect(files), open.language) }
 
     /** Shows what is there now, and grades what is not graded. */
     private suspend fun update(open: OpenAssignment) {
-        val all = open.submissions.all.mapValues { PastedLinks.named(it.value, open.language) }
-        show { copy(rows = rowsFor(all, rows, open.kept.comments)).sorted() }
+        val all = open.all.map { placed ->
+            PlacedSubmission(placed.id, placed.task, PastedLinks.named(placed.submission, open.language))
+        }
+        show { copy(rows = rowsFor(all, rows, open.kept.comments)).sorted(open.language) }
         grading.begin(open)
         compare(open)
     }
 
     private suspend fun compare(open: OpenAssignment) {
-        val all = state?.rows.orEmpty()
-        val pairs =
-            withContext(platform.background) { compareSubmissions(all.map { it.submission }, open.project) }
         val alike = mutableMapOf<String, MutableList<AlikeHandIn>>()
-        for (pair in pairs.filter { it.isMarked }) {
-            val (one, other) = all[pair.first] to all[pair.second]
-            alike.getOrPut(one.id) { mutableListOf() } += AlikeHandIn(other.id, other.name, pair.isEqual)
-            alike.getOrPut(other.id) { mutableListOf() } += AlikeHandIn(one.id, one.name, pair.isEqual)
+        for ((task, all) in state?.rows.orEmpty().groupBy { it.task }) {
+            val project = open.tasks.getOrNull(task)?.project ?: continue
+            val pairs = withContext(platform.background) { compareSubmissions(all.map { it.submission }, project) }
+            for (pair in pairs.filter { it.isMarked }) {
+                val (one, other) = all[pair.first] to all[pair.second]
+                alike.getOrPut(one.id) { mutableListOf() } += AlikeHandIn(other.id, other.name, pair.isEqual)
+                alike.getOrPut(other.id) { mutableListOf() } += AlikeHandIn(one.id, one.name, pair.isEqual)
+            }
         }
         show { copy(rows = rows.map { it.copy(alike = alike[it.id].orEmpty()) }) }
     }
@@ -274,7 +304,7 @@ class HandInsStateHolder internal constructor(
     private fun removeOne(open: OpenAssignment, id: String) {
         val row = state?.rows?.firstOrNull { it.id == id } ?: return
         removed = row
-        open.submissions.remove(id)
+        open.remove(id)
         show {
             copy(
                 rows = rows.filter { it.id != id },
@@ -288,8 +318,8 @@ class HandInsStateHolder internal constructor(
     private fun undoRemoval(open: OpenAssignment) {
         val row = removed?.takeIf { state?.told is HandInsMessage.Removed } ?: return
         removed = null
-        open.submissions.remove(row.id, isRemoved = false)
-        show { copy(rows = rows + row, last = row.id, told = null).sorted() }
+        open.remove(row.id, isRemoved = false)
+        show { copy(rows = rows + row, last = row.id, told = null).sorted(open.language) }
         afterRemoval(open)
     }
 
@@ -298,7 +328,7 @@ class HandInsStateHolder internal constructor(
         keepComments(open)
         if (state?.isStopped == false) grading.begin(open)
         scope.launch {
-            notKept(open.kept.writeRemoved(open.submissions.removed))?.let(::tell)
+            notKept(open.kept.writeRemoved(open.removed))?.let(::tell)
             compare(open)
         }
     }

@@ -40,7 +40,7 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
         index = indexIn(store.read(name))
         return index.files.groupBy { it.batch }.entries.sortedBy { it.key }.map { (_, entries) ->
             entries.mapNotNull { entry ->
-                store.read(nameOf(entry))?.let(::decoded)?.let { CollectedFile(entry.path, it, entry.modified) }
+                store.read(nameOf(entry))?.let(::decoded)?.let { CollectedFile(entry.path, it) }
             }
         }.filter { it.isNotEmpty() }
     }
@@ -51,7 +51,7 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
         val known = index.files.map { it.stamp }.toMutableSet()
         val entries = files.map { file ->
             val stamp = FileStamp.of(file.bytes).text
-            val entry = Entry(file.path, stamp, batch, file.bytes.size.toLong(), file.modified)
+            val entry = Entry(file.path, stamp, batch, file.bytes.size.toLong())
             // The same content is written once.
             if (known.add(stamp)) {
                 val written = store.write(nameOf(entry), Base64.encode(file.bytes))
@@ -67,11 +67,38 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
     suspend fun writeRemoved(removed: Set<String>): StoreResult =
         if (removed == index.removed) StoreResult.Done else change { it.copy(removed = removed) }
 
-    /** Removes all files and comments. */
+    /** Whether the page was open when this was last written. */
+    suspend fun wasOpen(): Boolean = indexIn(store.read(name)).isOpen
+
+    /** Notes whether the page is open, to open it again after a reload; not if nothing is kept. */
+    suspend fun writeOpen(isOpen: Boolean) {
+        if (isOpen != index.isOpen && index.files.isNotEmpty()) change { it.copy(isOpen = isOpen) }
+    }
+
+    /** The result called [key]; null if there is none. */
+    suspend fun result(key: String): String? = if (key in index.results) store.read(resultName(key)) else null
+
+    /** Keeps [text] as the result called [key]; not if there is no room, since it can be found out anew. */
+    suspend fun keepResult(key: String, text: String) {
+        if (text.length > MAXIMUM_RESULT || index.files.isEmpty()) return
+        if (store.write(resultName(key), text) != StoreResult.Done) return
+        // Everything may have been removed meanwhile.
+        if (index.files.isEmpty()) store.remove(resultName(key)) else change { it.copy(results = it.results + key) }
+    }
+
+    /** Removes all results. */
+    suspend fun forgetResults() {
+        val old = index.results
+        change { it.copy(results = emptySet()) }
+        old.forEach { store.remove(resultName(it)) }
+    }
+
+    /** Removes all files, results and comments. */
     suspend fun clear() {
         val old = index
         index = Index()
         store.remove(name)
+        old.results.forEach { store.remove(resultName(it)) }
         old.files.map(::nameOf).distinct().forEach { store.remove(it) }
     }
 
@@ -81,6 +108,8 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
         if (result == StoreResult.Done) index = next
         result
     }
+
+    private fun resultName(key: String) = "$name.result.$key"
 
     private fun nameOf(entry: Entry) = "$name.${entry.stamp}"
 
@@ -94,7 +123,6 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
         val stamp: String,
         val batch: Int = 0,
         val size: Long = 0,
-        val modified: Long? = null,
     )
 
     @Serializable
@@ -102,6 +130,8 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
         val files: List<Entry> = emptyList(),
         val comments: Map<String, String> = emptyMap(),
         val removed: Set<String> = emptySet(),
+        val results: Set<String> = emptySet(),
+        val isOpen: Boolean = false,
     )
 
     internal companion object {
@@ -113,6 +143,7 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
 
         /** For all files together. */
         const val MAXIMUM_MEGABYTES = 32
+        const val MAXIMUM_RESULT = 1_000_000
         const val MAXIMUM_BYTES = MAXIMUM_MEGABYTES * 1_000_000L
 
         private fun indexIn(text: String?): Index = try {

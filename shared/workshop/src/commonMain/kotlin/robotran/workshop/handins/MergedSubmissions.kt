@@ -1,7 +1,8 @@
 package robotran.workshop.handins
 
 import robotran.assignments.collecting.Submission
-import robotran.assignments.collecting.SubmissionRemark
+import robotran.assignments.collecting.countingOf
+import robotran.assignments.collecting.keyOf
 import robotran.documents.FileStamp
 
 /**
@@ -16,13 +17,15 @@ internal class MergedSubmissions {
     val all: Map<String, Submission>
         get() = found.filterValues { !it.isRemoved }.mapValues { it.value.submission }
 
+    /** The IDs of what was removed. */
+    val removedIds: Set<String> get() = found.filterValues { it.isRemoved }.keys
+
     /** The stamps of what was removed. */
     val removed: Set<String> get() = found.values.filter { it.isRemoved }.flatMapTo(mutableSetOf()) { it.stamps }
 
     /**
-     * Adds [batch]. Content that is there already does not count twice. A later hand-in of the same pupil from the same
-     * source with no fewer tries, or anything usable after something unusable, takes the place of the earlier one. What
-     * was removed and is brought in again is there again.
+     * Adds [batch]. Content that is there already does not count twice. Of hand-ins of the same pupil from the same source,
+     * [countingOf] says which counts. What was removed and is brought in again is there again.
      *
      * @return those that were not there.
      */
@@ -59,8 +62,7 @@ internal class MergedSubmissions {
         var isRemoved = false
 
         fun add(other: Submission, stamp: String) {
-            submission =
-                if (counts(other, over = submission)) withOlder(other, submission) else withOlder(submission, other)
+            submission = countingOf(listOf(submission, other))
             stamps += stamp
             isRemoved = false
         }
@@ -86,18 +88,4 @@ private fun isLater(one: Submission, of: Submission): Boolean =
 private fun isSameSource(one: String, other: String): Boolean =
     one == other || one.startsWith("$other/") || other.startsWith("$one/")
 
-private fun counts(new: Submission, over: Submission): Boolean =
-    over is Submission.Unusable || (triesOf(new) ?: 0) >= (triesOf(over) ?: 0)
-
-private fun withOlder(chosen: Submission, other: Submission): Submission {
-    if (chosen !is Submission.Usable || other !is Submission.Usable) return chosen
-    val all = chosen.remarks + other.remarks
-    val older = 1 + all.filterIsInstance<SubmissionRemark.OlderLeftOut>().sumOf { it.count }
-    val others = chosen.remarks.filterNot { it is SubmissionRemark.OlderLeftOut }
-    return chosen.copy(remarks = others + SubmissionRemark.OlderLeftOut(older))
-}
-
 private fun triesOf(submission: Submission): Int? = (submission as? Submission.Usable)?.handIn?.tries
-
-/** The same for names that differ only in case and blanks. */
-internal fun keyOf(name: String) = name.filterNot { it.isWhitespace() }.lowercase()

@@ -1,7 +1,7 @@
 package robotran.workshop.handins
 
 import robotran.assignments.collecting.CollectedFile
-import robotran.assignments.collecting.CollectedHandIns
+import robotran.assignments.collecting.CourseHandIns
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.CollectingMessages
 import robotran.language.Language
@@ -19,8 +19,8 @@ internal object PastedLinks {
     fun last(files: List<CollectedFile>): Int = files.maxOfOrNull { numberIn(it.path) ?: 0 } ?: 0
 
     /** [collected] with words in place of the names that [filesFor] gave files. */
-    fun named(collected: CollectedHandIns, language: Language): CollectedHandIns =
-        CollectedHandIns(collected.submissions, collected.notes.map { named(it, language) })
+    fun named(collected: CourseHandIns, language: Language): CourseHandIns =
+        CourseHandIns(collected.tasks, collected.unsorted, collected.notes.map { named(it, language) })
 
     /** [submission] with words in place of the names that [filesFor] gave it. */
     fun named(submission: Submission, language: Language): Submission {

@@ -8,9 +8,10 @@ import robotran.assignments.grading.Verdict
 import robotran.projects.ProjectProgram
 
 /**
- * The page with what pupils have handed in for one assignment.
+ * The page with what pupils have handed in for one assignment or for a course.
  *
- * @property title the assignment's.
+ * @property title the assignment's or the course's.
+ * @property tasks the assignments, at least one.
  * @property kind what the hand-ins are graded with.
  * @property rows in the order in which they are shown.
  * @property progress null while nothing is graded.
@@ -20,16 +21,14 @@ import robotran.projects.ProjectProgram
  * @property last the ID of the hand-in that was open or replayed last; null for none. The table returns to its place.
  * @property scanners how QR codes can be read here; empty if they cannot.
  * @property isScanning whether the view of a scanner is open.
- * @property solution the assignment's programs to compare with; empty if it has none.
  */
 @Immutable
 data class HandInsState(
     val title: String,
     val kind: HandInsKind,
-    val plan: GradingPlan,
+    val tasks: List<HandInTask>,
     val scanners: List<QrScannerKind> = emptyList(),
     val isScanning: Boolean = false,
-    val solution: List<ProjectProgram> = emptyList(),
     val rows: List<HandInRow> = emptyList(),
     val order: HandInOrder = HandInOrder.VERDICT,
     val isReading: Boolean = false,
@@ -40,11 +39,14 @@ data class HandInsState(
     val dialog: HandInsDialog? = null,
     val told: HandInsMessage? = null,
 ) {
+    /** The assignment of [row]; the first one for what is for none. */
+    fun taskOf(row: HandInRow): HandInTask = tasks.getOrNull(row.task) ?: tasks.first()
+
     /** The hand-ins that can stand beside the open one, those that are most like it first. */
     val comparable: List<HandInRow>
         get() {
             val alike = openedRow?.alike.orEmpty().associate { it.id to it.isEqual }
-            return rows.filter { it.id != opened?.id && it.programs.isNotEmpty() }
+            return rows.filter { it.id != opened?.id && it.task == openedRow?.task && it.programs.isNotEmpty() }
                 .sortedWith(compareBy({ alike[it.id]?.not() ?: true }, { it.id !in alike }, { it.name.lowercase() }))
         }
 
@@ -56,6 +58,15 @@ data class HandInsState(
         get() = HandInVerdict.entries.associateWith { verdict -> rows.count { it.verdict == verdict } }
             .filterValues { it > 0 }
 }
+
+/**
+ * An assignment for which hand-ins are graded.
+ *
+ * @property title empty if it is the only one.
+ * @property solution its programs to compare with; empty if it has none.
+ */
+@Immutable
+data class HandInTask(val title: String, val plan: GradingPlan, val solution: List<ProjectProgram> = emptyList())
 
 /** What hand-ins are graded with. */
 enum class HandInsKind {
@@ -94,23 +105,29 @@ enum class HandInVerdict {
  * A hand-in in the table.
  *
  * @property id stays the same while other hand-ins are brought in.
+ * @property collected as it was brought in.
  * @property graded null until it is graded.
  * @property lines the number of lines with code in its programs.
  * @property alike other hand-ins with equal or nearly equal programs.
  * @property comment what the teacher writes to the pupil.
  * @property hasNamesake whether another hand-in has the same name: of another pupil, or from another source.
+ * @property task the index of its assignment; beyond the last if it is for none.
  */
 @Immutable
 data class HandInRow(
     val id: String,
-    val submission: Submission,
+    val collected: Submission,
     val graded: GradedHandIn? = null,
     val lines: Int = 0,
     val alike: List<AlikeHandIn> = emptyList(),
     val comment: String = "",
     val hasNamesake: Boolean = false,
+    val task: Int = 0,
 ) {
-    val name: String get() = submission.name
+    /** What counts of it, once it is graded. */
+    val submission: Submission get() = graded?.submission ?: collected
+
+    val name: String get() = collected.name
 
     val verdict: HandInVerdict
         get() = when (graded?.verdict) {
@@ -130,7 +147,7 @@ data class HandInRow(
     val programs: List<ProjectProgram> get() = (submission as? Submission.Usable)?.robot?.programs.orEmpty()
 
     /** Whether the pupil's own run can be repeated. */
-    val hasInputs: Boolean get() = (submission as? Submission.Usable)?.project?.inputs?.isNotEmpty() == true
+    val hasInputs: Boolean get() = submission.project?.inputs?.isNotEmpty() == true
 }
 
 /** A hand-in whose programs are like those of another one. [isEqual] is whether only names and layout differ. */

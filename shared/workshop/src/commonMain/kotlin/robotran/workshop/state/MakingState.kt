@@ -19,6 +19,7 @@ import robotran.projects.Assignment
  * @property isAboutPackage whether [savedAs] and [saveError] are about a package.
  * @property embedCodeCopied whether the code for a frame was copied last.
  * @property embedProblem why there is no code for a frame.
+ * @property asksBeforeGiving whether the page asks if pupils shall begin with what solves the task.
  */
 @Immutable
 data class MakingState(
@@ -42,6 +43,7 @@ data class MakingState(
     val isAboutPackage: Boolean = false,
     val embedCodeCopied: Boolean = false,
     val embedProblem: LinkProblem? = null,
+    val asksBeforeGiving: Boolean = false,
 )
 
 /** A program of the author's; [isStart] is whether pupils begin with it, [isChanged] whether it was changed since. */

@@ -76,6 +76,46 @@ class MakingAssignmentTest {
         assertEquals("", textOf(saved()))
     }
 
+    private fun withPrograms(vararg texts: Pair<String, String>): Project {
+        val programs = texts.map { (name, text) -> AnyAssignment.program(text, name) }
+        return Project(AnyAssignment.world, listOf(ProjectRobot(AnyAssignment.world.robots.first().name, programs)))
+    }
+
+    @Test
+    fun `a program that solves the task is the solution and not what pupils begin with, although it never ran`() {
+        val workshop = making(withPrograms("mine.robo" to AnyAssignment.SOLUTION))
+        assertEquals(listOf(false), workshop.making.programs.map { it.isStart })
+        assertEquals(AnyAssignment.SOLUTION, workshop.solutionText)
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertEquals("", textOf(saved()))
+    }
+
+    @Test
+    fun `a copy of the solution with other blanks and comments stays with the teacher, too`() {
+        val copy = "// mine\n\n" + AnyAssignment.SOLUTION.replace(" ", "  ")
+        val workshop = making(withPrograms("a.robo" to AnyAssignment.SOLUTION, "b.robo" to copy, "c.robo" to "beep\n"))
+        assertEquals(listOf("c.robo"), workshop.making.programs.filter { it.isStart }.map { it.name })
+        workshop.handle(AssignmentEvent.StartSwitched(1, on = true))
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertEquals("beep\n", textOf(saved()))
+    }
+
+    @Test
+    fun `sharing what solves the task asks first, and once`() {
+        val workshop = making(withPrograms("mine.robo" to AnyAssignment.SOLUTION))
+        workshop.handle(AssignmentEvent.SolutionSwitched(0, on = false))
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = true))
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertTrue(workshop.making.asksBeforeGiving)
+        workshop.handle(AssignmentEvent.GivingCancelled)
+        assertTrue(!workshop.making.asksBeforeGiving && machine.files.disk.isEmpty())
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        workshop.handle(AssignmentEvent.GivingConfirmed)
+        assertEquals(AnyAssignment.SOLUTION, textOf(saved()))
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertTrue(!workshop.making.asksBeforeGiving)
+    }
+
     @Test
     fun `solution and beginning come from the same tab, and pupils get the beginning only`() {
         val workshop = making()

@@ -74,7 +74,7 @@ internal class BringingHandInsTest : HandInsTesting() {
         val ada = workshop.page.rows.single()
         assertEquals(HandInVerdict.PASSED, ada.verdict)
         assertEquals("Try again.", ada.comment)
-        assertContains((ada.submission as Submission.Usable).remarks, SubmissionRemark.OlderLeftOut(1))
+        assertContains(ada.submission.remarks, SubmissionRemark.FewerTries(listOf("Ada.robotran")))
     }
 
     @Test
@@ -108,7 +108,7 @@ internal class BringingHandInsTest : HandInsTesting() {
         workshop.bring(listOf(first))
         val now = workshop.page.rows.first { it.id == "Ida" }.submission as Submission.Usable
         assertEquals(listOf(2, 3), listOf(workshop.page.rows.size, now.handIn?.tries))
-        assertEquals(listOf(SubmissionRemark.OlderLeftOut(1)), now.remarks)
+        assertEquals(listOf(SubmissionRemark.FewerTries(listOf("one.robotran"))), now.remarks)
     }
 
     @Test

@@ -1,16 +1,25 @@
 package robotran.workshop.handins
 
-import kotlinx.coroutines.ExperimentalCoroutinesApi
-import kotlinx.coroutines.test.advanceUntilIdle
-import robotran.workshop.event.HandInsEvent
-import robotran.workshop.state.HandInVerdict
-import robotran.workshop.state.HandInsDialog
-import robotran.workshop.state.HandInsMessage
 import kotlin.test.Test
+import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import kotlinx.coroutines.ExperimentalCoroutinesApi
+import kotlinx.coroutines.test.advanceUntilIdle
+import robotran.assignments.collecting.Submission
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradingPlan
+import robotran.language.Language
+import robotran.projects.Project
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.platform.GradingCrew
+import robotran.workshop.platform.GradingThreads
+import robotran.workshop.platform.GradingWorkers
+import robotran.workshop.state.HandInVerdict
+import robotran.workshop.state.HandInsDialog
+import robotran.workshop.state.HandInsMessage
 
 /** Tests what the device keeps of hand-ins, and how they are removed. */
 @OptIn(ExperimentalCoroutinesApi::class)
@@ -29,6 +38,44 @@ internal class KeptHandInsTest : HandInsTesting() {
         }
         val other = AnyClass.teachers.copy(assignment = AnyClass.teachers.assignment?.copy(id = "another"))
         looking(other) { assertEquals(emptyList(), it.page.rows) }
+    }
+
+    /** Counts the hand-ins that it grades. */
+    private class CountingWorkers : GradingWorkers {
+        var count = 0
+
+        override suspend fun start(assignment: Project, plan: GradingPlan, language: Language): GradingCrew {
+            val crew = GradingThreads(1).start(assignment, plan, language)
+            return object : GradingCrew by crew {
+                override suspend fun grade(submission: Submission.Usable, onProgress: (runs: Int) -> Unit): GradedHandIn {
+                    count++
+                    return crew.grade(submission, onProgress)
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `results are kept, and one hand-in is graded again to see whether they still hold`() {
+        val counting = CountingWorkers()
+        workers = counting
+        var csv = byteArrayOf()
+        looking { workshop ->
+            workshop.bring(AnyClass.few)
+            csv = workshop.save(HandInsEvent.CsvRequested, "/home/one.csv")
+            workshop.saveDocumentNow()
+        }
+        assertEquals(5, counting.count)
+        looking { workshop ->
+            assertTrue(workshop.page.rows.none { it.graded == null })
+            assertContentEquals(csv, workshop.save(HandInsEvent.CsvRequested, "/home/two.csv"))
+        }
+        assertEquals(6, counting.count)
+        val stricter = AnyClass.teachers.run {
+            copy(assignment = assignment?.copy(checks = assignment?.checks?.copy(seeds = 1..3)))
+        }
+        looking(stricter) { assertTrue(it.page.rows.none { row -> row.graded == null }) }
+        assertEquals(11, counting.count)
     }
 
     @Test

@@ -16,6 +16,8 @@ class GradingWorker(private val order: GradingOrder, physics: PhysicsEngine) {
      * @return for [readGraded].
      * @throws IllegalArgumentException if [handIn] is no such text.
      */
-    suspend fun grade(handIn: String, onProgress: (runs: Int) -> Unit): String =
-        writeGraded(grader.prepare(readHandIn(handIn)).finish(onProgress), order.plan)
+    suspend fun grade(handIn: String, onProgress: (runs: Int) -> Unit): String {
+        val submission = readHandIn(handIn)
+        return writeGraded(grader.prepare(submission).finish(onProgress), submission, order.plan)
+    }
 }

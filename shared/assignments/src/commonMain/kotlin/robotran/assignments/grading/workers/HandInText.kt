@@ -1,5 +1,8 @@
 package robotran.assignments.grading.workers
 
+import kotlinx.serialization.builtins.ListSerializer
+import kotlinx.serialization.builtins.serializer
+import kotlinx.serialization.json.Json
 import robotran.assignments.collecting.Submission
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -7,15 +10,25 @@ import robotran.projects.readProject
 import robotran.projects.writeProject
 import robotran.world.file.BuiltInWorlds
 
-/** What grading needs of [submission]: its robot, for [readHandIn]. */
+/** What grading needs of [submission]: the robots of all that may count, for [readHandIn]. */
 fun writeHandIn(submission: Submission.Usable): String {
     // A project file needs a world, and what its robot is called there does not matter.
     val world = BuiltInWorlds.plain
-    return writeProject(Project(world, listOf(submission.robot.copy(name = world.robots.first().name))))
+    val name = world.robots.first().name
+    val attempts = submission.attempts.map { writeProject(Project(world, listOf(it.robot.copy(name = name)))) }
+    return Json.encodeToString(TEXTS, attempts)
 }
 
 /** @throws IllegalArgumentException if [text] is not what [writeHandIn] has written. */
-internal fun readHandIn(text: String): Submission.Usable = when (val result = readProject(text)) {
+internal fun readHandIn(text: String): Submission.Usable {
+    val attempts = Json.decodeFromString(TEXTS, text).map(::attemptIn)
+    require(attempts.isNotEmpty()) { "There is no program." }
+    return attempts.first().copy(alternatives = attempts.drop(1))
+}
+
+private fun attemptIn(text: String): Submission.Usable = when (val result = readProject(text)) {
     is ProjectFileResult.Loaded -> Submission.Usable("", "", result.project.robots.single())
     is ProjectFileResult.Rejected -> throw IllegalArgumentException(result.message)
 }
+
+private val TEXTS = ListSerializer(String.serializer())

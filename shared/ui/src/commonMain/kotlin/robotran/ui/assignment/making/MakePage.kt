@@ -67,6 +67,7 @@ internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (Workshop
             QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
         }
     }
+    if (state.asksBeforeGiving) GivingDialog(onEvent)
 }
 
 /** How far the page is scrolled, also while the author is in the world editor or tries something out. */
