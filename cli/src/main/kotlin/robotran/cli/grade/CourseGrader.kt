@@ -83,15 +83,16 @@ internal class CourseGrader(private val console: Console, private val desktop: D
         return CourseReport(course.title, reports + listOfNotNull(unsorted.takeIf { rest.isNotEmpty() }))
     }
 
-    private fun rowsOf(report: CourseReport, files: SubmittedFiles): List<ProgramGrades> = report.tasks.flatMap { task ->
-        task.results.map { result ->
-            val title = task.assignment.world.title
-            val isOneOfSeveral = task.countOfName(result.submission.name) > 1
-            val details = listOf(title, result.submission.origin.takeIf { isOneOfSeveral }.orEmpty())
-            val shown = details.filter { it.isNotEmpty() }.joinToString()
-            val name = result.submission.name
-            gradesOf(result, files, if (shown.isEmpty()) name else "$name ($shown)")
+    private fun rowsOf(report: CourseReport, files: SubmittedFiles): List<ProgramGrades> =
+        report.tasks.flatMap { task ->
+            task.results.map { gradesOf(it, files, shownName(task, it.submission)) }
         }
+
+    private fun shownName(task: ClassReport, submission: Submission): String {
+        val isOneOfSeveral = task.countOfName(submission.name) > 1
+        val details = listOf(task.assignment.world.title, submission.origin.takeIf { isOneOfSeveral }.orEmpty())
+        val shown = details.filter { it.isNotEmpty() }.joinToString()
+        return if (shown.isEmpty()) submission.name else "${submission.name} ($shown)"
     }
 
     private fun write(report: CourseReport, rows: List<ProgramGrades>, request: GradeRequest): List<String> {

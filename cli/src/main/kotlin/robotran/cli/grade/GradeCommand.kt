@@ -77,7 +77,8 @@ internal class GradeCommand(private val console: Console, private val desktop: D
             "mistakes."
 
     override fun run() {
-        val request = GradeRequest(world, programs, seeds, jobs, options, GradeOutputs(junit, report, csv, html, feedback))
+        val request =
+            GradeRequest(world, programs, seeds, jobs, options, GradeOutputs(junit, report, csv, html, feedback))
         throw ProgramResult(ProgramGrader(console.speaking(spoken.language), desktop).run(request).status)
     }
 

@@ -37,18 +37,19 @@ internal class GradingTasks(private val console: Console) {
     }
 
     /** Grades [submissions], in their order. */
-    fun grade(task: GradingTask, submissions: List<Submission>, request: GradeRequest): List<GradedHandIn> = runBlocking {
-        val grader = HandInGrader(
-            task.assignment,
-            task.plan,
-            loadPhysicsEngine(),
-            console.language,
-            request.options.java,
-            request.options.milliseconds,
-            request.options.firmware,
-        )
-        gradeAll(grader, submissions) { runs -> finish(runs, request.jobs) }
-    }
+    fun grade(task: GradingTask, submissions: List<Submission>, request: GradeRequest): List<GradedHandIn> =
+        runBlocking {
+            val grader = HandInGrader(
+                task.assignment,
+                task.plan,
+                loadPhysicsEngine(),
+                console.language,
+                request.options.java,
+                request.options.milliseconds,
+                request.options.firmware,
+            )
+            gradeAll(grader, submissions) { runs -> finish(runs, request.jobs) }
+        }
 
     /** The assignment with the programs that the user gives to other robots; null if these cannot be used. */
     private fun assignmentFor(place: LoadedWorld, request: GradeRequest): Project? {

@@ -45,15 +45,21 @@ internal fun gradesOf(result: GradedHandIn, files: SubmittedFiles, shownName: St
     val name = files.pathOf(submission.origin) ?: submission.origin
     val shown = shownName.filterNot { it.isISOControl() }
     return when (result) {
-        is GradedHandIn.Graded ->
+        is GradedHandIn.Graded -> {
             ProgramGrades.Graded(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })
+        }
 
-        is GradedHandIn.HasMistakes -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = true)
+        is GradedHandIn.HasMistakes -> {
+            ProgramGrades.Rejected(name, shown, result.reasons, isReadable = true)
+        }
 
-        is GradedHandIn.Failed -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = false)
+        is GradedHandIn.Failed -> {
+            ProgramGrades.Rejected(name, shown, result.reasons, isReadable = false)
+        }
 
-        is GradedHandIn.Unusable ->
+        is GradedHandIn.Unusable -> {
             ProgramGrades.Rejected(name, shown, listOf(result.submission.reason), isReadable = false)
+        }
     }
 }
 

@@ -35,7 +35,8 @@ class MutatedZipsTest {
 
     @Test
     fun `deflated files come out`() = runTest {
-        val older = zip("Anna/prog.robo" to beep, "Bén/" to ByteArray(0), "Bén/prog.robo" to beep, "Bén/b.robo" to "buzz\n".encodeToByteArray())
+        val buzz = "buzz\n".encodeToByteArray()
+        val older = zip("Anna/prog.robo" to beep, "Bén/" to ByteArray(0), "Bén/prog.robo" to beep, "Bén/b.robo" to buzz)
         val found = collect(CollectedFile("all.zip", older))
         assertEquals(listOf("Anna", "Bén"), found.map { it.name })
         assertEquals(2, assertIs<Submission.Usable>(found[1]).robot.programs.size)

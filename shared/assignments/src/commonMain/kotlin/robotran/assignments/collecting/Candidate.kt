@@ -8,7 +8,9 @@ package robotran.assignments.collecting
  */
 internal class Candidate(val place: String, val pupil: String, val submission: Submission) {
     /** The same with [remarks], too. */
-    fun with(remarks: List<SubmissionRemark>): Candidate = if (remarks.isEmpty()) this else {
+    fun with(remarks: List<SubmissionRemark>): Candidate = if (remarks.isEmpty()) {
+        this
+    } else {
         Candidate(place, pupil, submission.with(remarks))
     }
 }

@@ -41,7 +41,9 @@ suspend fun collectCourse(
     // A link has no world, so another assignment may find it broken.
     val read = all.flatMap { it.submissions }.filterIsInstance<Submission.Usable>().mapTo(mutableSetOf()) { it.origin }
     val tasks = all.map { ofTask ->
-        (ofTask.submissions - foreign).filterNot { it is Submission.Unusable && it.project == null && it.origin in read }
+        (ofTask.submissions - foreign).filterNot {
+            it is Submission.Unusable && it.project == null && it.origin in read
+        }
     }
     val known = tasks.flatten().mapTo(mutableSetOf()) { keyOf(it.name) }
     val rest = unsortedOf(found, course.assignments.firstOrNull(), language).filterNot { keyOf(it.name) in known }
@@ -53,11 +55,7 @@ suspend fun collectCourse(
 }
 
 /** What lies where nothing says which assignment it is for. */
-private suspend fun unsortedOf(
-    found: List<SortedFile>,
-    any: Project?,
-    language: Language,
-): List<Submission.Unusable> {
+private suspend fun unsortedOf(found: List<SortedFile>, any: Project?, language: Language): List<Submission.Unusable> {
     val files = found.filter { !it.saysItself && it.task == null }.map { it.file }
     if (any == null || files.isEmpty()) return emptyList()
     return collectFound(files, any, language).submissions.map { submission ->

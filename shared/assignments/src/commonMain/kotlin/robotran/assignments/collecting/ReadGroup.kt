@@ -167,13 +167,16 @@ internal class GroupReader(
             val robot = project.robots.firstOrNull { it.name == first }
             val other = remarks.otherAssignment(project)
             // Only a folder that is named after the pupil says anything against the hand-in.
-            val isOther = entered != null && group.isFolder && !mayBeSamePerson(entered, group.name)
-            val about = remarks.of(project) + listOfNotNull(entered.takeIf { isOther }?.let(SubmissionRemark::OtherName))
+            val stranger = entered?.takeIf { group.isFolder && !mayBeSamePerson(it, group.name) }
+            val about = remarks.of(project) + listOfNotNull(stranger?.let(SubmissionRemark::OtherName))
             val submission = when {
-                other != null -> Submission.Unusable(shown, originOf(origin), messages.otherAssignment(other), about, project)
+                other != null -> {
+                    Submission.Unusable(shown, originOf(origin), messages.otherAssignment(other), about, project)
+                }
 
-                robot == null || robot.programs.isEmpty() ->
+                robot == null || robot.programs.isEmpty() -> {
                     Submission.Unusable(shown, originOf(origin), messages.noProgram(first), about, project)
+                }
 
                 else -> {
                     val found = about + remarks.of(robot.programs) + listOfNotNull(remarks.chosenOf(robot))

@@ -14,8 +14,8 @@ internal fun mayBeSamePerson(one: String, other: String): Boolean {
 
 private fun wordsOf(name: String): List<String> =
     foldedName(name).map { if (it.isLetter()) it else ' ' }.joinToString("").split(' ')
-    .map { word -> UMLAUTS.fold(word) { text, (written, letter) -> text.replace(written, letter) } }
-    .filter { it.length >= FEWEST_LETTERS }
+        .map { word -> UMLAUTS.fold(word) { text, (written, letter) -> text.replace(written, letter) } }
+        .filter { it.length >= FEWEST_LETTERS }
 
 private val UMLAUTS = listOf("ae" to "a", "oe" to "o", "ue" to "u")
 private const val FEWEST_LETTERS = 2

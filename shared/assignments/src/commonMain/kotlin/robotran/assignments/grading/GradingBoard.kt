@@ -16,7 +16,8 @@ class GradingBoard(private val submissions: List<Submission>, private val runsOf
         private set
 
     /** What is known so far. */
-    val state: GradingState get() = GradingState(rows.toList(), rows.indices.sumOf(::done), rows.indices.sumOf(::total), isCancelled)
+    val state: GradingState
+        get() = GradingState(rows.toList(), rows.indices.sumOf(::done), rows.indices.sumOf(::total), isCancelled)
 
     /** Begins with the first row that waits: returns its index and hand-in, or null if none waits. */
     fun begin(): Pair<Int, Submission.Usable>? {

@@ -57,7 +57,10 @@ class HandInGrader(
     }
 
     /** @param compiled what is known so far: variations mostly have the same robots, and compiling Java takes long. */
-    private suspend fun prepareOne(submission: Submission.Usable, compiled: MutableMap<Any, RobotLoads>): PreparedAttempt {
+    private suspend fun prepareOne(
+        submission: Submission.Usable,
+        compiled: MutableMap<Any, RobotLoads>,
+    ): PreparedAttempt {
         // That is no mistake of the pupil's.
         plan.worlds.firstNotNullOfOrNull { unfinishedRobot(it.world, language) }?.let { unfinished ->
             return PreparedAttempt.Failed(unfinished.diagnostics.map { it.message })

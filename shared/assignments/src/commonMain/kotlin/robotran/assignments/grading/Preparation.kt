@@ -13,9 +13,10 @@ sealed interface Preparation {
         private val attempts: List<PreparedAttempt>,
         private val grader: HandInGrader,
     ) : Preparation {
-        private val running: List<IndexedValue<PreparedAttempt.Ready>> = attempts.withIndex().mapNotNull { (index, attempt) ->
-            (attempt as? PreparedAttempt.Ready)?.let { IndexedValue(index, it) }
-        }
+        private val running: List<IndexedValue<PreparedAttempt.Ready>> =
+            attempts.withIndex().mapNotNull { (index, attempt) ->
+                (attempt as? PreparedAttempt.Ready)?.let { IndexedValue(index, it) }
+            }
 
         /** All its runs, in the order of the plan, once for each attempt that can run. None has begun. */
         fun runs(): List<PreparedRun> = running.flatMap { (_, attempt) -> runs(attempt) }

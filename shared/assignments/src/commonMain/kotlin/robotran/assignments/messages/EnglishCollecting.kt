@@ -82,7 +82,7 @@ internal object EnglishCollectingMessages : CollectingMessages {
     override fun otherName(entered: String) = "The hand-in says that it is from $entered."
 
     override fun bestCounts(chosen: String, all: List<String>) =
-        "All of ${listed(all, "and")} were run: $chosen counts, none did better."
+        "${listed(all, "and")} were run: $chosen counts, none did better."
 
     override fun chosenInApp(chosen: String, all: List<String>) =
         "Of ${listed(all, "and")}, $chosen counts: it was chosen in the app."
@@ -90,11 +90,13 @@ internal object EnglishCollectingMessages : CollectingMessages {
     override fun besideProject(programs: List<String>) =
         "The project counts. ${listed(programs, "and")} beside it ${if (programs.size == 1) "does" else "do"} not."
 
-    override fun fewerTries(origins: List<String>) = "The hand-in with the most tries counts, without ${listed(origins, "and")}."
+    override fun fewerTries(origins: List<String>) =
+        "The hand-in with the most tries counts, without ${listed(origins, "and")}."
 
     override fun notTried(origins: List<String>) = "These are too many to be run, too: ${listed(origins, "and")}."
 
     override fun partUnusable(reason: String) = "Left out: $reason"
 
-    override fun compiledLeftOut(classes: List<String>) = "The source counts, without the compiled ${listed(classes, "and")}."
+    override fun compiledLeftOut(classes: List<String>) =
+        "The source counts, without the compiled ${listed(classes, "and")}."
 }

@@ -46,7 +46,13 @@ internal object GermanReportMessages : ReportMessages {
     }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
-        val seeds = if (firstSeed == lastSeed) "der Startzahl $firstSeed" else "den Startzahlen $firstSeed bis $lastSeed"
+        val seeds = if (firstSeed ==
+            lastSeed
+        ) {
+            "der Startzahl $firstSeed"
+        } else {
+            "den Startzahlen $firstSeed bis $lastSeed"
+        }
         return if (worlds == 1) "Jede lief mit $seeds." else "Jede lief in $worlds Welten mit $seeds."
     }
 

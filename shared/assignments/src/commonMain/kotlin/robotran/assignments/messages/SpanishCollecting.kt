@@ -88,11 +88,9 @@ internal object SpanishCollectingMessages : CollectingMessages {
     override fun besideProject(programs: List<String>) =
         "Cuenta el proyecto. Al lado ${if (programs.size == 1) "está" else "están"} ${listed(programs, "y")}."
 
-    override fun fewerTries(origins: List<String>) =
-        "Cuenta la entrega con más intentos, sin ${listed(origins, "y")}."
+    override fun fewerTries(origins: List<String>) = "Cuenta la entrega con más intentos, sin ${listed(origins, "y")}."
 
-    override fun notTried(origins: List<String>) =
-        "Estas son demasiadas y no se han probado: ${listed(origins, "y")}."
+    override fun notTried(origins: List<String>) = "Estas son demasiadas y no se han probado: ${listed(origins, "y")}."
 
     override fun partUnusable(reason: String) = "No cuenta: $reason"
 

@@ -47,7 +47,8 @@ fun feedbackZip(report: ClassReport, language: Language = Language.ENGLISH): Byt
 
 /** The same for all assignments of a course. */
 fun feedbackZip(report: CourseReport, language: Language = Language.ENGLISH): ByteArray =
-    zipOf(report.tasks.flatMap { feedbackFiles(it, language) }.distinctBy { it.path }.map { ZipEntry(it.path, it.bytes) })
+    report.tasks.flatMap { feedbackFiles(it, language) }.distinctBy { it.path }
+        .map { ZipEntry(it.path, it.bytes) }.let(::zipOf)
 
 /** The answer to the hand-in with the index [index]. It has nothing that only the teacher has. */
 fun feedbackProject(report: ClassReport, index: Int): Project {

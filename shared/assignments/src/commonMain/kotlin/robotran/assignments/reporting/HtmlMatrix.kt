@@ -17,7 +17,8 @@ internal fun writeMatrix(report: CourseReport, html: HtmlWriter, language: Langu
         html.element("td", name, "words")
         tasks.forEach { task ->
             val verdicts = task.results.filter { it.submission.name == name }.map { it.verdict }
-            html.element("td", verdicts.joinToString { messages.verdict(it) }, verdicts.firstOrNull()?.name?.lowercase())
+            val style = verdicts.firstOrNull()?.name?.lowercase()
+            html.element("td", verdicts.joinToString { messages.verdict(it) }, style)
         }
         html.raw("</tr>\n")
     }

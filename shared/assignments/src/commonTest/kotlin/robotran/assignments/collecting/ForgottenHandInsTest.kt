@@ -56,14 +56,20 @@ class ForgottenHandInsTest {
             file("class/Ida.robo", DRAWS),
         )
         assertEquals(listOf("Go: ok", "Ida: ok"), found.map(::told))
-        assertEquals(listOf<SubmissionRemark>(SubmissionRemark.CompiledLeftOut(listOf("Go.class", "Go\$1.class"))), remarks(found[0]))
+        val classes = SubmissionRemark.CompiledLeftOut(listOf("Go.class", "Go\$1.class"))
+        assertEquals(listOf<SubmissionRemark>(classes), remarks(found[0]))
         val alone = collect(file("class/anna/Go.class", "old"), file("class/ben/prog.robo", DRAWS))
         assertEquals("anna: There are only compiled classes in it. Ask for the Java files.", told(alone[0]))
     }
 
     @Test
     fun `a hand-in from somebody else is told`() = runTest {
-        val names = listOf("Oezdemir Ali" to "Ali", "Özdemir Ali" to "oezdemir", "meyeranna" to "Anna M.", "Zorn Jo" to "7b")
+        val names = listOf(
+            "Oezdemir Ali" to "Ali",
+            "Özdemir Ali" to "oezdemir",
+            "meyeranna" to "Anna M.",
+            "Zorn Jo" to "7b",
+        )
         val others = listOf("Oezdemir Ali" to "Jörg, 7b", "Anna" to "Ben")
         val files = (names + others).mapIndexed { index, (folder, entered) ->
             file("m/${folder}_10${index}_assignsubmission_file_/x.robotran", handIn(entered, tries = index))
@@ -93,7 +99,8 @@ class ForgottenHandInsTest {
 
     @Test
     fun `the teacher's own file in a pupil's folder is told`() = runTest {
-        val teachers = solved.copy(robots = listOf(ProjectRobot(ASSIGNMENT.world.robots.first().name, listOf(robolang("beep\n")))))
+        val robot = ProjectRobot(ASSIGNMENT.world.robots.first().name, listOf(robolang("beep\n")))
+        val teachers = solved.copy(robots = listOf(robot))
         val found = collect(
             file("m/Vera_1_assignsubmission_file_/maze.robotran", teachers),
             file("m/Wim_2_assignsubmission_file_/a.robo", DRAWS),

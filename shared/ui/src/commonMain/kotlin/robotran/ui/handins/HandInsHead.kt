@@ -69,34 +69,31 @@ internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (Han
 /** What can be done with all hand-ins. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun HandInsActions(
-    state: HandInsState,
-    onEvent: (HandInsEvent) -> Unit,
-    modifier: Modifier = Modifier,
-) = FlowRow(
-    modifier,
-    horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
-    verticalArrangement = Arrangement.spacedBy(Space.SMALL),
-) {
-    PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
-        onEvent(HandInsEvent.FilesRequested)
-    })
-    SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
-        onEvent(HandInsEvent.PastingRequested)
-    })
-    for (kind in state.scanners) ScanButton(kind, onEvent)
-    if (state.rows.isEmpty()) return@FlowRow
-    SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
-    SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
-        onEvent(HandInsEvent.PageRequested)
-    })
-    SecondButton(stringResource(Res.string.hand_ins_feedback), "hand-ins-feedback", {
-        onEvent(HandInsEvent.FeedbackRequested)
-    })
-    QuietButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove", {
-        onEvent(HandInsEvent.RemovalRequested)
-    })
-}
+internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit, modifier: Modifier = Modifier) =
+    FlowRow(
+        modifier,
+        horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+        verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+    ) {
+        PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
+            onEvent(HandInsEvent.FilesRequested)
+        })
+        SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
+            onEvent(HandInsEvent.PastingRequested)
+        })
+        for (kind in state.scanners) ScanButton(kind, onEvent)
+        if (state.rows.isEmpty()) return@FlowRow
+        SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
+        SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
+            onEvent(HandInsEvent.PageRequested)
+        })
+        SecondButton(stringResource(Res.string.hand_ins_feedback), "hand-ins-feedback", {
+            onEvent(HandInsEvent.FeedbackRequested)
+        })
+        QuietButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove", {
+            onEvent(HandInsEvent.RemovalRequested)
+        })
+    }
 
 @Composable
 private fun Remark(words: String) = Text(

@@ -42,7 +42,8 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
                 val areActionsFixed = form != TableForm.CARDS && maxHeight >= ROOM * LocalDensity.current.fontScale
                 Column {
                     if (areActionsFixed) {
-                        HandInsActions(state, onEvent, Modifier.padding(horizontal = Space.PAGE).padding(top = Space.SMALL))
+                        val place = Modifier.padding(horizontal = Space.PAGE).padding(top = Space.SMALL)
+                        HandInsActions(state, onEvent, place)
                     }
                     HandInsTable(state, list, form, hasActions = !areActionsFixed, onEvent)
                 }

@@ -86,7 +86,8 @@ internal fun HandInsTable(
             val isWanted = row.id == wanted
             val modifier = if (isWanted) Modifier.focusRequester(focus) else Modifier
             if (form == TableForm.TABLE) {
-                HandInTableRow(row, index, taskOf(state, row), rowPictureSize(state.tasks.first().plan), onEvent, modifier)
+                val picture = rowPictureSize(state.tasks.first().plan)
+                HandInTableRow(row, index, taskOf(state, row), picture, onEvent, modifier)
             } else {
                 HandInCard(row, index, taskOf(state, row), onEvent, modifier)
             }

@@ -1,7 +1,7 @@
 package robotran.workshop.assignment
 
-import robotran.assignments.doing.pupilCopy
 import robotran.assignments.doing.firstPrograms
+import robotran.assignments.doing.pupilCopy
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram

@@ -58,7 +58,9 @@ internal class GradingRounds(
         loop: GradingLoop,
         results: KeptResults,
     ) {
-        val usable = round.mapNotNull { (id, submission) -> (submission as? Submission.Usable)?.let { id to it } }.toMap()
+        val usable = round.mapNotNull { (id, submission) ->
+            (submission as? Submission.Usable)?.let { id to it }
+        }.toMap()
         val known = usable.mapNotNull { (id, submission) -> results.textFor(submission)?.let { id to it } }.toMap()
         val probe = known.keys.firstOrNull()
         if (probe != null && !open.areResultsTrue) {

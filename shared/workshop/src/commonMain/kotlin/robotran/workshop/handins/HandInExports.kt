@@ -30,7 +30,11 @@ internal class HandInExports(
 ) {
     fun saveCsv(open: OpenAssignment, state: HandInsState) = save(state.title, FileKind.CSV) {
         val reports = reportsOn(open, state)
-        if (open.course == null) csvFile(reports.single(), open.language) else csvFile(course(reports, state), open.language)
+        if (open.course == null) {
+            csvFile(reports.single(), open.language)
+        } else {
+            csvFile(course(reports, state), open.language)
+        }
     }
 
     fun savePage(open: OpenAssignment, state: HandInsState) = save(state.title, FileKind.HTML) {

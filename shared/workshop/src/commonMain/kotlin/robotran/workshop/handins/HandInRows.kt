@@ -42,7 +42,11 @@ internal fun withNamesakes(rows: List<HandInRow>): List<HandInRow> {
 
 /** In the chosen order, as people in [language] sort names. */
 internal fun HandInsState.sorted(language: Language): HandInsState {
-    val byName = rows.sortedWith(compareBy<HandInRow> { sortKey(it.name, language) }.thenBy { it.task }.thenBy { it.id })
+    val byName = rows.sortedWith(
+        compareBy<HandInRow> {
+            sortKey(it.name, language)
+        }.thenBy { it.task }.thenBy { it.id },
+    )
     return copy(rows = if (order == HandInOrder.NAME) byName else byName.sortedWith(BY_NEED))
 }
 

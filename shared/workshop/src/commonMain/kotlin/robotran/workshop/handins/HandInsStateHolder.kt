@@ -207,7 +207,9 @@ class HandInsStateHolder internal constructor(
                 if (open == null) request() else open(open.emptied())
             }
 
-            open == null -> request()
+            open == null -> {
+                request()
+            }
 
             state?.isStopped == false -> {
                 grading.begin(open)

@@ -118,12 +118,7 @@ internal class KeptHandIns(private val store: KeyValueStore, assignment: String)
      * @property batch the number of the batch with which it was brought in.
      */
     @Serializable
-    private data class Entry(
-        val path: String,
-        val stamp: String,
-        val batch: Int = 0,
-        val size: Long = 0,
-    )
+    private data class Entry(val path: String, val stamp: String, val batch: Int = 0, val size: Long = 0)
 
     @Serializable
     private data class Index(

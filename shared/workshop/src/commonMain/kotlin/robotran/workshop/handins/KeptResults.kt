@@ -49,6 +49,5 @@ internal class KeptResults(
         if (graded !is GradedHandIn.Failed) kept.keepResult(keyOf(submission), write(graded, submission))
     }
 
-    private fun keyOf(submission: Submission.Usable): String =
-        FileStamp.of(assignment + writeHandIn(submission)).text
+    private fun keyOf(submission: Submission.Usable): String = FileStamp.of(assignment + writeHandIn(submission)).text
 }

@@ -84,7 +84,8 @@ internal class OpenAssignment(
 
     /** Removes the hand-in [id]; with [isRemoved] false, it is there again. */
     fun remove(id: String, isRemoved: Boolean = true) = submissions.forEachIndexed { task, merged ->
-        merged.all.keys.plus(merged.removedIds).firstOrNull { idOf(task, it) == id }?.let { merged.remove(it, isRemoved) }
+        val known = merged.all.keys + merged.removedIds
+        known.firstOrNull { idOf(task, it) == id }?.let { merged.remove(it, isRemoved) }
     }
 
     /** Removes each hand-in of which everything is in [stamps]. */

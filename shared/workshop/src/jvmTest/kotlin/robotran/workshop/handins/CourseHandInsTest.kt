@@ -29,7 +29,8 @@ internal class CourseHandInsTest : HandInsTesting() {
         handle(HandInsEvent.OrderChosen(HandInOrder.NAME))
     }
 
-    private fun Workshop.told() = page.rows.map { row -> Triple(row.name, page.tasks.getOrNull(row.task)?.title, row.verdict) }
+    private fun Workshop.told() =
+        page.rows.map { row -> Triple(row.name, page.tasks.getOrNull(row.task)?.title, row.verdict) }
 
     @Test
     fun `each hand-in is graded for its assignment, in one table`() = looking(assignment = null) { workshop ->
@@ -64,9 +65,11 @@ internal class CourseHandInsTest : HandInsTesting() {
     fun `a later hand-in takes the place of one for the same assignment only, and a removed one comes back`() =
         looking(assignment = null) { workshop ->
             workshop.openCourse()
-            workshop.bring(listOf(AnyClass.file(AnyClass.handIn("Ada", AnyClass.short, tries = 1, of = tasks[1]), "a")))
-            workshop.bring(listOf(AnyClass.file(AnyClass.handIn("Ada", AnyClass.solved, tries = 2, of = tasks[0]), "a")))
-            workshop.bring(listOf(AnyClass.file(AnyClass.handIn("Ada", AnyClass.solved, tries = 2, of = tasks[1]), "a")))
+            listOf(
+                AnyClass.handIn("Ada", AnyClass.short, tries = 1, of = tasks[1]),
+                AnyClass.handIn("Ada", AnyClass.solved, tries = 2, of = tasks[0]),
+                AnyClass.handIn("Ada", AnyClass.solved, tries = 2, of = tasks[1]),
+            ).forEach { workshop.bring(listOf(AnyClass.file(it, "a"))) }
             val both = listOf(HandInVerdict.PASSED, HandInVerdict.PASSED)
             assertEquals(both, workshop.page.rows.map { it.verdict })
             workshop.handle(HandInsEvent.HandInRemoved(workshop.page.rows.last().id))

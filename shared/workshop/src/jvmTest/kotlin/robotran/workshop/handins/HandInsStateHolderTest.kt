@@ -42,7 +42,7 @@ internal class HandInsStateHolderTest : HandInsTesting() {
         workshop.handle(HandInsEvent.HandInChosen("Ada"))
         workshop.handle(HandInsEvent.ComparisonChosen("Ben"))
         assertEquals("Ben", workshop.page.opened?.beside)
-        assertEquals(1, workshop.page.solution.size)
+        assertEquals(1, workshop.page.tasks.single().solution.size)
     }
 
     @Test

@@ -1,25 +1,27 @@
 package robotran.workshop.handins
 
+import kotlinx.coroutines.ExperimentalCoroutinesApi
+import kotlinx.coroutines.test.advanceUntilIdle
+import robotran.assignments.collecting.Submission
+import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.grading.GradingPlan
+import robotran.assignments.grading.HandInGrader
+import robotran.assignments.grading.finish
+import robotran.language.Language
+import robotran.projects.Project
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.platform.GradingCrew
+import robotran.workshop.platform.GradingWorkers
+import robotran.workshop.state.HandInVerdict
+import robotran.workshop.state.HandInsDialog
+import robotran.workshop.state.HandInsMessage
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
-import kotlinx.coroutines.ExperimentalCoroutinesApi
-import kotlinx.coroutines.test.advanceUntilIdle
-import robotran.assignments.collecting.Submission
-import robotran.assignments.grading.GradedHandIn
-import robotran.assignments.grading.GradingPlan
-import robotran.language.Language
-import robotran.projects.Project
-import robotran.workshop.event.HandInsEvent
-import robotran.workshop.platform.GradingCrew
-import robotran.workshop.platform.GradingThreads
-import robotran.workshop.platform.GradingWorkers
-import robotran.workshop.state.HandInVerdict
-import robotran.workshop.state.HandInsDialog
-import robotran.workshop.state.HandInsMessage
 
 /** Tests what the device keeps of hand-ins, and how they are removed. */
 @OptIn(ExperimentalCoroutinesApi::class)
@@ -44,14 +46,16 @@ internal class KeptHandInsTest : HandInsTesting() {
     private class CountingWorkers : GradingWorkers {
         var count = 0
 
-        override suspend fun start(assignment: Project, plan: GradingPlan, language: Language): GradingCrew {
-            val crew = GradingThreads(1).start(assignment, plan, language)
-            return object : GradingCrew by crew {
-                override suspend fun grade(submission: Submission.Usable, onProgress: (runs: Int) -> Unit): GradedHandIn {
-                    count++
-                    return crew.grade(submission, onProgress)
-                }
+        override suspend fun start(assignment: Project, plan: GradingPlan, language: Language) = object : GradingCrew {
+            private val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), language)
+            override val size = 1
+
+            override suspend fun grade(submission: Submission.Usable, onProgress: (runs: Int) -> Unit): GradedHandIn {
+                count++
+                return grader.prepare(submission).finish(onProgress)
             }
+
+            override fun close() = Unit
         }
     }
 
