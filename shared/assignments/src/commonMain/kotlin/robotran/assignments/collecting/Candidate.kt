@@ -8,10 +8,16 @@ package robotran.assignments.collecting
  */
 internal class Candidate(val place: String, val pupil: String, val submission: Submission) {
     /** The same with [remarks], too. */
-    fun with(remarks: List<SubmissionRemark>): Candidate = if (remarks.isEmpty()) {
-        this
-    } else {
-        Candidate(place, pupil, submission.with(remarks))
+    fun with(remarks: List<SubmissionRemark>): Candidate = Candidate(place, pupil, submission.with(remarks))
+
+    /** The same without remarks of the kind [R]. */
+    inline fun <reified R : SubmissionRemark> without(): Candidate {
+        val left = submission.remarks.filterNot { it is R }
+        val changed = when (submission) {
+            is Submission.Usable -> submission.copy(remarks = left)
+            is Submission.Unusable -> submission.copy(remarks = left)
+        }
+        return Candidate(place, pupil, changed)
     }
 }
 

@@ -1,6 +1,6 @@
 package robotran.assignments.collecting
 
-import robotran.assignments.comparing.javaWords
+import robotran.assignments.tokens.javaWords
 import robotran.programs.SourceFile
 
 /**

@@ -56,6 +56,9 @@ internal class GroupReader(
         private val copies = mutableListOf<Candidate>()
         private val notes = mutableListOf<String>()
         private val compiled = mutableListOf<String>()
+
+        /** What hand-ins say about whose they are. */
+        private val names = mutableSetOf<String>()
         private var isElsewhere = false
 
         suspend fun add(file: FoundFile) {
@@ -102,6 +105,8 @@ internal class GroupReader(
         }
 
         fun read(): ReadFiles {
+            // Then the folder is called after none of them.
+            val isOfSeveral = group.key == null && names.size > 1
             val hasWork = projects.any { it.submission is Submission.Usable }
             val programs = programsOf(sources)
             val found = if (hasWork || programs.isEmpty()) projects else projects + candidate(ofPrograms(programs))
@@ -110,6 +115,7 @@ internal class GroupReader(
             val parts = problems.distinct().map(SubmissionRemark::PartUnusable)
             val all = (found.ifEmpty { if (group.isPupils) copies else emptyList() })
                 .map { it.with(listOfNotNull(beside, left) + parts) }
+                .map { if (isOfSeveral) it.without<SubmissionRemark.OtherName>() else it }
             val isNone = all.isEmpty() && !isElsewhere && (group.isPupils || problems.isNotEmpty() || notes.isEmpty())
             if (!isNone) return ReadFiles(all, notes)
             val reason = problems.firstOrNull() ?: notes.firstOrNull() ?: nothingIn()
@@ -166,7 +172,7 @@ internal class GroupReader(
             val first = project.world.robots.first().name
             val robot = project.robots.firstOrNull { it.name == first }
             val other = remarks.otherAssignment(project)
-            // Only a folder that is named after the pupil says anything against the hand-in.
+            if (entered != null) names += keyOf(entered)
             val stranger = entered?.takeIf { group.isFolder && !mayBeSamePerson(it, group.name) }
             val about = remarks.of(project) + listOfNotNull(stranger?.let(SubmissionRemark::OtherName))
             val submission = when {

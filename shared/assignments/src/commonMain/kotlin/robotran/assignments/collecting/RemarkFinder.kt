@@ -1,9 +1,9 @@
 package robotran.assignments.collecting
 
-import robotran.assignments.comparing.KnownSolution
 import robotran.assignments.doing.forbiddenLanguages
 import robotran.assignments.doing.forbiddenWords
 import robotran.assignments.doing.isIntact
+import robotran.assignments.tokens.KnownSolution
 import robotran.json.writeCompactJson
 import robotran.projects.Project
 import robotran.projects.ProjectProgram

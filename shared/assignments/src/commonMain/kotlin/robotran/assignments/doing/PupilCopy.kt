@@ -1,6 +1,6 @@
 package robotran.assignments.doing
 
-import robotran.assignments.comparing.isSameProgram
+import robotran.assignments.tokens.isSameProgram
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment

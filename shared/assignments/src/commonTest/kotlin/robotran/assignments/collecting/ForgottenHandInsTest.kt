@@ -83,6 +83,17 @@ class ForgottenHandInsTest {
     }
 
     @Test
+    fun `a folder with the hand-ins of several pupils is called after none of them`() = runTest {
+        val found = collect(
+            file("c/7b/x.robotran", handIn("Anna")),
+            file("c/group one/y.robotran", handIn("Ben")),
+            file("c/group one/z.robotran", handIn("Cem")),
+        )
+        assertEquals(listOf("Anna", "Ben", "Cem"), found.map { it.name })
+        assertEquals(emptyList(), found.flatMap(::remarks))
+    }
+
+    @Test
     fun `a program that equals the solution is told, whatever its names and blanks`() = runTest {
         val copied = long.replace("  ", "    ").replace("beep", "beep // mine")
         val found = collect(

@@ -1,10 +1,11 @@
 package robotran.workshop.assignment
 
-import robotran.assignments.comparing.isSameProgram
+import kotlin.io.encoding.Base64
 import robotran.assignments.doing.canBeShown
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
 import robotran.assignments.doing.ordinaryText
+import robotran.assignments.tokens.isSameProgram
 import robotran.documents.FileStamp
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
@@ -17,7 +18,6 @@ import robotran.workshop.state.MissingPart
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.StartProgram
 import robotran.world.WorldLimits
-import kotlin.io.encoding.Base64
 
 /**
  * A new assignment about [project]: pupils begin with its programs, except with [solution] and what equals it.

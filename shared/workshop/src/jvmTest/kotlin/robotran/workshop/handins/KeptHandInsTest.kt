@@ -46,16 +46,21 @@ internal class KeptHandInsTest : HandInsTesting() {
     private class CountingWorkers : GradingWorkers {
         var count = 0
 
-        override suspend fun start(assignment: Project, plan: GradingPlan, language: Language) = object : GradingCrew {
-            private val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), language)
-            override val size = 1
+        override suspend fun start(assignment: Project, plan: GradingPlan, language: Language): GradingCrew {
+            val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), language)
+            return object : GradingCrew {
+                override val size = 1
 
-            override suspend fun grade(submission: Submission.Usable, onProgress: (runs: Int) -> Unit): GradedHandIn {
-                count++
-                return grader.prepare(submission).finish(onProgress)
+                override suspend fun grade(
+                    submission: Submission.Usable,
+                    onProgress: (runs: Int) -> Unit,
+                ): GradedHandIn {
+                    count++
+                    return grader.prepare(submission).finish(onProgress)
+                }
+
+                override fun close() = Unit
             }
-
-            override fun close() = Unit
         }
     }
 

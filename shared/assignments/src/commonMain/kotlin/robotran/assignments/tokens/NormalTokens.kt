@@ -1,4 +1,4 @@
-package robotran.assignments.comparing
+package robotran.assignments.tokens
 
 import robotran.language.ProgramLanguage
 import robotran.nqc.edit.NqcTokenKind
