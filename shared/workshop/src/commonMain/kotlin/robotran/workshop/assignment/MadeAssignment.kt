@@ -1,6 +1,5 @@
 package robotran.workshop.assignment
 
-import kotlin.io.encoding.Base64
 import robotran.assignments.doing.canBeShown
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
@@ -18,6 +17,7 @@ import robotran.workshop.state.MissingPart
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.StartProgram
 import robotran.world.WorldLimits
+import kotlin.io.encoding.Base64
 
 /**
  * A new assignment about [project]: pupils begin with its programs, except with [solution] and what equals it.
