@@ -126,8 +126,14 @@ enum class ReportedShortfallKind {
     @SerialName("display-differed")
     DISPLAY_DIFFERED,
 
+    @SerialName("display-changed")
+    DISPLAY_CHANGED,
+
     @SerialName("tones-missing")
     TONES_MISSING,
+
+    @SerialName("too-many-tones")
+    TOO_MANY_TONES,
 }
 
 private fun kindOf(shortfall: GoalShortfall): ReportedShortfallKind = when (shortfall) {
@@ -151,7 +157,9 @@ private fun kindOf(shortfall: GoalShortfall): ReportedShortfallKind = when (shor
     is ProgramShortfall.Interrupted -> ReportedShortfallKind.INTERRUPTED
     ProgramShortfall.NotStarted -> ReportedShortfallKind.NOT_STARTED
     is ProgramShortfall.DisplayDiffered -> ReportedShortfallKind.DISPLAY_DIFFERED
+    is ProgramShortfall.DisplayChanged -> ReportedShortfallKind.DISPLAY_CHANGED
     is ProgramShortfall.TonesMissing -> ReportedShortfallKind.TONES_MISSING
+    is ProgramShortfall.TooManyTones -> ReportedShortfallKind.TOO_MANY_TONES
 }
 
 private fun centimetresOf(shortfall: GoalShortfall): Double? = when (shortfall) {

@@ -69,6 +69,7 @@ private fun ownFieldsOf(condition: GoalCondition): List<GoalField> = with(condit
 
         is GoalCondition.ShowOnDisplay -> listOf(
             GoalField.Text(GoalFieldName.TEXT, text, WorldLimits.MAXIMUM_DISPLAY_CHARACTERS) { copy(text = it) },
+            GoalField.Flag(GoalFieldName.STAYS, stays) { copy(stays = it) },
         )
 
         is GoalCondition.PlaySound -> soundFieldsOf(this)
@@ -108,7 +109,7 @@ private fun soundFieldsOf(sound: GoalCondition.PlaySound): List<GoalField> = wit
     val max = highest?.toDouble()
     val isAllowed = areInOrder(min, max)
     listOf(
-        GoalField.Number(GoalFieldName.TIMES, times.toDouble(), SOUNDS) { copy(times = it.toInt()) },
+        GoalField.OptionalNumber(GoalFieldName.TIMES, times?.toDouble(), 1.0, SOUNDS) { copy(times = it?.toInt()) },
         GoalField.OptionalNumber(
             GoalFieldName.LOWEST_TONE,
             min,

@@ -5,15 +5,19 @@ import robotran.world.geometry.Shape
 /**
  * The condition of a [Goal].
  *
- * Some conditions are met at a moment: [Reach], [FollowLine], [EndWithin], [ShowOnDisplay], [PlaySound], an [InkLength]
- * without an upper bound. The others must hold from beginning to end, so they are met only when the run ends:
- * [StayOut], [StayIn], [NeverTouch], the drawing of [DrawTemplate] and of an [InkLength] with an upper bound.
+ * What a run has done once can no longer be undone: [Reach], [FollowLine], [EndWithin], [ShowOnDisplay], [PlaySound], an
+ * [InkLength] without an upper bound are met for good at that moment. What must never happen, how many, what is drawn,
+ * where something stays and what is shown at last can change as long as the run goes on: such conditions are
+ * [isDecidedAtEnd].
  *
  * A condition that refers to a missing robot or object ([HasActor], [HasLine], [NeedsTemplate]) cannot be met.
  */
 sealed interface GoalCondition {
-    /** Whether the condition stays met once it is met; for groups see [HasParts]. */
-    val staysMet: Boolean get() = true
+    /**
+     * Whether it is met only by the end of a run, even if it holds long before, because what the run does until then may
+     * change that. It may fail earlier.
+     */
+    val isDecidedAtEnd: Boolean get() = false
 
     /** Whether a pupil may want to go on once it is met: a drawing of some length is often not complete. */
     val isMinimum: Boolean get() = false
@@ -33,7 +37,7 @@ sealed interface GoalCondition {
     ) : HasRegion,
         HasTimeLimit {
         override val role: RegionRole get() = RegionRole.TARGET
-        override val staysMet: Boolean get() = !stays
+        override val isDecidedAtEnd: Boolean get() = stays
 
         override fun withRegion(region: Shape) = copy(region = region)
 
@@ -51,6 +55,7 @@ sealed interface GoalCondition {
         override val whole: Boolean = false,
     ) : HasRegion {
         override val role: RegionRole get() = RegionRole.FORBIDDEN
+        override val isDecidedAtEnd: Boolean get() = true
 
         override fun withRegion(region: Shape) = copy(region = region)
 
@@ -66,6 +71,7 @@ sealed interface GoalCondition {
         override val whole: Boolean = false,
     ) : HasRegion {
         override val role: RegionRole get() = RegionRole.PERMITTED
+        override val isDecidedAtEnd: Boolean get() = true
 
         override fun withRegion(region: Shape) = copy(region = region)
 
@@ -77,6 +83,8 @@ sealed interface GoalCondition {
     /** The robot never touches anything of these kinds, with any part. */
     data class NeverTouch(val what: Set<TouchKind> = TouchKind.entries.toSet(), override val who: String? = null) :
         HasActor {
+        override val isDecidedAtEnd: Boolean get() = true
+
         override fun withWho(who: String?) = copy(who = who)
     }
 
@@ -88,11 +96,14 @@ sealed interface GoalCondition {
      * @property excess max length of ink beyond the tolerance, relative to the template's length.
      */
     data class DrawTemplate(val tolerance: Double = 1.0, val coverage: Double = 0.9, val excess: Double = 0.1) :
-        NeedsTemplate
+        NeedsTemplate {
+        override val isDecidedAtEnd: Boolean get() = true
+    }
 
     /** All robots together draw this many centimetres; either bound may be null, but not both. */
     data class InkLength(val atLeast: Double?, val atMost: Double?) : GoalCondition {
         override val isMinimum: Boolean get() = true
+        override val isDecidedAtEnd: Boolean get() = atMost != null
     }
 
     /**
@@ -128,29 +139,39 @@ sealed interface GoalCondition {
      * The display shows this text at some time while the program runs, for at least a hundredth of a second.
      * [robotran.rcxrom.display.LcdGlass.shows] defines what counts as shown; what the firmware has left on the display
      * does not.
+     *
+     * @property stays whether the program must leave it on the display at last; otherwise having shown it is enough.
      */
-    data class ShowOnDisplay(val text: String, override val who: String? = null) : HasActor {
+    data class ShowOnDisplay(val text: String, override val who: String? = null, val stays: Boolean = false) :
+        HasActor {
+        override val isDecidedAtEnd: Boolean get() = stays
+
         override fun withWho(who: String?) = copy(who = who)
     }
 
     /**
-     * The program plays this many tones, of any pitch or of one from [lowest] to [highest] hertz. The tolerance is half
-     * a semitone, because a brick's timer cannot produce every pitch. Sounds of the brick's own firmware do not count;
-     * a sound of several tones counts as several.
+     * The program plays tones of any pitch or of one from [lowest] to [highest] hertz. The tolerance is half a semitone,
+     * because a brick's timer cannot produce every pitch. Sounds of the brick's own firmware do not count; a sound of
+     * several tones counts as several.
+     *
+     * @property times how many, no fewer and no more; null if one or more will do.
      */
     data class PlaySound(
-        val times: Int = 1,
+        val times: Int? = null,
         val lowest: Int? = null,
         val highest: Int? = null,
         override val who: String? = null,
     ) : HasActor {
+        override val isDecidedAtEnd: Boolean get() = times != null
+
         override fun withWho(who: String?) = copy(who = who)
     }
 
     /**
-     * All of [goals] in order: each becomes active when the one before is met. A condition that must hold becomes
-     * active in its turn, holds from then on, and does not delay the next goal; a drawing activates the next goal when
-     * enough is drawn.
+     * All of [goals] in order: each becomes active when the one before is met or, if that is decided at the end, holds
+     * for the first time. A condition that must never break becomes active in its turn and does not delay the next goal;
+     * a drawing activates the next goal when enough is drawn. A number of tones counts up to the turn of the next goal
+     * about the same tones.
      */
     data class InOrder(override val goals: List<Goal>) : HasParts {
         override val isOrdered: Boolean get() = true

@@ -72,5 +72,8 @@ sealed interface HasParts : GoalCondition {
     /** Whether all parts must be met; otherwise one is enough. */
     val needsAll: Boolean get() = true
 
+    override val isDecidedAtEnd: Boolean
+        get() = if (needsAll) goals.any { it.condition.isDecidedAtEnd } else goals.all { it.condition.isDecidedAtEnd }
+
     fun withGoals(goals: List<Goal>): GoalCondition
 }

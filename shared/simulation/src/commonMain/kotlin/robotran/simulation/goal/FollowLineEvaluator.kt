@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.LineShortfall
 import robotran.world.GoalCondition
 import robotran.world.Mark
@@ -16,7 +15,7 @@ internal class FollowLineEvaluator(
     private val actor: Actor.OfRobots,
     line: MarkFigure.Line,
     ahead: Double,
-) : SingleGoalEvaluator(sentence) {
+) : SingleGoalEvaluator(sentence, goal) {
     private val laps = if (line.closed) {
         Rounds(
             ArcLengthPath(line).length,
@@ -28,9 +27,9 @@ internal class FollowLineEvaluator(
     private val tracker = LineTracker<Scene>(ArcLengthPath(line), goal.tolerance, laps)
 
     override fun look(scene: Scene) {
-        if (scene.isAfter(goal.within)) return tell(scene, GoalStatus.FAILED)
+        if (scene.isAfter(goal.within)) return fail(scene)
         tracker.moveTo(scene.lightSensor(actor) ?: return, scene)
-        tell(scene, if (laps.share >= 1.0) GoalStatus.MET else GoalStatus.PENDING, laps.share)
+        tell(laps.share >= 1.0, laps.share)
     }
 
     /** By how much it comes too late. */

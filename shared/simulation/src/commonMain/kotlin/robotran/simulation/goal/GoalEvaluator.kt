@@ -3,6 +3,7 @@ package robotran.simulation.goal
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
+import robotran.world.GoalCondition
 import kotlin.math.floor
 
 /** Evaluates one goal of a run: it observes the run repeatedly, and a last time at the end. */
@@ -11,7 +12,10 @@ internal interface GoalEvaluator {
     val progress: GoalProgress
 
     /** Whether the goal after this one in an ordered group may begin. */
-    val allowsNext: Boolean
+    val allowsNext: Boolean get() = progress.holds
+
+    /** What counts tones, of this goal or of its parts. */
+    val toneCounts: List<PlaySoundEvaluator> get() = emptyList()
 
     /** Whether the program had done what the goal wants when it did [event]; null if that cannot be told. */
     fun isDoneBy(event: ProgramEvent): Boolean? = null
@@ -31,41 +35,46 @@ internal interface GoalEvaluator {
     fun failInactive()
 }
 
-/** Base class of evaluators of a single goal. Once met or failed, they stop observing. */
-internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
-    final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0)
+/**
+ * Base class of evaluators of a single goal. Once met or failed, it stays so, and they stop observing. This is the one
+ * place that says when that is: a condition that holds is met at once if nothing can change that any more, and by the end
+ * of the run if it [is decided then][GoalCondition.isDecidedAtEnd].
+ *
+ * @param holds whether [condition] holds before anything has happened.
+ */
+internal abstract class SingleGoalEvaluator(
+    sentence: String,
+    private val condition: GoalCondition,
+    holds: Boolean = false,
+) : GoalEvaluator {
+    final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0, holds = holds)
         private set
-
-    override val allowsNext: Boolean get() = progress.status == GoalStatus.MET
-
-    protected open val isDecided: Boolean get() = progress.status != GoalStatus.PENDING
 
     /** Whether the goal is about what programs do between two moments, and not only about the moments themselves. */
     protected open val followsPrograms: Boolean get() = false
-
-    /** The status of a goal that is still pending when the run ends. */
-    protected open val statusAtEnd: GoalStatus get() = GoalStatus.FAILED
 
     override fun begin(scene: Scene) = Unit
 
     override fun observe(scene: Scene) {
         if (scene.between != null && !followsPrograms) return
-        if (!isDecided) {
-            look(scene)
-        } else if (progress.status == GoalStatus.FAILED) {
-            lookOn(scene)
+        when (progress.status) {
+            GoalStatus.PENDING -> look(scene)
+            GoalStatus.FAILED -> lookOn(scene)
+            GoalStatus.MET -> Unit
         }
     }
 
     override fun finish(scene: Scene) {
         observe(scene)
-        if (progress.status == GoalStatus.PENDING) tell(scene, statusAtEnd)
+        if (progress.status == GoalStatus.PENDING) {
+            if (progress.holds) setProgress(GoalStatus.MET, 1.0) else fail(scene)
+        }
         if (progress.status == GoalStatus.FAILED) tellShortfall(shortfallAtEnd(scene))
     }
 
     override fun failInactive() {
         if (progress.status == GoalStatus.FAILED) return
-        setProgress(GoalStatus.FAILED, belowOne(progress.progress), GoalShortfall.NotBegun)
+        setProgress(GoalStatus.FAILED, belowOne(progress.progress), shortfall = GoalShortfall.NotBegun)
     }
 
     protected abstract fun look(scene: Scene)
@@ -79,21 +88,33 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     /** What is missing when the run ends, for a goal that has failed. */
     protected open fun shortfallAtEnd(scene: Scene): GoalShortfall? = progress.shortfall
 
-    /** @param share completed part, any value; null keeps the current one. */
-    protected fun tell(scene: Scene, status: GoalStatus, share: Double? = null) {
-        val shown = if (status == GoalStatus.MET) 1.0 else share?.let(::belowOne) ?: belowOne(progress.progress)
-        if (status != progress.status || shown != progress.progress) {
-            setProgress(status, shown, if (status == GoalStatus.FAILED) shortfall(scene) else null)
-        }
+    /**
+     * Tells whether the condition [holds] now.
+     *
+     * @param share completed part, any value; null keeps the current one.
+     */
+    protected fun tell(holds: Boolean, share: Double? = null) {
+        if (holds && !condition.isDecidedAtEnd) return setProgress(GoalStatus.MET, 1.0)
+        val shown = belowOne(share ?: progress.progress)
+        if (holds != progress.holds || shown != progress.progress) setProgress(GoalStatus.PENDING, shown, holds)
     }
+
+    /** Tells that the condition can no longer be met. */
+    protected fun fail(scene: Scene, share: Double? = null) =
+        setProgress(GoalStatus.FAILED, belowOne(share ?: progress.progress), shortfall = shortfall(scene))
 
     /** Changes what was missing for a goal that has failed. */
     protected fun tellShortfall(shortfall: GoalShortfall?) {
         if (shortfall != progress.shortfall) progress = progress.copy(shortfall = shortfall)
     }
 
-    private fun setProgress(status: GoalStatus, share: Double, shortfall: GoalShortfall?) {
-        progress = progress.copy(status = status, progress = share, shortfall = shortfall)
+    private fun setProgress(
+        status: GoalStatus,
+        share: Double,
+        holds: Boolean = status == GoalStatus.MET,
+        shortfall: GoalShortfall? = null,
+    ) {
+        progress = progress.copy(status = status, progress = share, holds = holds, shortfall = shortfall)
     }
 
     private fun belowOne(share: Double): Double = if (share > 0.0) {
@@ -110,7 +131,6 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
 /** A goal that refers to a missing robot or object. */
 internal class UnsatisfiableGoal(sentence: String) : GoalEvaluator {
     override val progress = GoalProgress(sentence, GoalStatus.FAILED, 0.0, shortfall = GoalShortfall.ImpossibleGoal)
-    override val allowsNext: Boolean get() = false
 
     override fun begin(scene: Scene) = Unit
 

@@ -80,7 +80,7 @@ internal class GoalEvaluators(
 
             is GoalCondition.EndWithin -> messages.endWithin(parts.mover(who), seconds)
 
-            is GoalCondition.ShowOnDisplay -> messages.showOnDisplay(parts.mover(who), text.trim())
+            is GoalCondition.ShowOnDisplay -> messages.showOnDisplay(parts.mover(who), text.trim(), stays)
 
             is GoalCondition.PlaySound -> messages.playSound(parts.mover(who), times, lowest, highest)
 

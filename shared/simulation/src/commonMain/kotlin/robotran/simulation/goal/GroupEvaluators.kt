@@ -22,8 +22,13 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
     /** The status of the group for the statuses of its parts. */
     protected abstract fun statusOf(parts: List<GoalStatus>): GoalStatus
 
+    /** Whether the group would be met if the run ended now, for its [parts]. */
+    protected abstract fun hold(parts: List<GoalProgress>): Boolean
+
     /** The completed share of the group for the [shares] of its parts. */
     protected abstract fun shareOf(shares: List<Double>): Double
+
+    override val toneCounts: List<PlaySoundEvaluator> get() = parts.flatMap { it.toneCounts }
 
     override fun begin(scene: Scene) = change { parts.forEach { it.begin(scene) } }
 
@@ -46,7 +51,8 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
         val status = statusOf(told.map { it.status })
         val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(told.map { it.progress }), MAX_OF_UNMET)
         val shortfall = if (status == GoalStatus.FAILED) shortfallOf(told) else null
-        progress = GoalProgress(sentence, status, floor(share * HUNDRED + ROUNDING) / HUNDRED, told, shortfall)
+        val shown = floor(share * HUNDRED + ROUNDING) / HUNDRED
+        progress = GoalProgress(sentence, status, shown, told, status != GoalStatus.FAILED && hold(told), shortfall)
     }
 
     private fun shortfallOf(told: List<GoalProgress>): GoalShortfall {
@@ -76,18 +82,16 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
 }
 
 internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
-    override val allowsNext: Boolean get() = parts.all { it.allowsNext }
-
     override fun decisivePart(parts: List<GoalProgress>): Int = firstFailed(parts)
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
+
+    override fun hold(parts: List<GoalProgress>): Boolean = parts.all { it.holds }
 
     override fun shareOf(shares: List<Double>): Double = mean(shares)
 }
 
 internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
-    override val allowsNext: Boolean get() = parts.any { it.allowsNext }
-
     /** The one that was closest to being met. */
     override fun decisivePart(parts: List<GoalProgress>): Int = parts.indices.maxByOrNull { parts[it].progress } ?: -1
 
@@ -96,6 +100,8 @@ internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : Gr
         parts.all { it == GoalStatus.FAILED } -> GoalStatus.FAILED
         else -> GoalStatus.PENDING
     }
+
+    override fun hold(parts: List<GoalProgress>): Boolean = parts.any { it.holds }
 
     override fun shareOf(shares: List<Double>): Double = shares.maxOrNull() ?: 0.0
 }

@@ -17,8 +17,6 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
     /** What programs have done while the display of an NXT may not have shown yet what was drawn before. */
     private val recent = ArrayDeque<Scene>()
 
-    override val allowsNext: Boolean get() = begun == parts.size && parts.all { it.allowsNext }
-
     override fun begin(scene: Scene) = change {
         parts.firstOrNull()?.begin(scene)
         beginNext(scene)
@@ -44,6 +42,8 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
 
+    override fun hold(parts: List<GoalProgress>): Boolean = begun == parts.size && parts.all { it.holds }
+
     override fun shareOf(shares: List<Double>): Double = mean(shares)
 
     private fun beginNext(scene: Scene) {
@@ -52,8 +52,15 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
             begunAt[number] = scene.between?.milliseconds ?: scene.state.milliseconds
             byEvent[number] = scene.between != null
             parts[number].begin(scene)
+            handOverTones(number)
             for (earlier in recent) if (isAfterPartBefore(earlier, number)) parts[number].observe(earlier)
         }
+    }
+
+    /** From the turn of the part with the index [number] on, its tones are no longer those of the parts before. */
+    private fun handOverTones(number: Int) {
+        val before = parts.take(number).flatMap { it.toneCounts }
+        for (later in parts[number].toneCounts) before.filter(later::countsTonesOf).forEach { it.close() }
     }
 
     /** Whether [scene] counts for the part with the index [number]: not if a program did it before the part's turn. */

@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkShortfall
 import robotran.simulation.state.RunMoment
@@ -10,14 +9,9 @@ import robotran.world.Template
 
 /** Evaluates the length of the drawing. */
 internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondition.InkLength) :
-    SingleGoalEvaluator(sentence) {
+    SingleGoalEvaluator(sentence, goal) {
     private val atLeast = goal.atLeast ?: 0.0
     private var lengthAtStart = 0.0
-    private var isEnough = false
-
-    override val allowsNext: Boolean get() = isEnough && progress.status != GoalStatus.FAILED
-
-    override val statusAtEnd: GoalStatus get() = if (isEnough) GoalStatus.MET else GoalStatus.FAILED
 
     override fun begin(scene: Scene) {
         lengthAtStart = scene.state.ink.lengthCentimetres
@@ -25,12 +19,8 @@ internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondit
 
     override fun look(scene: Scene) {
         val length = length(scene)
-        isEnough = length >= atLeast
-        when {
-            length > (goal.atMost ?: Double.MAX_VALUE) -> tell(scene, GoalStatus.FAILED)
-            goal.atMost == null && isEnough -> tell(scene, GoalStatus.MET)
-            atLeast > 0.0 -> tell(scene, GoalStatus.PENDING, length / atLeast)
-        }
+        if (length > (goal.atMost ?: Double.MAX_VALUE)) return fail(scene)
+        tell(length >= atLeast, if (atLeast > 0.0) length / atLeast else null)
     }
 
     override fun shortfall(scene: Scene): GoalShortfall {
@@ -56,25 +46,17 @@ internal class DrawTemplateEvaluator(
     sentence: String,
     private val goal: GoalCondition.DrawTemplate,
     template: Template,
-) : SingleGoalEvaluator(sentence) {
+) : SingleGoalEvaluator(sentence, goal) {
     private val tracing = Tracing(template, goal.tolerance)
     private var seen: Ink? = null
-
-    override val allowsNext: Boolean get() = tracing.coverage >= goal.coverage &&
-        progress.status != GoalStatus.FAILED
-
-    override val statusAtEnd: GoalStatus get() = if (tracing.coverage >= goal.coverage) {
-        GoalStatus.MET
-    } else {
-        GoalStatus.FAILED
-    }
 
     override fun look(scene: Scene) {
         val ink = scene.state.ink
         if (ink === seen) return
         seen = ink
         tracing.follow(ink)
-        tell(scene, if (tracing.excess > goal.excess) GoalStatus.FAILED else GoalStatus.PENDING, tracing.coverage)
+        if (tracing.excess > goal.excess) return fail(scene, tracing.coverage)
+        tell(tracing.coverage >= goal.coverage, tracing.coverage)
     }
 
     /** Follows the rest of the drawing, so that all of what is wrong can be shown. */
@@ -88,7 +70,6 @@ internal class DrawTemplateEvaluator(
     override fun shortfall(scene: Scene): GoalShortfall = if (tracing.excess > goal.excess) {
         InkShortfall.InkBesideTemplate(
             tracing.centimetresBeside,
-            goal.excess * tracing.length,
             tracing.stretchesBeside,
             scene.drawingMoment(),
         )

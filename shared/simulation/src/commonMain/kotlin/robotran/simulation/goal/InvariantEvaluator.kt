@@ -2,21 +2,17 @@ package robotran.simulation.goal
 
 import robotran.simulation.state.ForbiddenTouch
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.world.GoalCondition
 import robotran.world.TouchKind
 
 /** Evaluates a condition that must hold until the run ends. */
-internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluator(sentence) {
-    override val allowsNext: Boolean get() = progress.status != GoalStatus.FAILED
-
-    override val statusAtEnd: GoalStatus get() = GoalStatus.MET
-
+internal abstract class InvariantEvaluator(sentence: String, condition: GoalCondition) :
+    SingleGoalEvaluator(sentence, condition, holds = true) {
     /** Whether the condition is violated now. */
     protected abstract fun isBroken(scene: Scene): Boolean
 
     override fun look(scene: Scene) {
-        if (isBroken(scene)) tell(scene, GoalStatus.FAILED)
+        if (isBroken(scene)) fail(scene)
     }
 }
 
@@ -25,7 +21,7 @@ internal class NeverTouchEvaluator(
     sentence: String,
     private val goal: GoalCondition.NeverTouch,
     private val actor: Actor.OfRobots,
-) : InvariantEvaluator(sentence) {
+) : InvariantEvaluator(sentence, goal) {
     /** The kinds touched before this goal was activated; only a current touch of them can be detected. */
     private var touchedBefore: Set<TouchKind> = emptySet()
 

@@ -17,7 +17,7 @@ internal class StayOutEvaluator(
     private val actor: Actor,
     private val region: Outline,
     private val area: String?,
-) : InvariantEvaluator(sentence) {
+) : InvariantEvaluator(sentence, goal) {
     override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
         scene.footprint(actor)?.meets(region) == true
     } else {
@@ -37,7 +37,7 @@ internal class StayInEvaluator(
     private val actor: Actor,
     private val region: Outline,
     private val area: String?,
-) : InvariantEvaluator(sentence) {
+) : InvariantEvaluator(sentence, goal) {
     override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
         scene.footprint(actor)?.isInside(region) == false
     } else {

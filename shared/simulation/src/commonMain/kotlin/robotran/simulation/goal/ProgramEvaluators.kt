@@ -2,7 +2,6 @@ package robotran.simulation.goal
 
 import robotran.brick.state.RunState
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.ProgramShortfall
 import robotran.world.GoalCondition
 
@@ -11,12 +10,9 @@ internal class EndWithinEvaluator(
     sentence: String,
     private val goal: GoalCondition.EndWithin,
     private val actor: Actor.OfRobots,
-) : SingleGoalEvaluator(sentence) {
+) : SingleGoalEvaluator(sentence, goal) {
     override fun look(scene: Scene) {
-        when {
-            scene.isAfter(goal.seconds) -> tell(scene, GoalStatus.FAILED)
-            hasEnded(scene) -> tell(scene, GoalStatus.MET)
-        }
+        if (scene.isAfter(goal.seconds)) fail(scene) else tell(hasEnded(scene))
     }
 
     /** By how much it ends too late. */
@@ -40,51 +36,4 @@ internal class EndWithinEvaluator(
 
     private fun failureMoment(scene: Scene, run: RunState.Failed) =
         moment(scene).copy(sourceLine = run.failure.sourceLine, sourceFile = run.failure.sourceFile)
-}
-
-/** Evaluates whether the program has played enough tones. */
-internal class PlaySoundEvaluator(
-    sentence: String,
-    private val goal: GoalCondition.PlaySound,
-    private val actor: Actor.OfRobots,
-) : SingleGoalEvaluator(sentence) {
-    private val lowest = (goal.lowest ?: 0) / NEARLY
-    private val highest = goal.highest?.let { it * NEARLY } ?: Double.MAX_VALUE
-    private var played = 0
-    private var others = 0
-    private var firstOther: OtherTone? = null
-
-    override val followsPrograms: Boolean get() = true
-
-    override fun look(scene: Scene) {
-        val event = scene.between
-        if (event == null || event.robot != actor.number || event.tone.isFirmware) return
-        val tone = event.tone
-        if (tone.hertz in lowest..highest) {
-            played++
-        } else {
-            others++
-            if (firstOther == null) firstOther = OtherTone(tone.hertz, tone.milliseconds, scene)
-        }
-        if (played >= goal.times) {
-            tell(scene, GoalStatus.MET)
-        } else {
-            tell(scene, GoalStatus.PENDING, played.toDouble() / goal.times)
-        }
-    }
-
-    override fun shortfall(scene: Scene): GoalShortfall {
-        val other = firstOther
-        val moment = other?.let {
-            it.scene.moment(actor, it.scene.middle(actor)).copy(milliseconds = it.milliseconds)
-        }
-        return ProgramShortfall.TonesMissing(played, goal.times, others, other?.hertz, moment)
-    }
-
-    private class OtherTone(val hertz: Double, val milliseconds: Long, val scene: Scene)
-
-    private companion object {
-        /** Half a semitone. */
-        const val NEARLY = 1.03
-    }
 }

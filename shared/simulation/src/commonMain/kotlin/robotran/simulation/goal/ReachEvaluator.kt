@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.PlaceShortfall
 import robotran.world.GoalCondition
 import robotran.world.geometry.Outline
@@ -13,7 +12,7 @@ internal class ReachEvaluator(
     private val actor: Actor,
     private val region: Outline,
     private val area: String?,
-) : SingleGoalEvaluator(sentence) {
+) : SingleGoalEvaluator(sentence, goal) {
     private var distanceAtStart: Double? = null
     private var nearest = Double.MAX_VALUE
 
@@ -22,31 +21,23 @@ internal class ReachEvaluator(
     private var leavingScene: Scene? = null
     private var lastFootprint: Outline? = null
 
-    override val isDecided: Boolean get() = if (goal.stays) progress.status == GoalStatus.FAILED else super.isDecided
-
     override fun look(scene: Scene) {
         val middle = scene.middle(actor) ?: return
         val distance = region.distanceTo(middle)
         val atStart = distanceAtStart ?: distance.also { distanceAtStart = it }
         val isThere = isThere(scene, distance)
         val isTooLate = scene.isAfter(goal.within)
-        val wasThere = progress.status == GoalStatus.MET
+        val wasThere = progress.holds
         if (isThere) {
             leavingScene = null
         } else if (wasThere) {
             leavingScene = scene
         }
-        when {
-            isThere && (wasThere || !isTooLate) -> {
-                tell(scene, GoalStatus.MET)
-            }
-
-            else -> {
-                if (!isTooLate) remember(scene, distance)
-                val share = if (atStart > 0) 1 - distance / atStart else 0.0
-                tell(scene, if (isTooLate) GoalStatus.FAILED else GoalStatus.PENDING, share)
-            }
-        }
+        if (isThere && (wasThere || !isTooLate)) return tell(holds = true, share = 1.0)
+        val share = if (atStart > 0) 1 - distance / atStart else 0.0
+        if (isTooLate) return fail(scene, share)
+        remember(scene, distance)
+        tell(holds = false, share)
     }
 
     /** By how much it comes too late. */

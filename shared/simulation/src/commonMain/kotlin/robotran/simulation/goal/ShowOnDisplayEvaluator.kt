@@ -4,16 +4,15 @@ import robotran.brick.state.RunState
 import robotran.brick.state.Screen
 import robotran.language.editDistance
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.ProgramShortfall
 import robotran.world.GoalCondition
 
-/** Evaluates whether the program has shown the text. */
+/** Evaluates whether the program has shown the text, or has left it on the display if it must stay. */
 internal class ShowOnDisplayEvaluator(
     sentence: String,
     private val goal: GoalCondition.ShowOnDisplay,
     private val actor: Actor.OfRobots,
-) : SingleGoalEvaluator(sentence) {
+) : SingleGoalEvaluator(sentence, goal) {
     private val wanted = goal.text.trim()
 
     /** The display content from the firmware, until the program changes it. */
@@ -22,6 +21,9 @@ internal class ShowOnDisplayEvaluator(
     /** What the program has shown last. */
     private var last: Screen? = null
     private var nearest: ShownText? = null
+
+    /** When the text was replaced for the last time. */
+    private var replacingScene: Scene? = null
 
     override fun isDoneBy(event: ProgramEvent): Boolean? =
         event.drawn?.takeIf { event.robot == actor.number }?.shows(goal.text)
@@ -48,19 +50,22 @@ internal class ShowOnDisplayEvaluator(
 
     private fun lookAt(screen: Screen, scene: Scene) {
         if (screen == last) return
-        if (screen.shows(goal.text)) return tell(scene, GoalStatus.MET)
+        last = screen
+        if (screen.shows(goal.text)) return tell(holds = true)
+        if (progress.holds) replacingScene = scene
         remember(screen, scene)
+        tell(holds = false)
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall = ProgramShortfall.DisplayDiffered(
-        wanted,
-        last?.text?.takeIf { it.isNotEmpty() },
-        nearest?.text,
-        nearest?.let { it.scene.moment(actor, it.scene.middle(actor)) },
-    )
+    override fun shortfall(scene: Scene): GoalShortfall {
+        val shown = last?.text?.takeIf { it.isNotEmpty() }
+        replacingScene?.let { return ProgramShortfall.DisplayChanged(wanted, shown, momentOf(it)) }
+        return ProgramShortfall.DisplayDiffered(wanted, shown, nearest?.text, nearest?.let { momentOf(it.scene) })
+    }
+
+    private fun momentOf(scene: Scene) = scene.moment(actor, scene.middle(actor))
 
     private fun remember(screen: Screen, scene: Scene) {
-        last = screen
         for (text in screen.texts.toSet()) {
             if (text.isEmpty()) continue
             val errors = editDistance(text.lowercase(), wanted.lowercase())

@@ -2,7 +2,6 @@ package robotran.simulation.grade
 
 import robotran.brick.state.RunState
 import robotran.simulation.Session
-import robotran.simulation.goal.isDecided
 import robotran.simulation.pressRun
 import robotran.simulation.report
 import robotran.simulation.state.GoalStatus
@@ -79,7 +78,7 @@ class GoalRun(
 
 private fun Session.areGoalsDecided(): Boolean {
     val goals = state.goals
-    return goals.isNotEmpty() && goals.indices.all { isDecided(world.goals[it], goals[it]) }
+    return goals.isNotEmpty() && goals.none { it.status == GoalStatus.PENDING }
 }
 
 private fun isOver(state: SessionState): Boolean = state.brick.run !is RunState.Running

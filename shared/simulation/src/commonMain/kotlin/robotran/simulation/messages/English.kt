@@ -58,10 +58,15 @@ private object EnglishGoalMessages : GoalMessages {
         return "$program must come to its end within ${seconds(seconds)}."
     }
 
-    override fun showOnDisplay(who: Mover, text: String) = "Show \"$text\" on ${display(who)}."
+    override fun showOnDisplay(who: Mover, text: String, stays: Boolean) =
+        "Show \"$text\" on ${display(who)}${if (stays) ", and leave it there at the end" else ""}."
 
-    override fun playSound(who: Mover, times: Int, lowest: Int?, highest: Int?): String {
-        val sounds = if (times == 1) "a tone" else "$times tones"
+    override fun playSound(who: Mover, times: Int?, lowest: Int?, highest: Int?): String {
+        val sounds = when (times) {
+            null -> "a tone"
+            1 -> "exactly one tone"
+            else -> "exactly $times tones"
+        }
         val pitch = when {
             lowest == null && highest == null -> ""
             lowest == null -> " of $highest hertz or lower"

@@ -7,7 +7,7 @@ import robotran.world.TouchKind
 internal object EnglishShortfallMessages : ShortfallMessages {
     override fun impossibleGoal() = "This world lacks what this goal is about."
 
-    override fun notBegun() = "It was not the turn of this one yet, because the one before is not done."
+    override fun notBegun() = "This one counts only when the one before it is done."
 
     override fun notReached(centimetres: String, area: String?) = "$centimetres cm short of ${name(area)}."
 
@@ -39,8 +39,8 @@ internal object EnglishShortfallMessages : ShortfallMessages {
     override fun templateMissing(share: Int, wanted: Int) =
         "$share % of the template is drawn, and $wanted % is needed."
 
-    override fun inkBesideTemplate(centimetres: String, allowed: String) =
-        "$centimetres cm is drawn beside the template, and only $allowed cm may be."
+    override fun inkBesideTemplate(centimetres: String) =
+        "$centimetres cm is drawn beside the template. That is too much."
 
     override fun lineNotReached(centimetres: String) =
         "The light sensor never found the line. It came as close as $centimetres cm."
@@ -72,6 +72,14 @@ internal object EnglishShortfallMessages : ShortfallMessages {
 
     override fun displayNearly(wanted: String, nearest: String, time: String) =
         "At $time s the display showed \"$nearest\". That is near, but \"$wanted\" is needed."
+
+    override fun displayChanged(wanted: String, last: String?, time: String): String {
+        val now = if (last == null) "At the end it is empty." else "At the end it shows \"$last\"."
+        return "The display showed \"$wanted\" up to $time s. $now"
+    }
+
+    override fun tooManyTones(played: Int, wanted: Int) =
+        "$played tones were played, and $wanted ${if (wanted == 1) "is" else "are"} needed."
 
     override fun tonesMissing(played: Int, wanted: Int) = "$played of $wanted tones were played."
 

@@ -69,11 +69,17 @@ private object GermanGoalMessages : GoalMessages {
         return "$program muss${within(seconds)} zu Ende sein."
     }
 
-    override fun showOnDisplay(who: Mover, text: String) =
-        "Zeig \"$text\" auf der Anzeige${if (who == Mover.OwnRobot) "" else " ${genitive(who)}"}."
+    override fun showOnDisplay(who: Mover, text: String, stays: Boolean): String {
+        val display = "der Anzeige${if (who == Mover.OwnRobot) "" else " ${genitive(who)}"}"
+        return "Zeig \"$text\" auf $display${if (stays) " und lass es am Ende dort stehen" else ""}."
+    }
 
-    override fun playSound(who: Mover, times: Int, lowest: Int?, highest: Int?): String {
-        val sounds = if (times == 1) "einen Ton" else "$times Töne"
+    override fun playSound(who: Mover, times: Int?, lowest: Int?, highest: Int?): String {
+        val sounds = when (times) {
+            null -> "einen Ton"
+            1 -> "genau einen Ton"
+            else -> "genau $times Töne"
+        }
         val pitch = when {
             lowest == null && highest == null -> ""
             lowest == null -> " mit $highest Hertz oder tiefer"

@@ -8,7 +8,7 @@ import robotran.world.TouchKind
 internal object GermanShortfallMessages : ShortfallMessages {
     override fun impossibleGoal() = "In dieser Welt fehlt das, worum es bei diesem Ziel geht."
 
-    override fun notBegun() = "Das hier war noch nicht an der Reihe, weil das davor nicht geschafft ist."
+    override fun notBegun() = "Das hier zählt erst, wenn das davor geschafft ist."
 
     override fun notReached(centimetres: String, area: String?) =
         "Bis zum ${name(area)} fehlten noch ${withComma(centimetres)} cm."
@@ -44,8 +44,8 @@ internal object GermanShortfallMessages : ShortfallMessages {
     override fun templateMissing(share: Int, wanted: Int) =
         "$share % der Vorlage sind gezeichnet, $wanted % sollen es sein."
 
-    override fun inkBesideTemplate(centimetres: String, allowed: String) =
-        "${withComma(centimetres)} cm liegen neben der Vorlage, erlaubt sind nur ${withComma(allowed)} cm."
+    override fun inkBesideTemplate(centimetres: String) =
+        "${withComma(centimetres)} cm liegen neben der Vorlage. Das ist zu viel."
 
     override fun lineNotReached(centimetres: String) =
         "Der Lichtsensor hat die Linie nicht gefunden. Näher als ${withComma(centimetres)} cm kam er nicht heran."
@@ -80,6 +80,14 @@ internal object GermanShortfallMessages : ShortfallMessages {
 
     override fun displayNearly(wanted: String, nearest: String, time: String) =
         "Bei ${withComma(time)} s stand \"$nearest\" auf der Anzeige. Das ist nah dran, \"$wanted\" soll es sein."
+
+    override fun displayChanged(wanted: String, last: String?, time: String): String {
+        val now = if (last == null) "Am Ende ist sie leer." else "Am Ende steht dort \"$last\"."
+        return "Auf der Anzeige stand \"$wanted\" bis ${withComma(time)} s. $now"
+    }
+
+    override fun tooManyTones(played: Int, wanted: Int) =
+        "$played Töne wurden gespielt, $wanted ${if (wanted == 1) "soll" else "sollen"} es sein."
 
     override fun tonesMissing(played: Int, wanted: Int) =
         "$played von $wanted Tönen ${if (played == 1) "wurde" else "wurden"} gespielt."

@@ -33,10 +33,13 @@ interface GoalMessages {
 
     fun endWithin(who: Mover, seconds: Int): String
 
-    fun showOnDisplay(who: Mover, text: String): String
+    fun showOnDisplay(who: Mover, text: String, stays: Boolean): String
 
-    /** @param lowest in hertz, like [highest]; either may be null. */
-    fun playSound(who: Mover, times: Int, lowest: Int?, highest: Int?): String
+    /**
+     * @param times how many exactly; null if one or more will do.
+     * @param lowest in hertz, like [highest]; either may be null.
+     */
+    fun playSound(who: Mover, times: Int?, lowest: Int?, highest: Int?): String
 
     fun inOrder(): String
 

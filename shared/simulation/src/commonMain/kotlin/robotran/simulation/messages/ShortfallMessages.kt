@@ -44,7 +44,7 @@ interface ShortfallMessages {
     /** Both in percent. */
     fun templateMissing(share: Int, wanted: Int): String
 
-    fun inkBesideTemplate(centimetres: String, allowed: String): String
+    fun inkBesideTemplate(centimetres: String): String
 
     fun lineNotReached(centimetres: String): String
 
@@ -74,6 +74,14 @@ interface ShortfallMessages {
 
     /** @param nearest what it showed at [time] that was most like the text. */
     fun displayNearly(wanted: String, nearest: String, time: String): String
+
+    /**
+     * @param last what it showed at last; null if nothing.
+     * @param time when the text was replaced.
+     */
+    fun displayChanged(wanted: String, last: String?, time: String): String
+
+    fun tooManyTones(played: Int, wanted: Int): String
 
     fun tonesMissing(played: Int, wanted: Int): String
 

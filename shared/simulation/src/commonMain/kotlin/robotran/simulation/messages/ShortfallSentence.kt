@@ -46,7 +46,7 @@ private fun ShortfallMessages.sentenceFor(shortfall: InkShortfall): String = wit
         is InkShortfall.TooShort -> inkTooShort(amount(centimetres))
         is InkShortfall.TooLong -> inkTooLong(time(moment), amount(centimetres))
         is InkShortfall.TemplateMissing -> templateMissing(wholePercent(share), wholePercent(wanted))
-        is InkShortfall.InkBesideTemplate -> inkBesideTemplate(amount(centimetres), number(tenths(allowed)))
+        is InkShortfall.InkBesideTemplate -> inkBesideTemplate(amount(centimetres))
     }
 }
 
@@ -73,6 +73,8 @@ private fun ShortfallMessages.sentenceFor(shortfall: ProgramShortfall): String =
         is ProgramShortfall.Interrupted -> if (hasFailed) hasFailed() else wasStopped(time(moment))
         ProgramShortfall.NotStarted -> notStarted()
         is ProgramShortfall.DisplayDiffered -> displaySentence(this)
+        is ProgramShortfall.DisplayChanged -> displayChanged(wanted, last, time(moment))
+        is ProgramShortfall.TooManyTones -> tooManyTones(played, wanted)
         is ProgramShortfall.TonesMissing -> toneSentence(this)
     }
 }
@@ -105,8 +107,6 @@ private fun time(moment: RunMoment): String = number(moment.milliseconds / MILLI
 
 /** Rounded up like an amount. */
 private fun seconds(milliseconds: Long): String = amount(milliseconds / MILLISECONDS_PER_SECOND)
-
-private fun tenths(value: Double): Double = (value * TENTHS + HALF).toLong() / TENTHS
 
 /** Rounded down, so that what is not complete never looks complete. */
 private fun wholePercent(share: Double): Int = (share * PERCENT + TINY).toInt()

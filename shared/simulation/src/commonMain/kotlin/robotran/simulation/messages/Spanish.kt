@@ -69,11 +69,17 @@ private object SpanishGoalMessages : GoalMessages {
         return "$program tiene que terminar${within(seconds)}."
     }
 
-    override fun showOnDisplay(who: Mover, text: String) =
-        "Muestra \"$text\" en la pantalla${if (who == Mover.OwnRobot) "" else " ${ofName(who)}"}."
+    override fun showOnDisplay(who: Mover, text: String, stays: Boolean): String {
+        val display = "la pantalla${if (who == Mover.OwnRobot) "" else " ${ofName(who)}"}"
+        return "Muestra \"$text\" en $display${if (stays) " y déjalo allí al final" else ""}."
+    }
 
-    override fun playSound(who: Mover, times: Int, lowest: Int?, highest: Int?): String {
-        val sounds = if (times == 1) "un tono" else "$times tonos"
+    override fun playSound(who: Mover, times: Int?, lowest: Int?, highest: Int?): String {
+        val sounds = when (times) {
+            null -> "un tono"
+            1 -> "exactamente un tono"
+            else -> "exactamente $times tonos"
+        }
         val pitch = when {
             lowest == null && highest == null -> ""
             lowest == null -> " de $highest hercios o más grave"

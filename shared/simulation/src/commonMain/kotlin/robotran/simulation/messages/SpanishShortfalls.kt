@@ -8,7 +8,7 @@ import robotran.world.TouchKind
 internal object SpanishShortfallMessages : ShortfallMessages {
     override fun impossibleGoal() = "En este mundo falta aquello de lo que trata esta meta."
 
-    override fun notBegun() = "A esta todavía no le tocaba, porque la anterior no está hecha."
+    override fun notBegun() = "Esta solo cuenta cuando la anterior está hecha."
 
     override fun notReached(centimetres: String, area: String?) =
         "Faltaron ${withComma(centimetres)} cm para llegar a ${name(area)}."
@@ -43,8 +43,8 @@ internal object SpanishShortfallMessages : ShortfallMessages {
     override fun templateMissing(share: Int, wanted: Int) =
         "Está dibujado el $share % de la plantilla, y hace falta el $wanted %."
 
-    override fun inkBesideTemplate(centimetres: String, allowed: String) =
-        "Hay ${withComma(centimetres)} cm dibujados fuera de la plantilla, y solo puede haber ${withComma(allowed)} cm."
+    override fun inkBesideTemplate(centimetres: String) =
+        "Hay ${withComma(centimetres)} cm dibujados fuera de la plantilla. Es demasiado."
 
     override fun lineNotReached(centimetres: String) = "El sensor de luz no encontró la línea. " +
         "Lo más cerca que estuvo fue a ${withComma(centimetres)} cm."
@@ -78,6 +78,13 @@ internal object SpanishShortfallMessages : ShortfallMessages {
 
     override fun displayNearly(wanted: String, nearest: String, time: String) =
         "En el segundo ${withComma(time)} la pantalla mostró \"$nearest\". Se parece, pero hace falta \"$wanted\"."
+
+    override fun displayChanged(wanted: String, last: String?, time: String): String {
+        val now = if (last == null) "Al final está vacía." else "Al final pone \"$last\"."
+        return "En la pantalla ponía \"$wanted\" hasta los ${withComma(time)} s. $now"
+    }
+
+    override fun tooManyTones(played: Int, wanted: Int) = "Sonaron $played tonos, y tiene que sonar $wanted."
 
     override fun tonesMissing(played: Int, wanted: Int) =
         "${if (played == 1) "Sonó" else "Sonaron"} $played de $wanted tonos."

@@ -7,6 +7,7 @@ package robotran.simulation.state
  * @property progress 0..1 in hundredths; 1 only if the goal is met. 0 until the run ends for a condition that must
  * never become true.
  * @property parts its subgoals, if any.
+ * @property holds whether it would be met if the run ended now.
  * @property shortfall what the run lacked; null while the goal is met or may still be met.
  */
 data class GoalProgress(
@@ -14,17 +15,15 @@ data class GoalProgress(
     val status: GoalStatus,
     val progress: Double,
     val parts: List<GoalProgress> = emptyList(),
+    val holds: Boolean = status == GoalStatus.MET,
     val shortfall: GoalShortfall? = null,
 )
 
 enum class GoalStatus {
-    /** Not decided yet; for a condition that must never become true: it has not become true yet. */
+    /** Not decided yet, even if it [holds][GoalProgress.holds] now: what the run goes on to do may change that. */
     PENDING,
 
-    /**
-     * Final, except for a condition that may change ([robotran.world.GoalCondition.staysMet]) and for groups that
-     * contain one.
-     */
+    /** Met for good: whatever the run goes on to do, it stays met. */
     MET,
 
     /** This run can no longer meet it. */

@@ -165,6 +165,21 @@ sealed interface ProgramShortfall : GoalShortfall {
     ) : ProgramShortfall
 
     /**
+     * The display showed the text, but not to the end: it was replaced for the last time at [moment].
+     *
+     * @property last what the program showed at last, in plain text; null if it showed nothing.
+     */
+    data class DisplayChanged(val wanted: String, val last: String?, override val moment: RunMoment) :
+        ProgramShortfall
+
+    /**
+     * The program played more tones than the [wanted] ones.
+     *
+     * @property played how many; the first too many began at [moment].
+     */
+    data class TooManyTones(val played: Int, val wanted: Int, override val moment: RunMoment) : ProgramShortfall
+
+    /**
      * The program played too few tones.
      *
      * @property played how many counted, of [wanted].

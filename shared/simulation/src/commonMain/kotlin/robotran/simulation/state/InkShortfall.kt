@@ -31,12 +31,10 @@ sealed interface InkShortfall : GoalShortfall {
      * Too much was drawn beside the template, for the first time at [moment].
      *
      * @property centimetres the length of ink beside it when it was last measured.
-     * @property allowed the length that was allowed.
      * @property beside the longest stretches of it, longest first; at most [TemplateStretch.MAX_STRETCHES].
      */
     data class InkBesideTemplate(
         val centimetres: Double,
-        val allowed: Double,
         val beside: List<TemplateStretch>,
         override val moment: RunMoment,
     ) : InkShortfall

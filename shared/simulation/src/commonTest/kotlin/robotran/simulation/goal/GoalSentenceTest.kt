@@ -75,10 +75,12 @@ class GoalSentenceTest {
             Goal(EndWithin(20, who = "red")) to
                 "The program of the robot \"red\" must come to its end within 20 seconds.",
             Goal(ShowOnDisplay(" HELLO")) to "Show \"HELLO\" on the display.",
+            Goal(ShowOnDisplay("4", stays = true)) to "Show \"4\" on the display, and leave it there at the end.",
             Goal(PlaySound()) to "Play a tone.",
-            Goal(PlaySound(3, lowest = 400, highest = 500)) to "Play 3 tones of 400 to 500 hertz.",
+            Goal(PlaySound(3, lowest = 400, highest = 500)) to "Play exactly 3 tones of 400 to 500 hertz.",
+            Goal(PlaySound(1)) to "Play exactly one tone.",
             Goal(PlaySound(2, lowest = 440, highest = 440, who = "red")) to
-                "Let the robot \"red\" play 2 tones of 440 hertz.",
+                "Let the robot \"red\" play exactly 2 tones of 440 hertz.",
             Goal(InOrder(listOf(Goal(PlaySound())))) to "Do these one after the other.",
             Goal(All(listOf(Goal(PlaySound())))) to "Do all of these.",
             Goal(AnyOf(listOf(Goal(PlaySound())))) to "Do one of these.",

@@ -180,7 +180,6 @@ class GoalShortfallTest {
         run.finish()
         val beside = run.lacks<InkShortfall.InkBesideTemplate>()
         assertEquals(20L, beside.moment.milliseconds)
-        assertEquals(7.0, beside.allowed)
         assertEquals(69.0, beside.centimetres, 0.5)
         assertEquals(listOf(60.0, 20.0), beside.beside.map { it.middle.x })
     }
@@ -326,6 +325,29 @@ class GoalShortfallTest {
         assertEquals(Triple(1, 3, 2), Triple(missing.played, missing.wanted, missing.others))
         assertEquals(880.0, missing.otherHertz)
         assertEquals(20L, missing.moment?.milliseconds)
+    }
+
+    @Test
+    fun `tones too many are counted to the end and told from the first`() = runTest {
+        val run = run(Goal(PlaySound(2)))
+        run.plays(440.0, 440.0)
+        run.plays(440.0)
+        run.plays(440.0)
+        run.finish()
+        val tooMany = run.lacks<ProgramShortfall.TooManyTones>()
+        assertEquals(Pair(4, 2), Pair(tooMany.played, tooMany.wanted))
+        assertEquals(20L, tooMany.moment.milliseconds)
+    }
+
+    @Test
+    fun `a text that was replaced is told with what came last and when`() = runTest {
+        val run = run(Goal(ShowOnDisplay("4", stays = true)))
+        run.programIs(RunState.Running(1))
+        listOf("4", "5", "6").forEach { run.shows(it) }
+        run.finish()
+        val changed = run.lacks<ProgramShortfall.DisplayChanged>()
+        assertEquals("4" to "6", changed.wanted to changed.last)
+        assertEquals(30L, changed.moment.milliseconds)
     }
 
     @Test

@@ -100,16 +100,51 @@ class GroupGoalTest {
         val sound = Goal(PlaySound(2))
         val run = run(Goal(InOrder(listOf(sound, sound))), Goal(InOrder(listOf(left, Goal(InkLength(10.0, null))))))
         run.plays(440.0, 440.0, 440.0)
-        assertEquals(listOf(MET, PENDING), run.parts())
+        assertEquals(listOf(true, false), run.goal.parts.map { it.holds })
         assertEquals(0.5, run.goal.parts[1].progress)
         run.plays(440.0)
-        assertEquals(MET, run.status)
+        assertEquals(true, run.goal.holds)
         run.draws(0.0 to 0.0, 20.0 to 0.0)
         run.robotAt(5.0, 40.0)
         run.draws(0.0 to 5.0, 9.0 to 5.0)
         assertEquals(PENDING, run.goals[1].status)
         run.draws(0.0 to 6.0, 2.0 to 6.0)
         assertEquals(MET, run.goals[1].status)
+    }
+
+    @Test
+    fun `a number of tones counts until the next tones have their turn`() = runTest {
+        fun order() = arrayOf(Goal(InOrder(listOf(Goal(PlaySound(2)), left, Goal(PlaySound(1))))))
+        val run = run(*order())
+        run.plays(440.0, 440.0)
+        run.robotAt(5.0, 40.0)
+        run.plays(440.0)
+        run.finish()
+        assertEquals(MET, run.status)
+        val tooMany = run(*order())
+        tooMany.plays(440.0, 440.0)
+        tooMany.plays(440.0)
+        tooMany.robotAt(5.0, 40.0)
+        tooMany.plays(440.0)
+        tooMany.finish()
+        assertEquals(listOf(FAILED, MET, MET), tooMany.parts())
+        val high = Goal(InOrder(listOf(Goal(PlaySound(1, highest = 400)), Goal(PlaySound(1, lowest = 500)))))
+        val lowAgain = run(high)
+        lowAgain.plays(300.0, 600.0, 300.0)
+        assertEquals(FAILED, lowAgain.status, "the low tones are still counted while the high ones are")
+    }
+
+    @Test
+    fun `what lies in a group is decided at the end if any part is that the group needs`() = runTest {
+        val stays = Goal(Reach(rectangle(0.0, 0.0, 10.0, 80.0), stays = true))
+        val run =
+            run(Goal(All(listOf(stays, right))), Goal(AnyOf(listOf(stays, right))), Goal(InOrder(listOf(stays, right))))
+        run.robotAt(5.0, 40.0)
+        assertEquals(List(3) { PENDING }, run.goals.map { it.status })
+        run.robotAt(95.0, 40.0)
+        assertEquals(listOf(PENDING, MET, PENDING), run.goals.map { it.status })
+        run.finish()
+        assertEquals(listOf(FAILED, MET, FAILED), run.goals.map { it.status })
     }
 
     @Test

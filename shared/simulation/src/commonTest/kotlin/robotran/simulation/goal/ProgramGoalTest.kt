@@ -71,6 +71,37 @@ class ProgramGoalTest {
     }
 
     @Test
+    fun `a text that has to stay must be there at last`() = runTest {
+        val run = run(Goal(ShowOnDisplay("4", stays = true)))
+        run.programIs(running)
+        run.shows("4")
+        assertEquals(GoalStatus.PENDING to true, run.status to run.goal.holds)
+        run.shows("5")
+        assertEquals(GoalStatus.PENDING to false, run.status to run.goal.holds)
+        run.finish()
+        assertEquals(GoalStatus.FAILED, run.status)
+        val again = run(Goal(ShowOnDisplay("4", stays = true)))
+        again.programIs(running)
+        listOf("4", "5", "4").forEach { again.shows(it) }
+        again.finish()
+        assertEquals(GoalStatus.MET, again.status)
+    }
+
+    @Test
+    fun `a number of tones is met by the end of the run, and by one tone too many never`() = runTest {
+        val run = run(Goal(PlaySound(times = 2)))
+        run.plays(440.0, 440.0)
+        assertEquals(GoalStatus.PENDING to true, run.status to run.goal.holds)
+        run.finish()
+        assertEquals(GoalStatus.MET, run.status)
+        val tooMany = run(Goal(PlaySound(times = 2)), Goal(PlaySound(times = 1, highest = 400)))
+        tooMany.plays(440.0, 300.0, 440.0)
+        assertEquals(listOf(GoalStatus.FAILED, GoalStatus.PENDING), tooMany.goals.map { it.status })
+        tooMany.finish()
+        assertEquals(listOf(GoalStatus.FAILED, GoalStatus.MET), tooMany.goals.map { it.status })
+    }
+
+    @Test
     fun `tones of the program count, within half a semitone of what is wanted`() = runTest {
         val run =
             run(
@@ -84,6 +115,7 @@ class ProgramGoalTest {
         run.plays(450.0, 500.0)
         assertEquals(listOf(1.0, 0.66, 1.0, 0.0), run.goals.map { it.progress })
         run.plays(400.5)
+        run.finish()
         assertEquals(List(4) { GoalStatus.MET }, run.goals.map { it.status })
     }
 

@@ -39,8 +39,8 @@ class ShortfallSentenceTest {
                 "The drawing was long enough at 12.4 s. After that, 30 cm too much was drawn.",
             InkShortfall.TemplateMissing(0.189, 0.9, emptyList()) to
                 "18 % of the template is drawn, and 90 % is needed.",
-            InkShortfall.InkBesideTemplate(17.0, 7.0, emptyList(), moment) to
-                "17 cm is drawn beside the template, and only 7 cm may be.",
+            InkShortfall.InkBesideTemplate(17.0, emptyList(), moment) to
+                "17 cm is drawn beside the template. That is too much.",
             LineShortfall.NotReached(5.0, here, moment) to
                 "The light sensor never found the line. It came as close as 5 cm.",
             LineShortfall.Left(0.62, 30.0, false, moment) to "The line was left at 12.4 s, after 62 % of the way.",
@@ -56,6 +56,11 @@ class ShortfallSentenceTest {
                 "The display showed \"6\", and \"5\" is needed.",
             ProgramShortfall.DisplayDiffered("HELLO", "1", "HELL", moment) to
                 "At 12.4 s the display showed \"HELL\". That is near, but \"HELLO\" is needed.",
+            ProgramShortfall.DisplayChanged("4", "8", moment) to
+                "The display showed \"4\" up to 12.4 s. At the end it shows \"8\".",
+            ProgramShortfall.DisplayChanged("4", null, moment) to
+                "The display showed \"4\" up to 12.4 s. At the end it is empty.",
+            ProgramShortfall.TooManyTones(6, 4, moment) to "6 tones were played, and 4 are needed.",
             ProgramShortfall.TonesMissing(1, 3, 0, null, null) to "1 of 3 tones were played.",
             ProgramShortfall.TonesMissing(0, 3, 2, 880.2, moment) to
                 "0 of 3 tones were played. 2 others were too high or too low: the first had 880 hertz.",

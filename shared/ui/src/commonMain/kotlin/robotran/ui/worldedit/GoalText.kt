@@ -4,6 +4,7 @@ import org.jetbrains.compose.resources.StringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_at_least
 import robotran.ui.resources.worldedit_at_most
+import robotran.ui.resources.worldedit_counted
 import robotran.ui.resources.worldedit_coverage
 import robotran.ui.resources.worldedit_excess
 import robotran.ui.resources.worldedit_goal_all
@@ -101,7 +102,7 @@ internal fun wordsFor(field: GoalFieldName): GoalFieldWords = when (field) {
 
     GoalFieldName.TEXT -> GoalFieldWords("text", Res.string.worldedit_text)
 
-    GoalFieldName.TIMES -> GoalFieldWords("times", Res.string.worldedit_times)
+    GoalFieldName.TIMES -> GoalFieldWords("times", Res.string.worldedit_times, Res.string.worldedit_counted)
 
     GoalFieldName.LOWEST_TONE -> GoalFieldWords("lowest", Res.string.worldedit_pitch, Res.string.worldedit_lowest)
 

@@ -150,7 +150,7 @@ private class ArbitraryWorld(private val random: Random) {
             5 -> Goal(InkLength(number(0.0, 50.0), maybe { number(50.0, 1e5) }), maybe(::text), unknown())
             6 -> if (lines.isEmpty()) goal(depth) else followLine()
             7 -> Goal(EndWithin(seconds(), any(robots)), maybe(::text), unknown())
-            8 -> Goal(ShowOnDisplay("HELLO".take(random.nextInt(1, 6)), any(robots)), maybe(::text), unknown())
+            8 -> showOnDisplay()
             9 -> playSound()
             10 -> Goal(InOrder(goals(depth)), maybe(::text), unknown())
             11 -> Goal(All(goals(depth)), maybe(::text), unknown())
@@ -159,11 +159,16 @@ private class ArbitraryWorld(private val random: Random) {
 
         private fun touchKinds() = TouchKind.entries.shuffled(random).take(random.nextInt(1, 5)).toSet()
 
+        private fun showOnDisplay(): Goal {
+            val text = "HELLO".take(random.nextInt(1, 6))
+            return Goal(ShowOnDisplay(text, any(robots), random.nextBoolean()), maybe(::text), unknown())
+        }
+
         private fun playSound(): Goal {
             val lowest = maybe { random.nextInt(31, 440) }
             return Goal(
                 PlaySound(
-                    random.nextInt(1, 1001),
+                    maybe { random.nextInt(1, 1001) },
                     lowest,
                     maybe {
                         440

@@ -110,23 +110,24 @@ internal val GOAL_CODECS: List<GoalCodec> = listOf(
     ),
     codec<ShowOnDisplay>(
         "showOnDisplay",
-        read = { ShowOnDisplay(text("text", WorldLimits.MAXIMUM_DISPLAY_CHARACTERS), who()) },
+        read = { ShowOnDisplay(text("text", WorldLimits.MAXIMUM_DISPLAY_CHARACTERS), who(), flag("stays")) },
         write = {
             text("text", it.text)
             text("who", it.who)
+            flag("stays", it.stays, default = false)
         },
     ),
     codec<PlaySound>(
         "playSound",
         read = {
-            val times = wholeNumber("times", 1..WorldLimits.MAXIMUM_SOUNDS) ?: 1
+            val times = wholeNumber("times", 1..WorldLimits.MAXIMUM_SOUNDS)
             val lowest = wholeNumber("lowest", WorldLimits.LOWEST_TONE..WorldLimits.HIGHEST_TONE)
             val highest = wholeNumber("highest", WorldLimits.LOWEST_TONE..WorldLimits.HIGHEST_TONE)
             checkBounds("lowest" to lowest, "highest" to highest)
             PlaySound(times, lowest, highest, who())
         },
         write = {
-            number("times", it.times, default = 1)
+            number("times", it.times)
             number("lowest", it.lowest)
             number("highest", it.highest)
             text("who", it.who)
