@@ -17,8 +17,7 @@ internal val lineConditions: List<HintCondition> = listOf(
         attempt.pairLine { _, pair -> setOf(pair.mine, pair.meant) == WAYS }
     },
     HintCondition("wrong sensor") { attempt ->
-        attempt.pairLine { line, pair -> isSide(pair) && line.tokens.getOrNull(pair.index + 1) == "bumper" }
-            ?: attempt.otherSense()
+        attempt.otherBumper() ?: attempt.otherSense()
     },
     HintCondition("compared the wrong way") { attempt ->
         attempt.pairLine { _, pair -> isOpposite(pair.mine, pair.meant) }
@@ -55,6 +54,11 @@ internal val lineConditions: List<HintCondition> = listOf(
     HintCondition("line missing") { attempt ->
         attempt.missing.firstOrNull()?.takeIf { attempt.extra.isEmpty() }?.let { HintMatch(it.line.takeIf { it > 0 }) }
     },
+    HintCondition("line too many") { attempt ->
+        attempt.extra.firstOrNull()?.takeIf {
+            attempt.extra.size == attempt.differences.size
+        }?.let { HintMatch(it.line) }
+    },
 )
 
 private fun Attempt.distanceLine(isMeant: (Double, Double) -> Boolean): HintMatch? = pairLine { line, pair ->
@@ -72,6 +76,14 @@ private fun Attempt.hasSameLines(): Boolean =
 /** The same in the same order, apart from where blocks end. */
 private fun Attempt.hasSameOrder(): Boolean =
     lines.filterNot { it.isEnd }.map { it.tokens } == solutionLines.filterNot { it.isEnd }.map { it.tokens }
+
+/** The first line that asks a bumper which the solution does not ask there. */
+private fun Attempt.otherBumper(): HintMatch? = changed.firstOrNull { change ->
+    change.pairs.any { isSide(it) } && (bumpersIn(change.mine) - bumpersIn(change.meant)).isNotEmpty()
+}?.let { HintMatch(it.line) }
+
+private fun bumpersIn(line: CodeLine): Set<String> =
+    line.tokens.zipWithNext().filter { (_, next) -> next == "bumper" }.map { (side, _) -> side }.toSet()
 
 /** The first line about another sensor, if the program never asks the one that the solution asks. */
 private fun Attempt.otherSense(): HintMatch? {

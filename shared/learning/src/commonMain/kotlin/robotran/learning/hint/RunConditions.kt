@@ -11,6 +11,7 @@ internal val runConditions: List<HintCondition> = listOf(
     HintCondition("never moved") { attempt ->
         HintMatch().takeIf { attempt.driven < LITTLE && attempt.solutionLines.any { it.tokens.any(DRIVING::contains) } }
     },
+    HintCondition("left again") { if (it.lacked<PlaceShortfall.LeftAgain>()) HintMatch() else null },
     HintCondition("touched something") { if (it.lacked<ForbiddenTouch>()) HintMatch() else null },
     HintCondition("hit a wall") { attempt -> HintMatch().takeIf { attempt.run.robot.touched.any(WALLS::contains) } },
     HintCondition("left the paper") { attempt ->
@@ -24,6 +25,8 @@ internal val runConditions: List<HintCondition> = listOf(
         HintMatch().takeIf { attempt.lacked<LineShortfall>() && !attempt.lacked<LineShortfall.TooLate>() }
     },
     HintCondition("wrong text") { if (it.lacked<ProgramShortfall.DisplayDiffered>()) HintMatch() else null },
+    HintCondition("text replaced") { if (it.lacked<ProgramShortfall.DisplayChanged>()) HintMatch() else null },
+    HintCondition("too many sounds") { if (it.lacked<ProgramShortfall.TooManyTones>()) HintMatch() else null },
     HintCondition("no sound") { if (it.lacked<ProgramShortfall.TonesMissing>()) HintMatch() else null },
     HintCondition("never stops") { if (it.isRunning) HintMatch() else null },
     HintCondition("too slow") { attempt ->

@@ -1,0 +1,13 @@
+// hint: one too few
+import josx.platform.rcx.*;
+
+public class Countdown {
+    public static void main(String[] args) throws InterruptedException {
+        for (int i = 3; i >= 0; i--) {
+            LCD.showNumber(i);
+            Thread.sleep(1000);
+        }
+        Sound.beep();
+        Thread.sleep(500);
+    }
+}
