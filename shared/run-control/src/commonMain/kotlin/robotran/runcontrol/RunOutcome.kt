@@ -15,6 +15,9 @@ data class RunOutcome(
     val finished: Long? = null,
     val traceHash: String? = null,
 ) {
+    /** Whether all goals are met, although the run may go on, as while a pupil draws more than is needed. */
+    val allMet: Boolean get() = goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }
+
     /** Whether the run is over and has met all goals of its world. */
-    val isSolved: Boolean get() = finished != null && goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }
+    val isSolved: Boolean get() = finished != null && allMet
 }

@@ -18,8 +18,8 @@ import robotran.simulation.state.SessionState
  * part of the run, which ends at [length]. To seek backwards, the player starts a new session and repeats the inputs up
  * to the target, which gives the same run to the last bit; meanwhile [state] is a recorded state of that time. An input
  * in the past starts a new branch and discards the old future. The player has no clock and no thread: the caller
- * reports each frame, see [frame]. When the task of the world is completed or its time is up, the player pauses, even
- * if the program would go on. Not thread-safe.
+ * reports each frame, see [frame]. When the task of the world is completed, which nothing can undo then, or its time is
+ * up, the player pauses, even if the program would go on. Not thread-safe.
  *
  * @param recording the inputs from the start of the run, as in a project saved with its inputs.
  */

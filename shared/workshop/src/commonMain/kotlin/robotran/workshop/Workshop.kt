@@ -313,7 +313,13 @@ class Workshop(
     /** Returns whether the task has just been solved. */
     private fun runChanged(): Boolean {
         assignment.runChanged(run.endedTry)
+        withdrawPraise()
         return learning.runChanged(run.state.session, run.state.outcome, shownProgram)
+    }
+
+    /** That all goals are met is said only of the present run in the present world. */
+    private fun withdrawPraise() {
+        if (!run.state.outcome.allMet) board.dismissIf { it is Notice.WorldSolved }
     }
 
     /** The result of the run so far. */
@@ -454,6 +460,7 @@ class Workshop(
         if (isAnother) showTask(state.hasTask)
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
+        withdrawPraise()
         board.withdrawUndo()
         document.projectMayHaveChanged()
     }

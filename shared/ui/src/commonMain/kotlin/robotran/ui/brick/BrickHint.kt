@@ -20,6 +20,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
+import robotran.brick.state.RunState
 import robotran.nxt.state.NxtState
 import robotran.ui.brick.nxt.ExceptionCalls
 import robotran.ui.parts.Icon
@@ -34,9 +35,15 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 
-/** A message that the display cannot show, and the button that helps; null if there is none. */
+/**
+ * A message that the display cannot show, and the button that helps; null if there is none.
+ *
+ * @param isSolved whether the task is solved: then nobody has to know why the motors of a program that has ended stop.
+ */
 @Composable
-internal fun brickHintWords(state: BrickState): String? = state.explanation ?: when {
+internal fun brickHintWords(state: BrickState, isSolved: Boolean = false): String? = state.explanation.takeUnless {
+    isSolved && state.run is RunState.Ended
+} ?: when {
     state.poweredOn -> null
     state.kind == BrickKind.NXT -> stringResource(Res.string.nxt_off)
     else -> stringResource(Res.string.brick_off)
@@ -50,10 +57,11 @@ internal fun brickHintWords(state: BrickState): String? = state.explanation ?: w
 internal fun BrickHint(
     state: BrickState,
     modifier: Modifier = Modifier,
+    isSolved: Boolean = false,
     onClose: (() -> Unit)? = null,
     action: @Composable () -> Unit = {},
 ) {
-    val words = brickHintWords(state) ?: return
+    val words = brickHintWords(state, isSolved) ?: return
     val colours = LocalRobotranColours.current
     Surface(
         modifier.fillMaxWidth(),

@@ -85,22 +85,28 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         TaskHelps(
             tutorial.help,
             state.isInBlocks,
+            state.solved != null,
             { onEvent(LearningEvent.HintRequested(it)) },
             { onEvent(LearningEvent.SolutionRequested(it)) },
         )
     }
 }
 
-/** Buttons for hints and the solution, and below them the visible hints, in a column. */
+/**
+ * Buttons for hints and the solution, and below them the visible hints, in a column.
+ *
+ * @param isSolved whether the present run has solved the task, so that nobody needs help until the next one.
+ */
 @Composable
 internal fun TaskHelps(
     help: TaskHelp,
     isInBlocks: Boolean,
+    isSolved: Boolean,
     onHint: (shown: Boolean) -> Unit,
     onSolution: (shown: Boolean) -> Unit,
 ) {
     // Above their content, so that they do not move.
-    Helps(help, onHint, onSolution)
+    if (!isSolved || help.solutionShown) Helps(help, onHint, onSolution)
     HintCards(help.hints, isInBlocks)
     if (help.solutionShown) {
         Text(

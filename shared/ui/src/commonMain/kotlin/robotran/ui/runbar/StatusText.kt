@@ -23,6 +23,8 @@ import robotran.ui.resources.status_mistake_anywhere
 import robotran.ui.resources.status_mistake_in_file
 import robotran.ui.resources.status_no_compiler
 import robotran.ui.resources.status_off
+import robotran.ui.resources.status_off_paper
+import robotran.ui.resources.status_off_paper_robot
 import robotran.ui.resources.status_ready
 import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
@@ -80,6 +82,11 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 
     is WorkshopStatus.RobotImpossible -> {
         status.draft.error.sentence(LocalLanguage.current)
+    }
+
+    is WorkshopStatus.OffPaper -> {
+        status.robot?.let { stringResource(Res.string.status_off_paper_robot, it) }
+            ?: stringResource(Res.string.status_off_paper)
     }
 
     is WorkshopStatus.Running -> {

@@ -18,7 +18,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.brick.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
@@ -32,6 +31,7 @@ import robotran.ui.world.hasZoomButtons
 import robotran.ui.world.sheetButtonColumns
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
@@ -123,7 +123,7 @@ private fun BoxWithConstraintsScope.Messages(
                 areButtonsFixed = hasRoom,
             )
         }
-        if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
+        if (withHint) ClosableHint(state.run, onWholeBrick, Modifier.heightIn(max = max))
     }
 }
 
@@ -190,12 +190,12 @@ private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp =
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
-private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifier: Modifier = Modifier) {
-    val words = brickHintWords(brick) ?: return
+private fun ClosableHint(run: RunPaneState, onWholeBrick: (() -> Unit)?, modifier: Modifier = Modifier) {
+    val words = brickHintWords(run.brick, run.isSolved) ?: return
     var isClosed by remember(words) { mutableStateOf(false) }
     if (isClosed) return
     Box(modifier) {
-        BrickHint(brick, onClose = { isClosed = true }) {
+        BrickHint(run.brick, isSolved = run.isSolved, onClose = { isClosed = true }) {
             if (onWholeBrick != null) {
                 IconTouch(
                     PaneIcons.BRICK_WHOLE,

@@ -204,7 +204,7 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
         val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(MIN_BRICK_WIDTH, MAX_BRICK_WIDTH)
         if (isAcross) {
             Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
-                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(run.brick) }
+                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(run.brick, isSolved = run.isSolved) }
                 WholeBrick(
                     run,
                     onEvent,
@@ -214,7 +214,9 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
             }
         } else {
             Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
-                Box(Modifier.width(width).height(hint), Alignment.BottomStart) { BrickHint(run.brick) }
+                Box(Modifier.width(width).height(hint), Alignment.BottomStart) {
+                    BrickHint(run.brick, isSolved = run.isSolved)
+                }
                 WholeBrick(run, onEvent, Modifier.width(width))
             }
         }

@@ -33,6 +33,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalShortfall
 import robotran.ui.assignment.HandInButton
 import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
@@ -86,7 +87,8 @@ internal fun OutcomeCard(
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
     if (isClosed || state.run.isSeeking || state.run.time < finished) return
     val solved = state.learning.solved
-    val missing = state.run.shortfalls.take(MAX_SHOWN)
+    // What had not begun yet has nothing to say that the one before it does not.
+    val missing = state.run.shortfalls.filterNot { it.shortfall == GoalShortfall.NotBegun }.take(MAX_SHOWN)
     val isTimeUp = state.run.isTimeUp
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {

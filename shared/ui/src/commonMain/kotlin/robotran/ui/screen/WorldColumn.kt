@@ -85,7 +85,11 @@ private fun SheetAndBrick(
                 ) {
                     Box(Modifier.weight(1f).width(plan.brickWidth)) {
                         if (plan.hintBeside) {
-                            BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN, bottom = HINT_GAP))
+                            BrickHint(
+                                state.run.brick,
+                                Modifier.padding(top = PaneLayout.MARGIN, bottom = HINT_GAP),
+                                isSolved = state.run.isSolved,
+                            )
                         }
                     }
                     WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))

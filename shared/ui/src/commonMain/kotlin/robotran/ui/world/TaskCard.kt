@@ -145,7 +145,7 @@ private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
 private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
     Scrolling {
         TaskText(world)
-        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, learning.solved != null, onEvent) }
     }
 
 /** A hint that has just come, the goals, the tries and handing in, so that the world can be seen. */
@@ -188,7 +188,7 @@ private fun ColumnScope.WholeAssignment(
         AssignmentCard(assignment, goals, onEvent)
         if (canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
         course?.let { CourseLine(it, onEvent) }
-        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, learning.solved != null, onEvent) }
     }
     if (canHandIn && areButtonsFixed) {
         AssignmentButtons(assignment, onEvent, Modifier.padding(start = START, bottom = 12.dp))

@@ -19,6 +19,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
+import robotran.ui.sheet.drawStrayed
 import robotran.ui.sheet.previewEnd
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -34,6 +35,7 @@ import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.ShortfallMark
+import robotran.workshop.state.strayedRobots
 import robotran.world.World
 import robotran.world.geometry.Point
 
@@ -98,6 +100,7 @@ private fun TouchableSheet(
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     val labels = rememberTextMeasurer()
+    val strayed = remember(world, session) { strayedRobots(world, session) }
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val measuring = view.measuring
@@ -126,6 +129,7 @@ private fun TouchableSheet(
         if (measuring == null) hand else ruler,
         overlay = { sheet ->
             if (SheetLayer.GOALS in view.shown) drawShortfalls(shortfalls, sheet, labels)
+            drawStrayed(strayed, world, sheet)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
             if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
             preview?.let { drawPreview(it, sheet, labels) }

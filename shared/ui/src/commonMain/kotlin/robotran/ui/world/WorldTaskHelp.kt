@@ -17,7 +17,12 @@ import robotran.workshop.state.WorldTaskState
 
 /** A program to begin with, hints and the solution for the task of a world of the gallery. */
 @Composable
-internal fun WorldTaskHelp(task: WorldTaskState, isInBlocks: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+internal fun WorldTaskHelp(
+    task: WorldTaskState,
+    isInBlocks: Boolean,
+    isSolved: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Column(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp)) {
         if (task.canStart) {
             SecondButton(stringResource(Res.string.learning_world_program), "world-program", {
@@ -27,6 +32,7 @@ internal fun WorldTaskHelp(task: WorldTaskState, isInBlocks: Boolean, onEvent: (
         TaskHelps(
             task.help,
             isInBlocks,
+            isSolved,
             { onEvent(LearningEvent.WorldHintRequested(it)) },
             { onEvent(LearningEvent.WorldSolutionRequested(it)) },
         )

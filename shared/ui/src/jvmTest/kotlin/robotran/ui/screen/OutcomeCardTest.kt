@@ -9,9 +9,12 @@ import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
+import robotran.learning.Lessons
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -32,10 +35,15 @@ import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class OutcomeCardTest {
-    private fun Workshop.runToFlag(source: String, milliseconds: Int = 8_000, timeLimit: Int = 60) {
+    private fun Workshop.runToFlag(
+        source: String,
+        milliseconds: Int = 8_000,
+        timeLimit: Int = 60,
+        stays: Boolean = false,
+    ) {
         val world = BuiltInWorlds.plain.copy(
             task = "Drive to the flag.",
-            goals = listOf(Goal(Reach(Shape.Circle(Point(70.0, 30.0), 5.0)))),
+            goals = listOf(Goal(Reach(Shape.Circle(Point(70.0, 30.0), 5.0), stays = stays))),
             timeLimit = timeLimit,
         )
         val program = PupilProgram("a.robo", source).asProject()
@@ -79,6 +87,46 @@ class OutcomeCardTest {
         onNodeWithTag("outcome-close").performClick()
         pass(300)
         assertEquals(0, onAllNodesWithTag("solved-card").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `a solved task needs no words about motors and no help, until the next run`() = onTablet { workshop ->
+        workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "bumpers" }))
+        val solution = Lessons.all.first { it.name == "bumpers" }.solution.text
+        val help = listOf("hint-wanted", "solution-wanted")
+        for ((program, isSolved) in listOf("$solution\nstart forward\n" to false, solution to true)) {
+            workshop.handle(ProgramEvent.ProgramEdited(program))
+            workshop.handle(RunEvent.RunPressed)
+            workshop.advance(60_000)
+            pass(300)
+            assertEquals(isSolved, isThere("solved-card"), program)
+            for (tag in help) assertEquals(!isSolved, isThere(tag), "$tag of $program")
+        }
+        workshop.handle(RunEvent.RunPressed)
+        pass(300)
+        for (tag in help) assertTrue(isThere(tag), tag)
+    }
+
+    @Test
+    fun `why the motors have stopped is told, but not of a solved task`() = onTablet { workshop ->
+        for ((seconds, isTold) in listOf("0.5" to true, "1.5" to false)) {
+            val program = "start forward\nwait $seconds seconds\n"
+            workshop.runToFlag(program, stays = true)
+            pass(300)
+            assertEquals(!isTold, workshop.state.run.isSolved, program)
+            assertTrue(workshop.state.session.brick.explanation != null, program)
+            assertEquals(isTold, isThere("brick-hint"), program)
+        }
+    }
+
+    @Test
+    fun `what had not begun is not among what was missing`() = onTablet { workshop ->
+        workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "knock" }))
+        workshop.handle(ProgramEvent.ProgramEdited("start forward\nwait until left bumper or right bumper\nbeep\n"))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(20_000)
+        pass(300)
+        assertEquals(1, onAllNodesWithTag("shortfall").fetchSemanticsNodes().size)
     }
 
     @Test

@@ -49,6 +49,21 @@ class OutcomePictures {
         solved().use("solved-laptop-dark", 1440, 900, dark = true)
     }
 
+    @Test
+    fun `a robot that has left the paper can be photographed`() {
+        strayed().use("strayed-phone", 411, 891)
+        strayed().use("strayed-tablet", 1280, 800)
+        strayed().use("strayed-laptop-dark", 1440, 900, dark = true)
+    }
+
+    private fun strayed(): Workshop = workshop(Settings()).apply {
+        handle(LearningEvent.TutorialStarted)
+        handle(ProgramEvent.ProgramEdited("forward 30\nturn left 60\nforward 300\n"))
+        handle(LearningEvent.TutorialFolded(true))
+        handle(RunEvent.RunPressed)
+        advance(8_000)
+    }
+
     private fun missing(settings: Settings = Settings(), tab: DrawerTab? = null): Workshop = workshop(settings).apply {
         val square = listOf(Point(40.0, 30.0), Point(60.0, 30.0), Point(60.0, 50.0), Point(40.0, 50.0))
         val goals = listOf(

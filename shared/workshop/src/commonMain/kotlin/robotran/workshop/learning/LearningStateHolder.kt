@@ -5,7 +5,6 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
-import robotran.brick.state.RunState
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.Lessons
@@ -57,6 +56,7 @@ class LearningStateHolder(
     /** Whether the tutorial was folded because another project was loaded. */
     private var isFoldedAutomatically = false
     private var goalsSeen: List<GoalProgress> = emptyList()
+    private var isTryOver = false
     private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
     private val hints = HintGiver()
     private val newTabs = NewTabs(current, tabs, navigator, notices)
@@ -117,7 +117,8 @@ class LearningStateHolder(
      */
     fun runChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram): Boolean {
         if (outcome.finished == null && session.milliseconds < START_MILLISECONDS) isSolutionRun = isSolutionShown
-        goalsChanged(session, program)
+        goalsChanged(session)
+        tryChanged(session, outcome, program)
         if (!outcome.isSolved) {
             if (state.solved != null) state = state.copy(solved = null)
             return false
@@ -150,10 +151,11 @@ class LearningStateHolder(
         )
     }
 
-    private fun goalsChanged(session: SessionState, program: PupilProgram) {
+    /** A goal that is met stays met, whatever the run goes on to do, so the task is done at this moment. */
+    private fun goalsChanged(session: SessionState) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
-        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return offerHint(session, program)
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
         val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
@@ -169,9 +171,12 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** After a try that failed, shows the hint that fits. */
-    private fun offerHint(session: SessionState, program: PupilProgram) {
-        if (goalsSeen.any { it.status == GoalStatus.PENDING } || session.brick.run is RunState.Running) return
+    /** Once a try is over and has failed, shows the hint that fits, also for a task that was done before. */
+    private fun tryChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram) {
+        val wasOver = isTryOver
+        isTryOver = outcome.finished != null
+        if (wasOver || !isTryOver || outcome.isSolved) return
+        if (outcome.goals.any { it.status == GoalStatus.PENDING }) return
         changeWorldTask { worldTask.afterTry(it, program, session) }
         tutorial.attemptAt(session)?.let { attempt ->
             changeHelp { step, help -> hints.after(attempt, step, help, preferences.language) }

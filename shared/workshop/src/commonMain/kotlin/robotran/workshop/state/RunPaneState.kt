@@ -62,6 +62,9 @@ data class RunPaneState(
     /** What was missing for the goals, as far as the run is known. */
     val shortfalls: List<ShortfallMark> get() = shortfallMarks(outcome.goals)
 
+    /** The robots that have left the paper. */
+    val strayed: List<StrayedRobot> get() = strayedRobots(world, session)
+
     /** Whether this is the end of a run that has met all goals. */
     val isSolved: Boolean get() = outcome.isSolved && time >= (outcome.finished ?: 0)
 

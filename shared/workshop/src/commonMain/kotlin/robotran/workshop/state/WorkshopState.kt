@@ -138,7 +138,8 @@ data class WorkshopState(
                 }
 
                 else -> {
-                    WorkshopStatus.Running(line)
+                    strayed?.let { WorkshopStatus.OffPaper(it.takeIf { world.robots.size > 1 }) }
+                        ?: WorkshopStatus.Running(line)
                 }
             }
         }
@@ -151,6 +152,12 @@ data class WorkshopState(
             with(now.failure) { WorkshopStatus.Failed(lineOf(sourceLine), message, sourceFile) }
         }
     }
+
+    /** The name of a robot that has left the paper, if possible of the one that the status is about; null if none has. */
+    private val strayed: String?
+        get() = run.strayed.minByOrNull { if (it.robot == run.told) -1 else it.robot }?.let {
+            run.world.robots[it.robot].name
+        }
 
     /** The brick that the status is about. */
     private val brickTold: BrickState get() = session.robots[run.told].brick

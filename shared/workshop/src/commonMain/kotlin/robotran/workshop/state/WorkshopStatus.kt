@@ -40,6 +40,9 @@ sealed interface WorkshopStatus {
     /** The task's time limit of [seconds] is reached, and not all goals are met. Its program may not have ended. */
     data class TimeUp(val seconds: Int) : WorkshopStatus
 
+    /** The program runs, but a robot has left the paper. [robot] is its name; null in a world with only one. */
+    data class OffPaper(val robot: String?) : WorkshopStatus
+
     /** The program is at [line]; 0 if unknown. */
     data class Running(val line: Int) : WorkshopStatus
 
