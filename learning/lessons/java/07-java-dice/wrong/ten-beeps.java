@@ -1,4 +1,4 @@
-// hint: wrong number
+// hint: too many sounds
 import java.util.Random;
 import josx.platform.rcx.*;
 

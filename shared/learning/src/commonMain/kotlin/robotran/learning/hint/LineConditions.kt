@@ -6,7 +6,10 @@ import kotlin.math.abs
 /** What the comparison of the program with the solution, line by line, finds. */
 internal val lineConditions: List<HintCondition> = listOf(
     HintCondition("units mixed up") { attempt ->
-        attempt.pairLine { _, pair -> isTenfold(pair) || (pair.mine in UNITS && pair.meant in UNITS) }
+        attempt.pairLine { _, pair ->
+            isTenfold(pair) ||
+                (pair.mine in UNITS && pair.meant in UNITS && !isSameUnit(pair))
+        }
     },
     HintCondition("turned the wrong way") { attempt ->
         attempt.pairLine { line, pair -> isSide(pair) && line.tokens.none { it == "bumper" || it == "power" } }
@@ -110,6 +113,9 @@ private fun isSide(pair: TokenPair): Boolean =
     setOf(pair.mine, pair.meant).let { it == SIDES || it == WHEELS || it == JAVA_SIDES }
 
 private fun areNumbers(pair: TokenPair): Boolean = isNumber(pair.mine) && isNumber(pair.meant)
+
+/** One second and two seconds are the same unit. */
+private fun isSameUnit(pair: TokenPair): Boolean = pair.mine.removeSuffix("s") == pair.meant.removeSuffix("s")
 
 private fun isTenfold(pair: TokenPair): Boolean {
     if (!areNumbers(pair)) return false

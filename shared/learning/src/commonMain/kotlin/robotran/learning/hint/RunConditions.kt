@@ -11,7 +11,6 @@ internal val runConditions: List<HintCondition> = listOf(
     HintCondition("never moved") { attempt ->
         HintMatch().takeIf { attempt.driven < LITTLE && attempt.solutionLines.any { it.tokens.any(DRIVING::contains) } }
     },
-    HintCondition("left again") { if (it.lacked<PlaceShortfall.LeftAgain>()) HintMatch() else null },
     HintCondition("touched something") { if (it.lacked<ForbiddenTouch>()) HintMatch() else null },
     HintCondition("hit a wall") { attempt -> HintMatch().takeIf { attempt.run.robot.touched.any(WALLS::contains) } },
     HintCondition("left the paper") { attempt ->
@@ -19,6 +18,7 @@ internal val runConditions: List<HintCondition> = listOf(
         val paper = attempt.world.paper
         HintMatch().takeIf { pose.x !in 0.0..paper.width || pose.y !in 0.0..paper.height }
     },
+    HintCondition("left again") { if (it.lacked<PlaceShortfall.LeftAgain>()) HintMatch() else null },
     HintCondition("left its place") { if (it.lacked<PlaceShortfall.Left>()) HintMatch() else null },
     HintCondition("went where it must not") { if (it.lacked<PlaceShortfall.Entered>()) HintMatch() else null },
     HintCondition("left the line") { attempt ->

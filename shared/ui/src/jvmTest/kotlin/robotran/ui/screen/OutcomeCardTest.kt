@@ -94,7 +94,7 @@ class OutcomeCardTest {
         workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "bumpers" }))
         val solution = Lessons.all.first { it.name == "bumpers" }.solution.text
         val help = listOf("hint-wanted", "solution-wanted")
-        for ((program, isSolved) in listOf("$solution\nstart forward\n" to false, solution to true)) {
+        for ((program, isSolved) in listOf("$solution\nforward 20\n" to false, solution to true)) {
             workshop.handle(ProgramEvent.ProgramEdited(program))
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(60_000)
