@@ -43,8 +43,11 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
 
     protected fun change(work: () -> Unit) {
         work()
-        if (parts.indices.any { parts[it].progress !== progress.parts[it] }) tellAgain()
+        if (parts.indices.any { parts[it].progress !== progress.parts[it] } || holdsNow() != progress.holds) tellAgain()
     }
+
+    /** In an ordered group this can change with the turn of a part, although all parts are as before. */
+    private fun holdsNow() = progress.status != GoalStatus.FAILED && hold(progress.parts)
 
     private fun tellAgain() {
         val told = parts.map { it.progress }

@@ -84,7 +84,8 @@ internal object SpanishShortfallMessages : ShortfallMessages {
         return "En la pantalla ponía \"$wanted\" hasta los ${withComma(time)} s. $now"
     }
 
-    override fun tooManyTones(played: Int, wanted: Int) = "Sonaron $played tonos, y tiene que sonar $wanted."
+    override fun tooManyTones(played: Int, wanted: Int) =
+        "Sonaron $played tonos, y ${if (wanted == 1) "tiene" else "tienen"} que sonar $wanted."
 
     override fun tonesMissing(played: Int, wanted: Int) =
         "${if (played == 1) "Sonó" else "Sonaron"} $played de $wanted tonos."

@@ -148,6 +148,18 @@ class GroupGoalTest {
     }
 
     @Test
+    fun `an ordered group of what must never happen does not make the next goal wait`() = runTest {
+        val never = Goal(InOrder(listOf(Goal(NeverTouch()), Goal(NeverTouch()))))
+        val run = run(Goal(InOrder(listOf(never, left))))
+        run.robotAt(50.0, 40.0)
+        run.robotAt(5.0, 40.0)
+        run.robotAt(50.0, 40.0)
+        assertEquals(listOf(PENDING, MET), run.parts())
+        run.finish()
+        assertEquals(MET, run.status)
+    }
+
+    @Test
     fun `groups lie in groups four deep`() = runTest {
         val somewhere = Goal(AnyOf(listOf(Goal(All(listOf(left))), right)))
         val run = run(Goal(InOrder(listOf(somewhere, Goal(All(listOf(Goal(AnyOf(listOf(Goal(PlaySound())))))))))))
