@@ -32,6 +32,17 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
         }
     }
 
+    /** Reports the token here if it means `else if`; then it can be read like `if`. */
+    fun correctElseIf(): Boolean {
+        val token = reader.token
+        val isElseIf = token.kind == TokenKind.NAME && token.text.lowercase() in ELSE_IFS && reader.peek(1).isSign("(")
+        if (!isElseIf || isName(token.text)) return false
+        val message = sink.messages.misspelledWord(token.text, ELSE_IF, isCase = false)
+        val fix = SourceFix(token.range, ELSE_IF).takeIf { token.macro == null }
+        sink.report(NqcDiagnosticCode.MISSPELLED_WORD, token.range, message, fix)
+        return true
+    }
+
     private fun report(token: Token, meant: Keyword, code: NqcDiagnosticCode, message: String) {
         sink.report(code, token.range, message, SourceFix(token.range, meant.text).takeIf { token.macro == null })
         reader.readAs(meant)
@@ -77,6 +88,8 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
             Keyword.ACQUIRE,
         )
         val OTHER_TYPES = "float double long short char byte bool boolean string String var let".split(' ').toSet()
+        const val ELSE_IF = "else if"
+        val ELSE_IFS = setOf("elseif", "elsif", "elif")
         val NO_WORD_BEFORE = setOf("++", "--", "[", ")", ",", ":")
 
         /** Max tokens of brackets that are looked through. */

@@ -79,6 +79,10 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
             reportNoWord(reader)
         }
 
+        !isDeclaration(word) && reportsAssignedName(reader) -> {
+            Unit
+        }
+
         lowercaseKeyword(word.text) in routineNames -> {
             reportMissingBrackets(reader)
         }
@@ -146,6 +150,12 @@ private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token)
         else -> BlockEffect.NONE
     }
 }
+
+/** Whether [word] is meant to begin a declaration. */
+private fun isDeclaration(word: Token): Boolean =
+    lowercaseKeyword(word.text) in BEGINNINGS_ELSEWHERE || suggestion(word.text, DECLARING) != null
+
+private val DECLARING = listOf(Keyword.VAR.text, Keyword.CONST.text)
 
 private fun DiagnosticSink.reportNoWord(reader: LineReader) {
     val first = reader.first
