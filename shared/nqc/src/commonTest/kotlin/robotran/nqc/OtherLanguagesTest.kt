@@ -73,6 +73,26 @@ class OtherLanguagesTest {
     }
 
     @Test
+    fun `a function of another type gives no value, whatever its type is`() {
+        assertMended("float f() { } task main() { f(); }", "void f()", "void f() { } task main() { f(); }")
+        assertMended("bool main() { Wait(5); }", "task main()", "task main() { Wait(5); }")
+    }
+
+    @Test
+    fun `a condition before a block gets its brackets`() {
+        val loop = "int x; task main() { while x < 3 { x++; } }"
+        assertMended(loop, "\"(\"", loop.replace("x < 3", "(x < 3)"))
+        assertMended("task main() { repeat 3 { Wait(5); } }", "\"(\"", "task main() { repeat (3) { Wait(5); } }")
+        assertNull(diagnosticsOf("int x; task main() { if x == 3 Wait(5); }").single().fix)
+    }
+
+    @Test
+    fun `a word before a block is no variable`() {
+        val found = diagnosticsOf("task main() { forever { Wait(5); } }").single()
+        assertTrue("There is nothing named \"forever\"." in found.message, found.message)
+    }
+
+    @Test
     fun `else if is two words`() {
         for (word in listOf("elseif", "elif", "elsif", "ElseIf")) {
             val source = "int i; task main() { if (i == 1) Wait(5); $word (i == 2) Wait(6); else Wait(7); }"

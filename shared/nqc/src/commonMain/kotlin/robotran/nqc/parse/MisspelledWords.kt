@@ -22,7 +22,10 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
         val token = reader.token
         if (token.kind != TokenKind.NAME || isName(token.text)) return
         val next = reader.peek(1)
-        if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME) {
+        if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME && reader.peek(2).isSign("(")) {
+            // A function, whose type is wrong whatever it is.
+            reader.readAs(Keyword.INT)
+        } else if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME) {
             report(token, Keyword.INT, NqcDiagnosticCode.OTHER_TYPE, sink.messages.otherType(token.text))
         } else {
             val meant = meantBy(token, next) ?: return

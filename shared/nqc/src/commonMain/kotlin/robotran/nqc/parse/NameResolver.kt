@@ -92,6 +92,12 @@ internal class NameResolver(
         sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message, fix.takeIf { name.macro == null })
     }
 
+    /** Whether here is a name before a block, which means no variable, as in `forever { }`. */
+    fun isBlockWord(): Boolean {
+        val name = reader.token
+        return name.kind == TokenKind.NAME && reader.peek(1).isSign("{") && scopes.variable(name.text) == null
+    }
+
     /** Whether here is a statement such as `Wait 100`: a name that means no variable, and then a value. */
     fun isCallWithoutBrackets(): Boolean {
         val name = reader.token

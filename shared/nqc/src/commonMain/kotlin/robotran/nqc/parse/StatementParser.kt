@@ -99,6 +99,7 @@ internal class StatementParser(
             token.kind == TokenKind.NAME && reader.peek(1).isSign(":") -> label()
             token.kind == TokenKind.NAME && reader.peek(1).isSign("(") -> call()
             names.isCommandAlone() -> commandAlone()
+            names.isBlockWord() -> blockAfterWord()
             names.isCallWithoutBrackets() -> callWithoutBrackets()
             else -> assignments.statement().also { reader.semicolon() }
         }
@@ -131,6 +132,12 @@ internal class StatementParser(
         names.reportCommandAlone(name)
         reader.semicolon()
         return Block(emptyList(), isScope = false, name.range)
+    }
+
+    /** Reads the block behind a name that means nothing. */
+    private fun blockAfterWord(): Statement {
+        names.reportCommandAlone(reader.advance())
+        return block()
     }
 
     /** Skips a call whose arguments are in no brackets. */

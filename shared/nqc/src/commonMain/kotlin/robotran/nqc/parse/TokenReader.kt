@@ -82,6 +82,18 @@ internal class TokenReader(
         fail(code, gap, message)
     }
 
+    /** Skips the opening bracket of a condition. If it is missing, a fix puts what comes before a block in brackets. */
+    fun openingOfCondition() {
+        if (accept("(")) return
+        failUnlessKnown()
+        val place = gap
+        val first = token
+        val range = first.range.to(skipLine(first).range)
+        val condition = textAt(range).takeIf { isSign("{") && first.macro?.parent == null }
+        val fix = condition?.let { SourceFix(range, "($it)") }
+        fail(NqcDiagnosticCode.MISSING_BRACKET, place, sink.messages.missing("("), fix)
+    }
+
     /** Skips a closing bracket. */
     fun closing(sign: String) {
         if (accept(sign)) return
@@ -122,7 +134,7 @@ internal class TokenReader(
             fail(NqcDiagnosticCode.TEXT_AS_VALUE, token.range, sink.messages.textAsValue())
         }
         failAtDefinition(token)
-        if (token.kind == TokenKind.SIGN && isInLineOf(previous)) failAtDefinition(previous)
+        if (token.kind == TokenKind.SIGN && previous.isSign(";") && isInLineOf(previous)) failAtDefinition(previous)
     }
 
     private fun failAtQuotedName(): Nothing = fail(

@@ -48,6 +48,7 @@ private val VALUES =
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "int" to "var",
     "let" to "var",
+    "set" to "var",
     "double" to "var",
     "boolean" to "var",
     "void" to "procedure",
