@@ -1,7 +1,6 @@
 package robotran.nqc
 
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.nqc.diagnostic.NqcDiagnosticCode
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -115,8 +115,8 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
     override fun quotedName(name: String) = "Schreib $name ohne Anführungszeichen."
 
     override fun nestedUnit(name: String) =
-        "${quoted(name)} kann nicht in einem Task, einem Unterprogramm oder einer Funktion stehen. Setz es davor oder " +
-            "dahinter."
+        "${quoted(name)} kann nicht in einem Task, einem Unterprogramm oder einer Funktion stehen. Setz es davor " +
+            "oder dahinter."
 
     override fun mainFunction(right: String) = "Der Haupttask beginnt so: $right"
 

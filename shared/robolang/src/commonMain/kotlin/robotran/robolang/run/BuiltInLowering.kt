@@ -1,9 +1,9 @@
 package robotran.robolang.run
 
-import kotlin.math.sqrt
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
+import kotlin.math.sqrt
 
 /** Lowers calls of built-in functions. */
 internal class BuiltInLowering(
