@@ -25,6 +25,7 @@ texts {
         "shared/programs/src/commonTest/resources/brick",
         "*.java",
     )
+    constant("jvmTest", "robotran.programs.nqcPrograms", "shared/nqc/src/commonTest/resources/vectors", "*.nqc")
     constant("jvmTest", "robotran.programs.solutions", "learning/worlds", "*/solution.*")
     constant("jvmTest", "robotran.programs.imageDocument", "docs", "lejos-image.md")
     constant(

@@ -15,6 +15,7 @@ import robotran.nqc.generate.SensorUse
 import robotran.nqc.parse.ProgramParser
 import robotran.nqc.preprocess.Pragmas
 import robotran.nqc.preprocess.Preprocessor
+import robotran.nqc.syntax.SourceLines
 import robotran.nqc.syntax.Token
 import robotran.nqc.tree.ParsedProgram
 import robotran.nqc.tree.Statement
@@ -39,7 +40,7 @@ internal class Compilation(
         // A file that includes itself would declare everything twice.
         if (sink.has(NqcDiagnosticCode.TOO_MANY_INCLUDES)) return null
         // Where text is missing, what it declares seems to be missing, too.
-        val isComplete = !sink.hasErrors
+        val isComplete = sink.hasOnly(NqcDiagnosticCode.UNKNOWN_CHARACTER)
         val parser = ProgramParser(
             preprocessed.tokens,
             sink,
@@ -47,6 +48,7 @@ internal class Compilation(
             preprocessed.macros,
             prelude.functions,
             apiNames,
+            textAt = SourceLines(files)::textAt,
         )
         val program = parser.program()
         if (!isComplete) return null

@@ -2,6 +2,7 @@ package robotran.nqc
 
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.diagnostic.NqcDiagnostic
+import robotran.nqc.diagnostic.SourceFix
 import kotlin.test.fail
 
 /** The errors of [source], or its warnings if there are none. */
@@ -21,3 +22,13 @@ internal fun programOf(source: String, options: NqcOptions = NqcOptions()): NqcP
 /** The code of the main task as hexadecimal bytes, without what sets the motors up. */
 internal fun codeOf(source: String, target: FirmwareTarget = FirmwareTarget.RCX2): String =
     programOf("#pragma noinit\n$source", NqcOptions(target)).image.chunks.last { it.id.number == 0 }.code.toString()
+
+/** [source] after [fix]. */
+internal fun applied(source: String, fix: SourceFix): String {
+    val lines = source.lines().toMutableList()
+    val line = lines[fix.range.line - 1]
+    val changed =
+        line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
+    lines[fix.range.line - 1] = changed
+    return lines.joinToString("\n")
+}

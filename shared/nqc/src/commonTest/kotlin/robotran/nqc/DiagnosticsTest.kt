@@ -1,8 +1,6 @@
 package robotran.nqc
 
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -199,13 +197,4 @@ class DiagnosticsTest {
     }
 
     private fun message(source: String): String = diagnosticsOf(source).first().message
-
-    private fun applied(source: String, fix: SourceFix): String {
-        val lines = source.lines().toMutableList()
-        val line = lines[fix.range.line - 1]
-        val changed =
-            line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
-        lines[fix.range.line - 1] = changed
-        return lines.joinToString("\n")
-    }
 }

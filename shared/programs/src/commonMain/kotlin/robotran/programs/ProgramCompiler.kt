@@ -42,6 +42,7 @@ class ProgramCompiler private constructor(
     private val robolang = RobolangProgramCompiler(target, RobolangMessages.of(language))
     private val classFiles = linkerFor(java)
     private val firmwarePrograms = FirmwareProgramCompiler(firmware, language)
+    private val fixes = FixVerification { compile(it) }
     private val otherBrick = OtherBrick(target.kind, ProgramMessages.of(language))
 
     /** Returns a compiler with messages in [language]. */
@@ -73,20 +74,27 @@ class ProgramCompiler private constructor(
         CompilerLoading.Failed(cause)
     }
 
-    /** Compiles any [source], after [prepareFor] has loaded what that needs. Not thread-safe. */
+    /**
+     * Compiles any [source], after [prepareFor] has loaded what that needs. Not thread-safe.
+     *
+     * The fixes of its mistakes are known to help; only those of Java, which takes too long, are not tried out.
+     */
     fun compileNow(source: ProgramSource): ProgramResult {
         otherBrick.mistakeIn(source)?.let { return ProgramResult.HasErrors(listOf(it)) }
-        return when (source) {
-            is ProgramSource.Robolang -> robolang.read(source)
+        val result = compile(source)
+        return if (source is ProgramSource.Java) result else fixes.verified(source, result)
+    }
 
-            is ProgramSource.Java -> javaCompiler().read(source)
+    private fun compile(source: ProgramSource): ProgramResult = when (source) {
+        is ProgramSource.Robolang -> robolang.read(source)
 
-            is ProgramSource.ForLegoFirmware -> firmwarePrograms.read(source)
+        is ProgramSource.Java -> javaCompiler().read(source)
 
-            is ProgramSource.CompiledClasses -> when (target.kind) {
-                BrickKind.RCX -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
-                BrickKind.NXT -> nxjLinker().link(compiledOf(source))
-            }
+        is ProgramSource.ForLegoFirmware -> firmwarePrograms.read(source)
+
+        is ProgramSource.CompiledClasses -> when (target.kind) {
+            BrickKind.RCX -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
+            BrickKind.NXT -> nxjLinker().link(compiledOf(source))
         }
     }
 

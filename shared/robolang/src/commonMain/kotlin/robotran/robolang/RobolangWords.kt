@@ -1,7 +1,7 @@
 package robotran.robolang
 
 import robotran.brick.kind.BrickKind
-import robotran.robolang.check.BuiltIn
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Keyword
 import robotran.robolang.syntax.lowercaseKeyword
 

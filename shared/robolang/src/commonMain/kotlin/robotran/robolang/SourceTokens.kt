@@ -1,8 +1,8 @@
 package robotran.robolang
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.ScannedLine
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind

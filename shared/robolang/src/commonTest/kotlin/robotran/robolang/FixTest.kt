@@ -51,6 +51,37 @@ class FixTest {
     }
 
     @Test
+    fun `pasted blanks become spaces, all of a line at once, and what cannot be seen is deleted`() {
+        assertMended("repeat\u20092\u3000times // 2\u2009times\nend", "repeat 2 times // 2\u2009times\nend")
+        assertMended("turn\u3000left\u202F90", "turn left 90")
+        assertMended("\u200Bbeep", "beep")
+        assertMended("\uFF46\uFF4F\uFF52\uFF57\uFF41\uFF52\uFF44\u2003\uFF12\uFF10 // 20", "forward 20 // 20")
+    }
+
+    @Test
+    fun `a name of several words becomes one`() {
+        assertMended("var my speed = 5\nshow my_speed", "var my_speed = 5\nshow my_speed")
+        val declared = "var way = 5\nvar my_speed = 5\nshow way\n"
+        assertMended("${declared}forward my speed", "${declared}forward my_speed")
+        assertMended("for the side from 1 to 4\nend", "for the_side from 1 to 4\nend")
+        assertMended("procedure big square()\nend", "procedure big_square()\nend")
+    }
+
+    @Test
+    fun `a word that means nothing before a value is taken away`() {
+        assertMended("turn right by 90", "turn right 90")
+        assertMended("show random 1 6", "show random(1, 6)")
+        assertMended("show random 1, -6", "show random(1, -6)")
+        assertMended("if touch left\nend", "if left bumper\nend")
+    }
+
+    @Test
+    fun `of several names that are as near none is chosen`() {
+        assertMended("var way1 = 2\nshow wy1", "var way1 = 2\nshow way1")
+        assertNull(mistakesOf("var way1 = 1\nvar way2 = 2\nshow way3\nshow way1 + way2").single().fix)
+    }
+
+    @Test
     fun `a forgotten end is put behind the program`() = assertMended(
         "repeat 2 times\n  repeat 3 times\n    beep\n  end",
         "repeat 2 times\n  repeat 3 times\n    beep\n  end\nend",

@@ -1,8 +1,8 @@
 package robotran.robolang
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.Sense

@@ -109,6 +109,26 @@ class NqcInAppTest {
     }
 
     @Test
+    fun `while a task waits its Wait is marked, and the log keeps the lines of the calls`() =
+        workshop(example("two-things.nqc")) { workshop ->
+            fun lineWith(text: String) = workshop.state.programText.lines().indexOfFirst { text in it } + 1
+            workshop.handle(RunEvent.RunPressed)
+            workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
+            workshop.advance(300)
+            repeat(4) {
+                assertEquals(lineWith("Wait(150)"), workshop.state.shownProgramRun.runningLine)
+                val main = workshop.state.run.drawer.variables.threads.single { it.name == "main" }
+                assertEquals(lineWith("Wait(150)"), main.callStack.single().sourceLine)
+                workshop.advance(300)
+            }
+            workshop.advance(200)
+            assertEquals(lineWith("Wait(45)"), workshop.state.shownProgramRun.runningLine)
+            workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
+            val reversed = workshop.state.run.drawer.log.entries.first { it.meaning == "motor A backward 7" }
+            assertEquals(lineWith("OnRev"), reversed.sourceLine)
+        }
+
+    @Test
     fun `what it includes stops in its own file, and is renamed everywhere`() {
         val main = ProgramFile("drive.nqc", "#include \"steps.nqh\"\n\ntask main()\n{\n    step();\n}\n")
         val header = ProgramFile("steps.nqh", "void step()\n{\n    OnFwd(OUT_A);\n    Wait(50);\n    Off(OUT_A);\n}\n")

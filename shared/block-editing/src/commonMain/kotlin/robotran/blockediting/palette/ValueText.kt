@@ -14,17 +14,26 @@ val PaletteBlock.valueForm: ValueForm get() = valuesIn(template).first().value.f
 /** The type of this value; [ValueKind.UNKNOWN] for a name of the pupil's, whose program is not known here. */
 val PaletteBlock.valueKind: ValueKind get() = blocksOf(VALUE_LINE + template).kindOf(valuesIn(template).first().value)
 
-/** The text that puts this value at [part] of [program]. A sum, `and`, `or` and `not` keep what is there now. */
-fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String {
+/** The text that puts this value at [part] of [program]. A sum, `and` and `not` keep what is there now. */
+fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String = textsAt(part, program).first()
+
+/** The texts that put such a value at [part] of [program]: `and` as well as `or`. */
+internal fun PaletteBlock.textsAt(part: PhrasePart.Value, program: BlockProgram): List<String> {
     val text = part.span.textIn(program.text)
     val now = if (part.value.form in COMPOSED) "($text)" else text
     return when (valueForm) {
-        ValueForm.ARITHMETIC -> "$now + ${ValueUse.NUMBER.example}"
-        ValueForm.LOGIC -> "$now and ${ValueUse.CONDITION.example}"
-        ValueForm.NOT -> "not $now"
-        else -> template
+        ValueForm.ARITHMETIC -> listOf("$now + ${ValueUse.NUMBER.example}")
+        ValueForm.LOGIC -> otherCondition(text).let { listOf("$now and $it", "$now or $it") }
+        ValueForm.NOT -> listOf("not $now")
+        else -> listOf(template)
     }
 }
+
+/** A condition that is not in [text] already: twice the same would say nothing new. */
+private fun otherCondition(text: String): String =
+    CONDITIONS.firstOrNull { !text.contains(it, ignoreCase = true) } ?: CONDITIONS.first()
+
+private val CONDITIONS = listOf("left bumper", "right bumper")
 
 /** Values that need brackets inside of others. */
 private val COMPOSED = setOf(ValueForm.ARITHMETIC, ValueForm.LOGIC, ValueForm.COMPARISON, ValueForm.NOT)

@@ -16,8 +16,13 @@ class PastedCharacter internal constructor(
     /** What it is, such as `a curly quotation mark`. */
     fun nameIn(language: Language): String = kind.nameIn(language)
 
-    /** What it is and what to write instead, in one or two sentences for a pupil. */
-    fun adviceIn(language: Language): String = kind.adviceIn(language, this)
+    /**
+     * What it is and what to write instead, in one or two sentences for a pupil.
+     *
+     * @param written more than this character, if what follows it was pasted, too.
+     */
+    fun adviceIn(language: Language, written: String = character.toString()): String =
+        kind.adviceIn(language, character, written)
 
     /** Whether it cannot be seen, or not be told from an ordinary space or line end. */
     val isUnseen: Boolean get() = kind.isUnseen
@@ -31,11 +36,6 @@ fun pastedCharacter(character: Char): PastedCharacter? {
     if (character < FIRST_OTHER) return LINE_BREAK.takeIf { it == character }?.let { pastedAs(it, "\n") }
     return WITH_PLAIN[character] ?: wideCharacter(character) ?: invisibleCharacter(character)
 }
-
-/** The characters from [start] on that were pasted, all of one kind or not; empty if [start] has none. */
-fun pastedFrom(text: String, start: Int): List<PastedCharacter> =
-    text.subSequence(start, text.length).asSequence().map(::pastedCharacter).takeWhile { it != null }.filterNotNull()
-        .toList()
 
 /** This text with all its pasted characters as the keyboard writes them. */
 fun plainTextOf(text: String): String = buildString {

@@ -22,11 +22,11 @@ internal enum class PastedCharacterKind(
 
     fun nameIn(language: Language): String = language.choose(english, spanish, german)
 
-    fun adviceIn(language: Language, pasted: PastedCharacter): String {
+    fun adviceIn(language: Language, character: Char, text: String): String {
         val name = nameIn(language)
-        val code = unicodeNumber(pasted.character)
-        val written = quoted(pasted.character.toString())
-        val plain = quoted(pasted.plain)
+        val code = unicodeNumber(character)
+        val written = quoted(text)
+        val plain = quoted(plainTextOf(text))
         return when (this) {
             SPACE -> language.choose(
                 "Here is $name ($code). Put an ordinary space in its place.",

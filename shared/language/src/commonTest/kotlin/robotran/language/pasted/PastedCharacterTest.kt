@@ -51,13 +51,8 @@ class PastedCharacterTest {
     }
 
     @Test
-    fun `a run of pasted characters ends at the first other one`() {
-        assertEquals(
-            "forward",
-            pastedFrom("\uFF46\uFF4F\uFF52\uFF57\uFF41\uFF52\uFF44 20", 0).joinToString("") {
-                it.plain
-            },
-        )
-        assertEquals(emptyList(), pastedFrom("forward", 0))
+    fun `a whole pasted word is told as one`() {
+        val advice = pastedCharacter('\uFF4F')?.adviceIn(Language.ENGLISH, "\uFF4F\uFF4E")
+        assertEquals("\"\uFF4F\uFF4E\" is a wide character. Write \"on\".", advice)
     }
 }

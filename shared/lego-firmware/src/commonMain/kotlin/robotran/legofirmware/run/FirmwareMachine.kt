@@ -110,12 +110,13 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
         if (!core.tasks.anyAlive) finish()
     }
 
-    /** The line in the source of [task]'s next instruction; null if there is none. */
-    fun lineOf(task: Task): CodeLine? = task.location?.let { interpreter.lines.lineOf(it.chunk.id, it.address) }
+    /** The line in the source of the instruction that [task] is at; null if there is none. */
+    fun lineOf(task: Task): CodeLine? =
+        task.placeAt(core.now)?.let { interpreter.lines.lineOf(it.chunk.id, it.address) }
 
-    /** The statement that [task] is about to begin; null if it is in the middle of one. */
-    fun beginningOf(task: Task): CodeLine? =
-        task.location?.let { interpreter.lines.beginningAt(it.chunk.id, it.address) }
+    /** The statement that [task] is about to begin; null if it is in the middle of one, for example of a wait. */
+    fun beginningOf(task: Task): CodeLine? = task.location?.takeUnless { task.isWaiting(core.now) }
+        ?.let { interpreter.lines.beginningAt(it.chunk.id, it.address) }
 
     val state: FirmwareState
         get() = FirmwareState(

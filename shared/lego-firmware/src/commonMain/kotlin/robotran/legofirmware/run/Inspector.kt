@@ -8,12 +8,10 @@ import robotran.brick.program.VariableView
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.image.FirmwareLimits
-import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.SymbolKind
-import robotran.legofirmware.task.Location
+import robotran.legofirmware.task.LoadedChunk
 import robotran.legofirmware.task.Task
-import robotran.legofirmware.task.TaskState
 
 /** Shows tasks and variables of a program to a debugger. */
 internal class Inspector(private val core: Core, private val program: ProgramCode) {
@@ -30,8 +28,10 @@ internal class Inspector(private val core: Core, private val program: ProgramCod
     /** Null if it has ended. */
     fun activity(task: Task): ThreadActivity? = if (task.isAlive) activityOf(task) else null
 
-    fun callStack(task: Task?): List<CallFrame> =
-        listOfNotNull(task?.location, task?.returnTo).map { frameAt(it, program.lines) }
+    fun callStack(task: Task?): List<CallFrame> = listOfNotNull(
+        task?.placeAt(core.now)?.let { frameAt(it.chunk, it.address) },
+        task?.returnTo?.let { frameAt(it.chunk, it.address - 1) },
+    )
 
     /** The variables that [task] sees: its own, then those of all. */
     fun variables(task: Task?): List<VariableScope> {
@@ -50,14 +50,13 @@ internal class Inspector(private val core: Core, private val program: ProgramCod
         .filterKeys { core.variables.exists(it, core.model.isSecond) }
         .map { (number, name) -> VariableView(name, "${core.variables.get(number, task)}") }
 
-    private fun activityOf(task: Task): ThreadActivity = when (task.state) {
-        TaskState.WAITING -> ThreadActivity.SLEEPING
-        else -> ThreadActivity.RUNNABLE
-    }
+    private fun activityOf(task: Task): ThreadActivity =
+        if (task.isWaiting(core.now)) ThreadActivity.SLEEPING else ThreadActivity.RUNNABLE
 
-    private fun frameAt(location: Location, lines: LineTable): CallFrame {
-        val line = lines.lineOf(location.chunk.id, location.address)
-        return CallFrame(nameOf(location.chunk.id), line?.line ?: 0, line?.file)
+    /** @param address of any byte of the instruction: before the place of a return is the call. */
+    private fun frameAt(chunk: LoadedChunk, address: Int): CallFrame {
+        val line = program.lines.lineOf(chunk.id, address)
+        return CallFrame(nameOf(chunk.id), line?.line ?: 0, line?.file)
     }
 
     private fun nameOf(id: ChunkId): String = program.image.nameOf(id)?.takeIf { it.isNotEmpty() }

@@ -23,6 +23,7 @@ internal class Interpreter(private val core: Core) {
         val location = task.location ?: return
         val chunk = location.chunk
         task.wake()
+        task.begun = location
         core.at(lines.lineOf(chunk.id, location.address))
         if (chunk.isEnd(location.address)) return flow.leave(task)
         val placed = chunk.instruction(location.address)

@@ -21,6 +21,9 @@ internal class Task(val number: Int) {
     /** Where it continues; null if it was never started. */
     var location: Location? = null
 
+    /** The instruction that it began last; null if none. */
+    var begun: Location? = null
+
     /** Where its subroutine returns to; null if it is in none, or after the return from a nested call. */
     var returnTo: Location? = null
 
@@ -46,7 +49,13 @@ internal class Task(val number: Int) {
     val isAlive: Boolean get() = state != TaskState.STOPPED
 
     /** Whether it can execute an instruction at [now]. */
-    fun isReady(now: Long): Boolean = state == TaskState.READY || (state == TaskState.WAITING && wakesAt <= now)
+    fun isReady(now: Long): Boolean = isAlive && !isWaiting(now)
+
+    /** Whether it is in the middle of a wait at [now]. */
+    fun isWaiting(now: Long): Boolean = state == TaskState.WAITING && now < wakesAt
+
+    /** Where it is at [now]: at the instruction that waits, otherwise before the next one; null if it never started. */
+    fun placeAt(now: Long): Location? = if (isWaiting(now)) begun else location
 
     /** Begins at [start] with nothing left over from before, but for its variables. */
     fun begin(start: Location) {

@@ -75,7 +75,7 @@ class DebuggingTest {
         assertEquals(listOf("main", "task 1"), threads.map { it.name })
         assertEquals(listOf(ThreadActivity.RUNNABLE, ThreadActivity.SLEEPING), threads.map { it.activity })
         assertEquals(listOf(true, false), threads.map { it.isCurrent })
-        assertEquals(listOf(CallFrame("turn", 14), CallFrame("main", 8)), threads[0].callStack)
+        assertEquals(listOf(CallFrame("turn", 14), CallFrame("main", 7)), threads[0].callStack)
         assertEquals(
             listOf(
                 VariableScope("main", listOf(VariableView("way", "7"))),
@@ -85,6 +85,32 @@ class DebuggingTest {
         )
         assertEquals(ThreadActivity.SLEEPING, run(brick).activityOf(1))
         assertEquals(null, run(brick).activityOf(2))
+    }
+
+    @Test
+    fun `a task that waits is at its wait, and its caller at the call`() {
+        val brick = started(programOf("task 0\n calls 0\n wait 2, 20\n plays 0\nendt\nsub 0\n wait 2, 10\nends"))
+        val places = mutableListOf<List<Int>>()
+        val beginnings = mutableListOf<Boolean>()
+        repeat(290) {
+            brick.tick()
+            places += run(brick).callStack.map { it.sourceLine }
+            if (run(brick).activityOf(0) == ThreadActivity.SLEEPING) beginnings += run(brick).isBeforeStatement
+        }
+        assertEquals(listOf(listOf(7, 2), listOf(3)), places.distinct())
+        assertTrue(places.count { it == listOf(7, 2) } in 100..110, "${places.count { it == listOf(7, 2) }}")
+        assertTrue(beginnings.size > 250 && beginnings.none { it })
+    }
+
+    @Test
+    fun `a wait that is over is left before the next instruction begins`() {
+        val brick = started(programOf("task 0\n wait 2, 10\n plays 0\nendt"))
+        run(brick).watch = StatementWatch { it.sourceLine == 3 }
+        while (!brick.isPaused && brick.state.milliseconds < 300) brick.tick()
+        assertTrue(brick.isPaused)
+        assertEquals(3, run(brick).sourceLine)
+        assertEquals(ThreadActivity.RUNNABLE, run(brick).activityOf(0))
+        assertTrue(run(brick).isBeforeStatement)
     }
 
     @Test

@@ -36,7 +36,7 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
         val names = apiNames(target, isOld)
         val text = entries.values.mapNotNull { functionOf(it, target) }.joinToString("\n") + if (isOld) "" else INIT
         val tokens = Preprocessor(mapOf(FILE to text), macros, sink).read(FILE).tokens.map(::ofApi)
-        functions = ProgramParser(tokens, sink, target, emptySet(), emptyMap(), names) { limits[it].orEmpty() }
+        functions = ProgramParser(tokens, sink, target, emptySet(), emptyMap(), names, { limits[it].orEmpty() })
             .program(isApi = true).functions
         check(!sink.hasErrors) { "The API has mistakes: ${sink.inSourceOrder(ERROR, FILE)}" }
     }

@@ -6,6 +6,7 @@ import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.parse.ApiNames
 import robotran.nqc.parse.DeclaredUnits
+import robotran.nqc.syntax.onlySimilarName
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.FunctionUnit
 import robotran.nqc.tree.ParsedProgram
@@ -115,12 +116,14 @@ internal class CallCheck(
             val message = sink.messages.needsSecondFirmware(name)
             return sink.report(NqcDiagnosticCode.UNDEFINED_FUNCTION, call.range, message)
         }
-        val similar = similarName(name, program.functions.keys + subNames) ?: similarName(name, macros)
+        val known = program.functions.keys + subNames
+        val similar = similarName(name, known)
+        val only = if (similar == null) onlySimilarName(name, macros) else onlySimilarName(name, known)
         sink.report(
             NqcDiagnosticCode.UNDEFINED_FUNCTION,
             call.range,
-            sink.messages.undefinedFunction(name, similar),
-            similar?.takeIf { !call.macro }?.let { SourceFix(call.range, it) },
+            sink.messages.undefinedFunction(name, similar ?: similarName(name, macros)),
+            only?.takeIf { !call.macro }?.let { SourceFix(call.range, it) },
         )
     }
 

@@ -19,6 +19,10 @@ internal class DiagnosticSink(val messages: NqcMessages) {
     /** Whether there are no errors but those of one [code]. */
     fun hasOnly(code: NqcDiagnosticCode): Boolean = errors.all { it == code }
 
+    /** Whether an error at [range] would be kept. */
+    fun takesErrorAt(range: SourceRange): Boolean =
+        diagnostics.size < LIMIT && Triple(Severity.ERROR, range.file, range.line) !in lines
+
     fun report(code: NqcDiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
         if (code.severity == Severity.ERROR) errors += code
         if (diagnostics.size >= LIMIT || !lines.add(Triple(code.severity, range.file, range.line))) return

@@ -14,6 +14,9 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
     DIRECTIVE_NEEDS_NAME("%s required a symbol name"),
     MACRO_REDEFINED("redefinition of '%s'"),
     MACRO_PARAMETERS("illegal define arguments"),
+
+    /** `#define TIME 100;` and `#define TIME = 100`. */
+    MACRO_SIGN(SYNTAX),
     MACRO_CIRCULAR("circular definition in '%s'"),
     MACRO_ARGUMENTS("wrong number of arguments to '%s'"),
 
@@ -68,6 +71,9 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
     CATCH_ALONE(SYNTAX),
     ELSE_ALONE(SYNTAX),
     DECLARATION_IN_FOR(SYNTAX),
+
+    /** A task, subroutine or function in another one. */
+    NESTED_UNIT(SYNTAX),
 
     /** A statement outside of any task. */
     OUTSIDE_TASK(SYNTAX),

@@ -6,6 +6,7 @@ import robotran.legofirmware.instructions.ValueSource
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.diagnostic.SourceRange
+import robotran.nqc.syntax.onlySimilarName
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Expression.Cell
@@ -178,7 +179,8 @@ internal class StatementEmitter(
         if (number == null) {
             val similar = similarName(statement.task, units.tasks.keys)
             val message = sink.messages.undefinedTask(statement.task, similar)
-            val fix = similar?.takeIf { statement.name.macro == null }?.let { SourceFix(statement.name.range, it) }
+            val only = onlySimilarName(statement.task, units.tasks.keys).takeIf { statement.name.macro == null }
+            val fix = only?.let { SourceFix(statement.name.range, it) }
             return sink.report(NqcDiagnosticCode.UNDEFINED_TASK, statement.range, message, fix)
         }
         emitter.add(if (statement.isStart) Opcode.START else Opcode.STOP, number)

@@ -15,6 +15,9 @@ interface DirectiveMessages {
 
     fun macroParameters(name: String): String
 
+    /** @param sign `;` behind, or `=` before the value of [name] in its `#define`. */
+    fun signInDefinition(sign: String, name: String): String
+
     fun macroCircular(name: String): String
 
     /** @param count how many arguments the macro takes. */

@@ -1,5 +1,7 @@
 package robotran.nqc.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 import robotran.nqc.config.ParameterLimit
 
@@ -25,6 +27,12 @@ private object EnglishDirectiveMessages : DirectiveMessages {
 
     override fun macroParameters(name: String) =
         "After ${quoted(name)} comes a blank, or the parameters in brackets: #define $name(a, b)."
+
+    override fun signInDefinition(sign: String, name: String) = if (sign == ";") {
+        "The line of a #define ends without a semicolon. This one gets into every line with $name."
+    } else {
+        "Between $name and its value there is no $sign in a #define."
+    }
 
     override fun macroCircular(name: String) =
         "${quoted(name)} is defined by itself, so it never becomes a value. Check its #define."
@@ -80,6 +88,9 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "The character ${quoted(character)} means nothing here."
 
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
+        pasted.adviceIn(Language.ENGLISH, written)
+
     override fun decimalNumber() =
         "The brick computes with whole numbers only. Count in smaller steps instead, such as tenths or hundredths."
 
@@ -93,6 +104,16 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
     override fun otherType(type: String) = "NQC has no $type, only whole numbers: int."
 
     override fun textAsValue() = "The brick cannot show texts, so NQC has none. Use a number."
+
+    override fun quotedName(name: String) = "Write $name without quotation marks."
+
+    override fun nestedUnit(name: String) =
+        "${quoted(name)} cannot be inside of a task, sub or function. Move it out, above or below."
+
+    override fun mainFunction(right: String) = "The main task begins like this: $right"
+
+    override fun taskWithBrackets(command: String, task: String) =
+        "After $command comes the name of the task without brackets: $command $task;"
 
     override fun missingSemicolon() = "A semicolon is missing here."
 

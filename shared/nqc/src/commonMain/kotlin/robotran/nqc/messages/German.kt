@@ -1,5 +1,7 @@
 package robotran.nqc.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 import robotran.nqc.config.ParameterLimit
 
@@ -31,6 +33,12 @@ private object GermanDirectiveMessages : DirectiveMessages {
 
     override fun macroParameters(name: String) =
         "Nach ${quoted(name)} kommt ein Leerzeichen oder die Parameter in Klammern: #define $name(a, b)."
+
+    override fun signInDefinition(sign: String, name: String) = if (sign == ";") {
+        "Die Zeile eines #define endet ohne Strichpunkt. Dieser gerät in jede Zeile mit $name."
+    } else {
+        "Zwischen $name und seinem Wert steht in einem #define kein $sign."
+    }
 
     override fun macroCircular(name: String) =
         "${quoted(name)} ist durch sich selbst festgelegt und wird nie ein Wert. Prüf das #define."
@@ -87,6 +95,9 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "Das Zeichen ${quoted(character)} bedeutet hier nichts."
 
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
+        pasted.adviceIn(Language.GERMAN, written)
+
     override fun decimalNumber() =
         "Der Stein rechnet nur mit ganzen Zahlen. Zähl in kleineren Schritten, etwa in Zehnteln oder Hundertsteln."
 
@@ -100,6 +111,17 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
     override fun otherType(type: String) = "$type gibt es in NQC nicht, nur ganze Zahlen: int."
 
     override fun textAsValue() = "Der Stein kann keine Texte zeigen, darum hat NQC keine. Nimm eine Zahl."
+
+    override fun quotedName(name: String) = "Schreib $name ohne Anführungszeichen."
+
+    override fun nestedUnit(name: String) =
+        "${quoted(name)} kann nicht in einem Task, einem Unterprogramm oder einer Funktion stehen. Setz es davor " +
+            "oder dahinter."
+
+    override fun mainFunction(right: String) = "Der Haupttask beginnt so: $right"
+
+    override fun taskWithBrackets(command: String, task: String) =
+        "Nach $command kommt der Name des Tasks ohne Klammern: $command $task;"
 
     override fun missingSemicolon() = "Hier fehlt ein Strichpunkt."
 

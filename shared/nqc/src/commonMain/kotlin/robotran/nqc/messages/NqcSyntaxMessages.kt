@@ -1,5 +1,7 @@
 package robotran.nqc.messages
 
+import robotran.language.pasted.PastedCharacter
+
 /** The messages about what cannot be read. */
 interface NqcSyntaxMessages {
     fun unexpected(text: String): String
@@ -7,6 +9,9 @@ interface NqcSyntaxMessages {
     fun unexpectedEnd(): String
 
     fun unknownCharacter(character: String): String
+
+    /** @param written [pasted], and what was pasted behind it. */
+    fun pastedCharacter(pasted: PastedCharacter, written: String): String
 
     /** A point within a number. */
     fun decimalNumber(): String
@@ -28,6 +33,18 @@ interface NqcSyntaxMessages {
     fun otherType(type: String): String
 
     fun textAsValue(): String
+
+    /** [name] is in quotation marks, but means something without. */
+    fun quotedName(name: String): String
+
+    /** @param name the task, subroutine or function that is in another one. */
+    fun nestedUnit(name: String): String
+
+    /** @param right how the main task begins. */
+    fun mainFunction(right: String): String
+
+    /** @param command `start` or `stop`, which is followed by [task] and brackets. */
+    fun taskWithBrackets(command: String, task: String): String
 
     fun missingSemicolon(): String
 

@@ -1,5 +1,7 @@
 package robotran.nqc.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 import robotran.nqc.config.ParameterLimit
 
@@ -30,6 +32,12 @@ private object SpanishDirectiveMessages : DirectiveMessages {
 
     override fun macroParameters(name: String) =
         "Tras ${quoted(name)} va un espacio, o los parámetros entre paréntesis: #define $name(a, b)."
+
+    override fun signInDefinition(sign: String, name: String) = if (sign == ";") {
+        "La línea de un #define termina sin punto y coma. Este pasa a cada línea con $name."
+    } else {
+        "Entre $name y su valor no hay ningún $sign en un #define."
+    }
 
     override fun macroCircular(name: String) =
         "${quoted(name)} se define por sí mismo, así que nunca da un valor. Revisa su #define."
@@ -84,6 +92,9 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "El carácter ${quoted(character)} no significa nada aquí."
 
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
+        pasted.adviceIn(Language.SPANISH, written)
+
     override fun decimalNumber() =
         "El ladrillo solo calcula con números enteros. Cuenta en pasos más pequeños, como décimas o centésimas."
 
@@ -97,6 +108,16 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
     override fun otherType(type: String) = "NQC no tiene $type, solo números enteros: int."
 
     override fun textAsValue() = "El ladrillo no puede mostrar textos, por eso NQC no los tiene. Usa un número."
+
+    override fun quotedName(name: String) = "Escribe $name sin comillas."
+
+    override fun nestedUnit(name: String) =
+        "${quoted(name)} no puede estar dentro de una tarea, subrutina o función. Ponlo fuera, antes o después."
+
+    override fun mainFunction(right: String) = "La tarea principal empieza así: $right"
+
+    override fun taskWithBrackets(command: String, task: String) =
+        "Después de $command va el nombre de la tarea sin paréntesis: $command $task;"
 
     override fun missingSemicolon() = "Aquí falta un punto y coma."
 

@@ -9,14 +9,18 @@ import robotran.nqc.syntax.TokenKind
 
 /** The tasks, subroutines and functions that [tokens] declare, also those with mistakes. */
 internal class DeclaredUnits(tokens: List<Token>) {
-    private val words: Map<String, Keyword?> = tokens.zipWithNext()
-        .filter { (word, name) -> word.keyword?.group == KeywordGroup.UNIT && name.kind == TokenKind.NAME }
+    private val words: Map<String, Keyword?> = tokens.windowed(DECLARING)
+        .filter { (word, name, sign) -> name.kind == TokenKind.NAME && declares(word, sign) }
         .associate { (word, name) -> name.text to word.keyword }
 
     /** The first word of each file that begins a task, a subroutine or a function. */
     private val first: Map<String, SourceRange> = tokens
         .filter { it.keyword?.group == KeywordGroup.UNIT && it.macro == null }
         .asReversed().associate { it.range.file to it.range }
+
+    /** Whether [word] begins a unit: also the type of a function, as other languages write it. */
+    private fun declares(word: Token, sign: Token) =
+        word.keyword?.group == KeywordGroup.UNIT || (word.keyword == Keyword.INT && sign.isSign("("))
 
     val names: Set<String> get() = words.keys
 
@@ -29,4 +33,9 @@ internal class DeclaredUnits(tokens: List<Token>) {
     fun isFunction(name: String): Boolean = words[name] == Keyword.VOID
 
     fun isSub(name: String): Boolean = words[name] == Keyword.SUB
+
+    private companion object {
+        /** A word, a name and a bracket. */
+        const val DECLARING = 3
+    }
 }

@@ -21,7 +21,7 @@ internal class ExpressionParser(private val reader: TokenReader, names: NameReso
 
     /** Reads `(expression)`. */
     fun inBrackets(): Expression {
-        reader.opening("(")
+        reader.openingOfCondition()
         return expression().also { reader.closing(")") }
     }
 

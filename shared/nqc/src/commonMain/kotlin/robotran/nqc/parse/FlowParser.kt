@@ -52,7 +52,11 @@ internal class FlowParser(
         val condition = expressions.inBrackets()
         warnOfEmptyBody(word)
         val then = layout.body(word, statement)
-        val otherwise = if (accept(Keyword.ELSE)) layout.body(reader.previous, statement) else null
+        val otherwise = when {
+            accept(Keyword.ELSE) -> layout.body(reader.previous, statement)
+            misspelled.correctElseIf() -> branch()
+            else -> null
+        }
         return Statement.If(condition, then, otherwise, word.range.to(condition.range))
     }
 

@@ -22,7 +22,10 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
         val token = reader.token
         if (token.kind != TokenKind.NAME || isName(token.text)) return
         val next = reader.peek(1)
-        if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME) {
+        if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME && reader.peek(2).isSign("(")) {
+            // A function, whose type is wrong whatever it is.
+            reader.readAs(Keyword.INT)
+        } else if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME) {
             report(token, Keyword.INT, NqcDiagnosticCode.OTHER_TYPE, sink.messages.otherType(token.text))
         } else {
             val meant = meantBy(token, next) ?: return
@@ -30,6 +33,17 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
             val message = sink.messages.misspelledWord(token.text, meant.text, isCase)
             report(token, meant, NqcDiagnosticCode.MISSPELLED_WORD, message)
         }
+    }
+
+    /** Reports the token here if it means `else if`; then it can be read like `if`. */
+    fun correctElseIf(): Boolean {
+        val token = reader.token
+        val isElseIf = token.kind == TokenKind.NAME && token.text.lowercase() in ELSE_IFS && reader.peek(1).isSign("(")
+        if (!isElseIf || isName(token.text)) return false
+        val message = sink.messages.misspelledWord(token.text, ELSE_IF, isCase = false)
+        val fix = SourceFix(token.range, ELSE_IF).takeIf { token.macro == null }
+        sink.report(NqcDiagnosticCode.MISSPELLED_WORD, token.range, message, fix)
+        return true
     }
 
     private fun report(token: Token, meant: Keyword, code: NqcDiagnosticCode, message: String) {
@@ -77,6 +91,8 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
             Keyword.ACQUIRE,
         )
         val OTHER_TYPES = "float double long short char byte bool boolean string String var let".split(' ').toSet()
+        const val ELSE_IF = "else if"
+        val ELSE_IFS = setOf("elseif", "elsif", "elif")
         val NO_WORD_BEFORE = setOf("++", "--", "[", ")", ",", ":")
 
         /** Max tokens of brackets that are looked through. */

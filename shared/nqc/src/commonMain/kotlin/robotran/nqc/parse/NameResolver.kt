@@ -9,6 +9,7 @@ import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Signs
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
+import robotran.nqc.syntax.onlySimilarName
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.Variable
 
@@ -42,14 +43,15 @@ internal class NameResolver(
             sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message)
             return unknown
         }
-        val similar = similarName(text, scopes.variableNames + words + VALUE_WORDS)
+        val known = scopes.variableNames + words + VALUE_WORDS
+        val similar = similarName(text, known)
         sink.report(
             NqcDiagnosticCode.UNDEFINED_VARIABLE,
             name.range,
             sink.messages.undefinedVariable(text, similar),
             when {
                 name.macro != null -> null
-                similar != null -> SourceFix(name.range, similar)
+                similar != null -> onlySimilarName(text, known)?.let { SourceFix(name.range, it) }
                 else -> declared.declaration(text, name.range).takeIf { isChanged(name) }
             },
         )
@@ -76,16 +78,49 @@ internal class NameResolver(
         val text = name.text
         val start = name.range.copy(endColumn = name.range.column)
         val call = callOf(text)
-        val meant = functionFrom(text)
-            ?: similarName(text, scopes.variableNames + words + functions + declared.names)
+        val begun = functionsFrom(text)
+        val known = scopes.variableNames + words + functions + declared.names
+        val meant = begun.firstOrNull() ?: similarName(text, known)
+        val only = if (begun.isEmpty()) onlySimilarName(text, known) else begun.singleOrNull()
         val (message, fix) = when {
             apiNames.needsSecondFirmware(text) -> sink.messages.needsSecondFirmware(text) to null
             declared.isTask(text) -> sink.messages.taskCalled(text) to SourceFix(start, "start ")
             call == "$text()" -> sink.messages.bracketsMissing(text, call) to SourceFix(name.range.end, "()")
             call != null -> sink.messages.bracketsMissing(text, call) to null
-            else -> sink.messages.undefinedCommand(text, meant) to meant?.let { SourceFix(name.range, it) }
+            else -> sink.messages.undefinedCommand(text, meant) to only?.let { SourceFix(name.range, it) }
         }
         sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message, fix.takeIf { name.macro == null })
+    }
+
+    /** Whether here is a name before a block, which means no variable, as in `forever { }`. */
+    fun isBlockWord(): Boolean {
+        val name = reader.token
+        return name.kind == TokenKind.NAME && reader.peek(1).isSign("{") && scopes.variable(name.text) == null
+    }
+
+    /** Whether here is a statement such as `Wait 100`: a name that means no variable, and then a value. */
+    fun isCallWithoutBrackets(): Boolean {
+        val name = reader.token
+        val next = reader.peek(1)
+        val isValue = next.kind in VALUES || next.keyword?.group == KeywordGroup.VALUE
+        return name.kind == TokenKind.NAME && isValue && next.range.line == name.range.line &&
+            scopes.variable(name.text) == null
+    }
+
+    /** Reports the statement [name] with [arguments] that are in no brackets, see [isCallWithoutBrackets]. */
+    fun reportCallWithoutBrackets(name: Token, arguments: SourceRange) {
+        val text = name.text
+        if (apiNames.needsSecondFirmware(text) || declared.isTask(text)) return reportCommandAlone(name)
+        val isKnown = text in functions || text in declared.names
+        val meant = if (isKnown) text else onlySimilarName(text, functions + declared.names)
+        val call = reader.textAt(arguments)?.let { "$meant($it)" }.takeIf { meant != null && name.macro == null }
+        val message = if (isKnown && call != null) {
+            sink.messages.bracketsMissing(text, call)
+        } else {
+            sink.messages.undefinedCommand(text, meant)
+        }
+        val fix = call?.let { SourceFix(name.range.to(arguments), it) }
+        sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message, fix)
     }
 
     /** How the function or subroutine [name] is called, without its arguments if the program has it; null for others. */
@@ -96,9 +131,9 @@ internal class NameResolver(
         else -> null
     }
 
-    /** The first function whose name begins with [beginning]; null for a single letter. */
-    private fun functionFrom(beginning: String): String? =
-        functions.takeIf { beginning.length > 1 }?.find { it.startsWith(beginning, ignoreCase = true) }
+    /** The functions whose names begin with [beginning]; none for a single letter. */
+    private fun functionsFrom(beginning: String): List<String> =
+        functions.filter { beginning.length > 1 && it.startsWith(beginning, ignoreCase = true) }
 
     /** Fails because a call with this [name] is used like a value. */
     fun failAtCallAsValue(name: Token): Nothing {
@@ -114,12 +149,13 @@ internal class NameResolver(
             }
 
             else -> {
-                val similar = similarName(text, words + VALUE_WORDS)
+                val known = words + VALUE_WORDS
+                val similar = similarName(text, known)
                 reader.fail(
                     NqcDiagnosticCode.UNDEFINED_FUNCTION,
                     name.range,
                     sink.messages.undefinedFunction(text, similar),
-                    similar?.takeIf { name.macro == null }?.let { SourceFix(name.range, it) },
+                    onlySimilarName(text, known)?.takeIf { name.macro == null }?.let { SourceFix(name.range, it) },
                 )
             }
         }
@@ -146,6 +182,7 @@ internal class NameResolver(
 
     private companion object {
         val STEPS = setOf("++", "--")
+        val VALUES = setOf(TokenKind.NAME, TokenKind.NUMBER, TokenKind.TEXT)
         val VALUE_WORDS = Keyword.entries.filter { it.group == KeywordGroup.VALUE }.map { it.text }
     }
 }

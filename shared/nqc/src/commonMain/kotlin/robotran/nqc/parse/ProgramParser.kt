@@ -5,6 +5,7 @@ import robotran.nqc.config.ParameterLimit
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
+import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Token
@@ -22,6 +23,7 @@ import robotran.nqc.tree.TaskUnit
  * @param api the functions that exist from the beginning.
  * @param apiNames what messages say about them.
  * @param limitsOf which constants make sense for the parameters of a function.
+ * @param textAt what is typed somewhere in the program's files.
  */
 internal class ProgramParser(
     tokens: List<Token>,
@@ -31,12 +33,13 @@ internal class ProgramParser(
     private val api: Map<String, FunctionUnit>,
     apiNames: ApiNames,
     private val limitsOf: (String) -> List<ParameterLimit?> = { emptyList() },
+    textAt: (SourceRange) -> String? = { null },
 ) {
     /** The tasks, subroutines and functions of the whole program. */
     val declared = DeclaredUnits(tokens)
 
     private val units = HashSet<String>()
-    private val reader = TokenReader(tokens, sink)
+    private val reader = TokenReader(tokens, sink, textAt, isMacro = { it in words })
     private val scopes = Scopes(api.keys)
     private val names = NameResolver(
         reader,
@@ -76,7 +79,9 @@ internal class ProgramParser(
     private fun unit(isApi: Boolean) {
         misspelled.correct()
         val token = reader.token
-        when (token.keyword) {
+        if (isMainFunction(token)) return mainTask()
+        if (token.keyword == Keyword.INT && reader.peek(2).isSign("(")) reportType(token)
+        when (reader.token.keyword) {
             Keyword.INT -> {
                 reader.advance()
                 globals += variables.variables()
@@ -103,6 +108,33 @@ internal class ProgramParser(
                 notAUnit(token)
             }
         }
+    }
+
+    /** Whether here begins `int main()` or `void main()`, with which programs in C begin. */
+    private fun isMainFunction(token: Token): Boolean = token.keyword in MAIN_FUNCTIONS &&
+        reader.peek(1).let { it.kind == TokenKind.NAME && it.text == MAIN } && reader.peek(2).isSign("(")
+
+    /** Reads the main task in spite of how it begins. */
+    private fun mainTask() {
+        val word = reader.advance()
+        val name = unitName()
+        reader.opening("(")
+        while (reader.isInLineOf(word) && !reader.isSign(")") && !reader.isSign("{")) reader.advance()
+        reader.closing(")")
+        val range = word.range.to(reader.previous.range)
+        val isTyped = word.macro == null && range.endColumn > word.range.endColumn
+        val fix = SourceFix(range, MAIN_TASK).takeIf { isTyped }
+        sink.report(NqcDiagnosticCode.FUNCTION_WITH_TYPE, word.range, sink.messages.mainFunction(MAIN_TASK), fix)
+        tasks += TaskUnit(name.text, statements.block(), name.range)
+    }
+
+    /** Reports a function that begins with the type of its value, and reads it as one without. */
+    private fun reportType(type: Token) {
+        val name = reader.peek(1).takeIf { it.kind == TokenKind.NAME } ?: return
+        val fix = SourceFix(type.range, Keyword.VOID.text).takeIf { type.macro == null }
+        val message = sink.messages.functionWithType(name.text)
+        sink.report(NqcDiagnosticCode.FUNCTION_WITH_TYPE, type.range, message, fix)
+        reader.readAs(Keyword.VOID)
     }
 
     private fun notAUnit(token: Token): Nothing {
@@ -181,6 +213,9 @@ internal class ProgramParser(
 
     private companion object {
         const val INLINE = "inline"
+        const val MAIN = "main"
+        const val MAIN_TASK = "task main()"
+        val MAIN_FUNCTIONS = setOf(Keyword.INT, Keyword.VOID, Keyword.SUB)
         val UNIT_GROUPS = setOf(KeywordGroup.UNIT, KeywordGroup.DECLARATION)
     }
 }

@@ -2,6 +2,7 @@ package robotran.nqc.parse
 
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Token
@@ -36,6 +37,10 @@ internal class StatementParser(
         val statements = mutableListOf<Statement>()
         while (!reader.accept("}")) {
             misspelled.correct()
+            if (isNestedUnit()) {
+                skipNestedUnit()
+                continue
+            }
             if (reader.token.kind == TokenKind.END || reader.token.keyword?.group == KeywordGroup.UNIT) {
                 val message = sink.messages.missingBrace(brace.range.line)
                 sink.report(NqcDiagnosticCode.MISSING_BRACE, reader.gap, message, reader.insertion("\n}"))
@@ -51,9 +56,29 @@ internal class StatementParser(
         return statements
     }
 
+    /** Whether a task, subroutine or function begins here, although nothing before it lacks its end. */
+    private fun isNestedUnit(): Boolean {
+        val keyword = reader.token.keyword
+        val isFunction = keyword == Keyword.INT && reader.peek(2).isSign("(")
+        return (keyword?.group == KeywordGroup.UNIT || isFunction) && reader.peek(1).kind == TokenKind.NAME &&
+            reader.isBalanced
+    }
+
+    private fun skipNestedUnit() {
+        val word = reader.advance()
+        val name = reader.advance()
+        sink.report(NqcDiagnosticCode.NESTED_UNIT, word.range.to(name.range), sink.messages.nestedUnit(name.text))
+        while (reader.token.kind != TokenKind.END && !reader.isSign("{") && !reader.isSign("}")) reader.advance()
+        if (reader.isSign("{")) skipRest()
+    }
+
     /** Skips the rest of the statement that began at [start]. */
     private fun skipStatement(start: Int) {
         if (reader.index == start && !reader.isSign("}")) reader.advance()
+        skipRest()
+    }
+
+    private fun skipRest() {
         var depth = 0
         while (reader.token.kind != TokenKind.END) {
             if (depth == 0 && (reader.isSign("}") || reader.token.keyword?.group == KeywordGroup.UNIT)) return
@@ -74,6 +99,8 @@ internal class StatementParser(
             token.kind == TokenKind.NAME && reader.peek(1).isSign(":") -> label()
             token.kind == TokenKind.NAME && reader.peek(1).isSign("(") -> call()
             names.isCommandAlone() -> commandAlone()
+            names.isBlockWord() -> blockAfterWord()
+            names.isCallWithoutBrackets() -> callWithoutBrackets()
             else -> assignments.statement().also { reader.semicolon() }
         }
     }
@@ -107,6 +134,22 @@ internal class StatementParser(
         return Block(emptyList(), isScope = false, name.range)
     }
 
+    /** Reads the block behind a name that means nothing. */
+    private fun blockAfterWord(): Statement {
+        names.reportCommandAlone(reader.advance())
+        return block()
+    }
+
+    /** Skips a call whose arguments are in no brackets. */
+    private fun callWithoutBrackets(): Statement {
+        val name = reader.advance()
+        val first = reader.token
+        val last = reader.skipLine(name)
+        names.reportCallWithoutBrackets(name, first.range.to(last.range))
+        reader.semicolon()
+        return Block(emptyList(), isScope = false, name.range)
+    }
+
     private fun declarations(): Statement {
         val word = reader.advance()
         val declarations = variables.variables()
@@ -117,17 +160,36 @@ internal class StatementParser(
     private fun taskCommand(keyword: Keyword): Statement {
         val word = reader.advance()
         val name = reader.name()
+        if (reader.isSign("(") && reader.peek(1).isSign(")")) skipBrackets(word, name)
         reader.semicolon()
         return Statement.TaskCommand(name.text, keyword == Keyword.START, word.range.to(name.range), name)
+    }
+
+    /** Skips the brackets of `start name();`. */
+    private fun skipBrackets(word: Token, name: Token) {
+        val opening = reader.advance()
+        val range = opening.range.to(reader.advance().range)
+        val message = sink.messages.taskWithBrackets(word.text, name.text)
+        val fix = SourceFix(range, "").takeIf { opening.macro == null && range.endColumn > opening.range.endColumn }
+        sink.report(NqcDiagnosticCode.UNEXPECTED_TOKEN, range, message, fix)
     }
 
     private fun leave(kind: LeaveKind): Statement {
         val word = reader.advance()
         if (kind == LeaveKind.RETURN && startsValue()) {
-            reader.fail(NqcDiagnosticCode.RETURN_WITH_VALUE, reader.token.range, sink.messages.returnWithValue())
+            skipValue(word)
         }
         reader.semicolon()
         return Statement.Leave(kind, word.range)
+    }
+
+    /** Skips the value of a `return`. */
+    private fun skipValue(word: Token) {
+        val first = reader.token
+        val last = reader.skipLine(word)
+        val range = first.range.to(last.range)
+        val fix = SourceFix(word.range.end.to(range), "").takeIf { word.macro == null && last.macro == null }
+        sink.report(NqcDiagnosticCode.RETURN_WITH_VALUE, range, sink.messages.returnWithValue(), fix)
     }
 
     private fun startsValue(): Boolean {

@@ -10,9 +10,22 @@ import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 
-/** The tokens of a program, one after the other, and the mistakes that can be seen from one token alone. */
-internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
+/**
+ * The tokens of a program, one after the other, and the mistakes that can be seen from one token alone.
+ *
+ * @param textAt what is typed somewhere; null where nothing is.
+ * @param isMacro whether a name stands for something else.
+ */
+internal class TokenReader(
+    tokens: List<Token>,
+    val sink: DiagnosticSink,
+    val textAt: (SourceRange) -> String?,
+    private val isMacro: (String) -> Boolean,
+) {
     private val tokens = tokens.toMutableList()
+
+    /** Whether all blocks are closed, so that one that seems to be open is not. */
+    val isBalanced: Boolean by lazy { tokens.count { it.isSign("{") } <= tokens.count { it.isSign("}") } }
 
     var index = 0
         private set
@@ -45,6 +58,16 @@ internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
     /** Where something that is missing should be: after the token before. */
     val gap: SourceRange get() = previous.range.end
 
+    /** Whether the token here is typed in the line of [token]. */
+    fun isInLineOf(token: Token): Boolean =
+        this.token.range.line == token.range.line && this.token.range.file == token.range.file
+
+    /** Skips the rest of the statement, as far as it is in the line of [first]; the last token of it. */
+    fun skipLine(first: Token): Token {
+        while (token.kind != TokenKind.END && isInLineOf(first) && ENDS.none { isSign(it) }) advance()
+        return previous
+    }
+
     /** A fix that inserts [text] at [gap]; null if a macro's text would have to change. */
     fun insertion(text: String): SourceFix? {
         val use = previous.macro?.outermost ?: return SourceFix(gap, text)
@@ -57,6 +80,18 @@ internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
         val code = if (sign == "{") NqcDiagnosticCode.MISSING_BLOCK else NqcDiagnosticCode.MISSING_BRACKET
         val message = if (sign == "{") sink.messages.missingBlock(previous.text) else sink.messages.missing(sign)
         fail(code, gap, message)
+    }
+
+    /** Skips the opening bracket of a condition. If it is missing, a fix puts what comes before a block in brackets. */
+    fun openingOfCondition() {
+        if (accept("(")) return
+        failUnlessKnown()
+        val place = gap
+        val first = token
+        val range = first.range.to(skipLine(first).range)
+        val condition = textAt(range).takeIf { isSign("{") && first.macro?.parent == null }
+        val fix = condition?.let { SourceFix(range, "($it)") }
+        fail(NqcDiagnosticCode.MISSING_BRACKET, place, sink.messages.missing("("), fix)
     }
 
     /** Skips a closing bracket. */
@@ -95,8 +130,31 @@ internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
             fail(NqcDiagnosticCode.UNKNOWN_CHARACTER, token.range, sink.messages.unknownCharacter(token.text))
         }
         if (token.kind == TokenKind.TEXT) {
+            if (isMacro(token.text)) failAtQuotedName()
             fail(NqcDiagnosticCode.TEXT_AS_VALUE, token.range, sink.messages.textAsValue())
         }
+        failAtDefinition(token)
+        if (token.kind == TokenKind.SIGN && previous.isSign(";") && isInLineOf(previous)) failAtDefinition(previous)
+    }
+
+    private fun failAtQuotedName(): Nothing = fail(
+        NqcDiagnosticCode.TEXT_AS_VALUE,
+        token.range,
+        sink.messages.quotedName(token.text),
+        if (token.macro == null) SourceFix(token.range, token.text) else null,
+    )
+
+    /** Fails if [sign] comes from the definition of a macro, where it makes no sense. */
+    private fun failAtDefinition(sign: Token) {
+        val name = sign.macro?.name?.takeIf { sign.isSign(";") || sign.isSign("=") } ?: return
+        val range = sign.definedAt?.takeIf { it.line > 0 && textAt(it) == sign.text } ?: return
+        val message = sink.messages.signInDefinition(sign.text, name)
+        val value = token.takeIf { it !== sign } ?: peek(1)
+        val isFollowed = sign.isSign("=") && value.macro === sign.macro && value.definedAt?.line == range.line
+        val end = if (isFollowed) checkNotNull(value.definedAt).column else range.endColumn
+        // It does not end the statement, nor does another one right behind it.
+        if (sign === token || isSign(";")) advance()
+        fail(NqcDiagnosticCode.MACRO_SIGN, range, message, SourceFix(range.copy(endColumn = end), ""))
     }
 
     private fun failAt(number: DecimalNumber): Nothing {
@@ -154,6 +212,7 @@ internal class TokenReader(tokens: List<Token>, val sink: DiagnosticSink) {
     }
 
     private companion object {
+        val ENDS = setOf(";", "{", "}")
         val STATEMENT_GROUPS = setOf(KeywordGroup.STATEMENT, KeywordGroup.DECLARATION, KeywordGroup.UNIT)
     }
 }

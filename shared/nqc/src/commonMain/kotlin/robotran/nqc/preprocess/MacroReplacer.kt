@@ -54,11 +54,14 @@ internal class MacroReplacer(
         source.put(
             macro.body.flatMapIndexed { index, part ->
                 val place = places[index]
-                if (place >= 0) arguments[place] else listOf(part.copy(range = token.range, macro = own))
+                if (place >= 0) arguments[place] else listOf(placed(part, token.range, own))
             },
         )
         return true
     }
+
+    private fun placed(part: Token, range: SourceRange, use: MacroUse) =
+        part.copy(range = range, macro = use, definedAt = part.definedAt ?: part.range)
 
     /** Reads `(..)` with [count] arguments, and gives its last bracket to [close]; null if there are more or fewer. */
     private fun argumentsOf(count: Int, close: (Token) -> Unit): List<List<Token>>? {

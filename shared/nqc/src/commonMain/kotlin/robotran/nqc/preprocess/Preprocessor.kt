@@ -19,7 +19,7 @@ internal class Preprocessor(
     predefined: Map<String, Macro>,
     private val sink: DiagnosticSink,
 ) {
-    private val source = TokenSource(files, sink)
+    private val source = TokenSource(files, sink) { conditions.isActive }
     private val macros = HashMap(predefined)
     private val replacer = MacroReplacer(source, macros, sink)
     private val conditions = Conditions()

@@ -7,8 +7,16 @@ import robotran.nqc.syntax.Lexer
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 
-/** The tokens of a program's files and of its macros, before anything is replaced. */
-internal class TokenSource(private val files: Map<String, String>, private val sink: DiagnosticSink) {
+/**
+ * The tokens of a program's files and of its macros, before anything is replaced.
+ *
+ * @param isActive whether what is read now belongs to the program.
+ */
+internal class TokenSource(
+    private val files: Map<String, String>,
+    private val sink: DiagnosticSink,
+    private val isActive: () -> Boolean,
+) {
     private val lexers = mutableListOf<Lexer>()
 
     /** Tokens that come before those of the files. */
@@ -27,7 +35,7 @@ internal class TokenSource(private val files: Map<String, String>, private val s
     fun open(file: String): Boolean {
         if (lexers.size >= NqcLimits.INCLUDE_DEPTH || opened >= NqcLimits.INCLUDED_FILES) return false
         opened++
-        lexers += Lexer(file, files.getValue(file), sink)
+        lexers += Lexer(file, files.getValue(file), sink, isActive)
         return true
     }
 

@@ -1,15 +1,30 @@
 package robotran.nqc.syntax
 
+import robotran.language.pasted.plainTextOf
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceRange
 
-/** Splits the [text] of a [file] into tokens, one after the other. Never throws. */
-internal class Lexer(private val file: String, private val text: String, private val sink: DiagnosticSink) {
+/**
+ * Splits the [text] of a [file] into tokens, one after the other. Pasted characters are read as those of a keyboard.
+ * Never throws.
+ *
+ * @param isActive whether what is read now belongs to the program: what a condition leaves out may be anything.
+ */
+internal class Lexer(
+    private val file: String,
+    private val text: String,
+    private val sink: DiagnosticSink,
+    private val isActive: () -> Boolean = { true },
+) {
+    private val pasted = PastedText(text, sink)
     private var index = if (text.startsWith('\uFEFF')) 1 else 0
     private var line = 1
     private var lineStart = index
     private var isInDirective = false
+
+    /** Whether the line is a text for people, as after `#error`. */
+    private var isProse = false
 
     /** The next token; at the end of the file always one of kind [TokenKind.END]. */
     fun next(): Token {
@@ -17,15 +32,17 @@ internal class Lexer(private val file: String, private val text: String, private
         val start = index
         if (isInDirective && (index == text.length || isLineEnd(text[index]))) {
             isInDirective = false
+            isProse = false
             return token(TokenKind.END_OF_DIRECTIVE, start, isSeparate)
         }
         if (index == text.length) return token(TokenKind.END, start, isSeparate)
         val character = text[index]
         return when {
-            isNameStart(character) -> word(isSeparate)
+            isNameStart(character) || pasted.isNameStart(index) -> word(isSeparate)
             isDigit(character) -> number(isSeparate)
             character == '#' && !isInDirective -> directive()
-            character == '"' -> quotedText(isSeparate)
+            pasted.endOfQuote(index) > 0 -> quotedText(isSeparate)
+            pasted.isVisible(index) -> pastedToken(isSeparate)
             else -> sign(isSeparate)
         }
     }
@@ -37,6 +54,7 @@ internal class Lexer(private val file: String, private val text: String, private
             val character = text[index]
             when {
                 isBlank(character) -> index++
+                pasted.isUnseen(index) -> skipUnseen()
                 isLineEnd(character) -> if (isInDirective) break else skipLineEnd()
                 text.startsWith("//", index) -> skipToLineEnd()
                 text.startsWith("/*", index) -> skipComment()
@@ -79,15 +97,48 @@ internal class Lexer(private val file: String, private val text: String, private
         }
     }
 
+    /** Skips blanks that look like ordinary ones, and what cannot be seen. */
+    private fun skipUnseen() {
+        val start = index
+        while (pasted.isUnseen(index)) index++
+        report(start)
+    }
+
+    /** Reports the pasted characters from [start] to here. */
+    private fun report(start: Int) {
+        if (isActive() && !isProse) pasted.report(start, index, range(start, index))
+    }
+
     private fun word(isSeparate: Boolean): Token {
         val start = index
         skipName()
-        val isKeyword = Keyword.of(text.substring(start, index)) != null
-        return token(if (isKeyword) TokenKind.KEYWORD else TokenKind.NAME, start, isSeparate)
+        val typed = text.substring(start, index)
+        val isPlain = typed.all { isNamePart(it) }
+        val name = if (isPlain) typed else plainTextOf(typed)
+        if (!isPlain) report(start)
+        val isKeyword = Keyword.of(name) != null
+        return token(if (isKeyword) TokenKind.KEYWORD else TokenKind.NAME, start, isSeparate).copy(text = name)
+    }
+
+    /** A number or a sign that begins with a pasted character, as the keyboard writes it. */
+    private fun pastedToken(isSeparate: Boolean): Token {
+        val start = index
+        if (pasted.isQuote(start)) {
+            index++
+            return token(TokenKind.UNKNOWN, start, isSeparate)
+        }
+        val isNumber = isDigit(pasted.plainAt(start))
+        index = if (isNumber) pasted.endOfDigits(start) else start + pasted.lengthOfSign(start)
+        report(start)
+        val plain = plainTextOf(text.substring(start, index))
+        val kind = if (isNumber) TokenKind.NUMBER else TokenKind.SIGN
+        val isKnown = isNumber || Signs.lengthAt(plain, 0) == plain.length
+        val token = token(if (isKnown) kind else TokenKind.UNKNOWN, start, isSeparate).copy(text = plain)
+        return if (isNumber) token.copy(value = numberOf(plain) ?: 0) else token
     }
 
     private fun skipName() {
-        while (index < text.length && isNamePart(text[index])) index++
+        while (index < text.length && (isNamePart(text[index]) || pasted.isInName(index))) index++
     }
 
     private fun number(isSeparate: Boolean): Token {
@@ -106,14 +157,19 @@ internal class Lexer(private val file: String, private val text: String, private
         val wordStart = index
         skipName()
         isInDirective = true
-        return Token(TokenKind.DIRECTIVE, text.substring(wordStart, index), range(start, index))
+        val word = plainTextOf(text.substring(wordStart, index))
+        isProse = word in PROSE
+        return Token(TokenKind.DIRECTIVE, word, range(start, index))
     }
 
     private fun quotedText(isSeparate: Boolean): Token {
-        val start = index++
-        while (index < text.length && text[index] != '"' && !isLineEnd(text[index])) index++
-        val content = text.substring(start + 1, index)
-        if (index < text.length && text[index] == '"') index++
+        val start = index
+        index = pasted.endOfQuote(start)
+        val quote = text.substring(start, index)
+        val isClosed = quote.length > 1 && pasted.isQuote(index - 1)
+        // Outside of directives there are no texts, so that their marks make no difference.
+        if (isInDirective && isClosed && quote != pasted.quoted(quote)) report(start)
+        val content = if (isClosed) quote.substring(1, quote.length - 1) else quote.substring(1)
         return token(TokenKind.TEXT, start, isSeparate).copy(text = content)
     }
 
@@ -132,4 +188,9 @@ internal class Lexer(private val file: String, private val text: String, private
         Token(kind, text.substring(start, index), range(start, index), isSeparate = isSeparate)
 
     private fun range(start: Int, end: Int) = SourceRange(file, line, start - lineStart + 1, end - lineStart + 1)
+
+    private companion object {
+        /** The directives after which a text for people comes. */
+        val PROSE = setOf("error", "warning")
+    }
 }

@@ -1,19 +1,20 @@
 package robotran.nqc.syntax
 
-import robotran.language.editDistance
+import robotran.language.nearestWords
 import robotran.nqc.config.NqcLimits
 
 /** The one of [candidates] that [typed] was probably meant to be: the same but for case, or for a few letters. */
-internal fun similarName(typed: String, candidates: Iterable<String>): String? {
-    if (typed.length > NqcLimits.SUGGESTION_CHARACTERS) return null
-    val longest = typed.length / LETTERS_PER_ERROR + 1
-    return candidates.distinct()
-        .filter { it.length - typed.length in -longest..longest && !it.startsWith("_") }
-        .map { it to if (it.equals(typed, ignoreCase = true)) 0 else editDistance(typed.lowercase(), it.lowercase()) }
-        .filter { (_, distance) -> distance <= (typed.length / LETTERS_PER_ERROR).coerceIn(1, MOST_ERRORS) }
-        .minByOrNull { (_, distance) -> distance }
-        ?.takeIf { typed.length > 1 }
-        ?.first
+internal fun similarName(typed: String, candidates: Iterable<String>): String? =
+    similarNames(typed, candidates).firstOrNull()
+
+/** The same for a fix: null if others are as similar. */
+internal fun onlySimilarName(typed: String, candidates: Iterable<String>): String? =
+    similarNames(typed, candidates).singleOrNull()
+
+private fun similarNames(typed: String, candidates: Iterable<String>): List<String> {
+    if (typed.length !in 2..NqcLimits.SUGGESTION_CHARACTERS) return emptyList()
+    val errors = (typed.length / LETTERS_PER_ERROR).coerceIn(1, MOST_ERRORS)
+    return nearestWords(typed, candidates.filterNot { it.startsWith("_") }, errors)
 }
 
 private const val LETTERS_PER_ERROR = 4

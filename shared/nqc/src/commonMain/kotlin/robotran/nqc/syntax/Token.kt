@@ -10,6 +10,7 @@ import robotran.nqc.diagnostic.SourceRange
  * @property value of a number.
  * @property isSeparate whether a blank or comment is before it.
  * @property macro the macro that it comes from; null if it is typed.
+ * @property definedAt where it is typed in the definition of that macro; null if it is in none.
  */
 internal data class Token(
     val kind: TokenKind,
@@ -18,6 +19,7 @@ internal data class Token(
     val value: Int = 0,
     val isSeparate: Boolean = false,
     val macro: MacroUse? = null,
+    val definedAt: SourceRange? = null,
 ) {
     val keyword: Keyword? get() = if (kind == TokenKind.KEYWORD) Keyword.of(text) else null
 

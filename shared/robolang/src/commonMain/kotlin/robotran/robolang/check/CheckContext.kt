@@ -13,6 +13,7 @@ import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.syntax.UnaryOperator
+import robotran.robolang.syntax.declaredNames
 import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.shortened
 
@@ -41,7 +42,8 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
 
     /** Words that may be declared on a line with a syntax error; their uses are not reported. */
     private val excused: Set<String> = mistakenLines.flatMapTo(mutableSetOf()) { line ->
-        parsed.lines[line - 1].tokens.filter { it.kind == TokenKind.WORD }.map { lowercaseKeyword(it.text) }
+        val tokens = parsed.lines[line - 1].tokens
+        tokens.filter { it.kind == TokenKind.WORD }.map { lowercaseKeyword(it.text) } + declaredNames(tokens)
     }
 
     /** All names of the program if its block structure is uncertain. */

@@ -4,6 +4,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 

@@ -2,6 +2,7 @@ package robotran.robolang.check
 
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement

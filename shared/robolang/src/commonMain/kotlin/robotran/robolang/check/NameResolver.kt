@@ -4,6 +4,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.RobolangLimits
@@ -240,6 +241,7 @@ internal class NameResolver(private val context: CheckContext) {
         val meant = context.nearestName(name, scopes)
         if (meant == null && isAssigned) return reportUndeclared(name)
         val message = messages.unknownVariable(shortened(name.text), meant)
-        context.report(DiagnosticCode.UNKNOWN_VARIABLE, name.range, message, meant?.let { SourceFix(name.range, it) })
+        val only = meant?.takeUnless { context.isOneOfSeveral(name, it, scopes) }
+        context.report(DiagnosticCode.UNKNOWN_VARIABLE, name.range, message, only?.let { SourceFix(name.range, it) })
     }
 }

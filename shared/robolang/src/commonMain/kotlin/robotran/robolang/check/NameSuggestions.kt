@@ -1,8 +1,11 @@
 package robotran.robolang.check
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.suggestion
+import robotran.robolang.syntax.suggestions
 
 /** Keywords that have a value. */
 private val VALUES = listOf("left bumper", "right bumper", "light", "timer", "battery", "true", "false")
@@ -29,6 +32,13 @@ internal fun CheckContext.nearestName(name: Name, scopes: Scopes): String? {
 }
 
 private fun valuesOf(brick: BrickKind) = if (brick == BrickKind.NXT) NXT_VALUES else emptyList()
+
+/** Whether [meant] by [name] is one of several names that are as likely. */
+internal fun CheckContext.isOneOfSeveral(name: Name, meant: String, scopes: Scopes): Boolean {
+    val known = scopes.keys.asSequence().take(COMPARED_NAMES).toList()
+    val near = suggestions(name.text, known + VALUES + valuesOf(brick))
+    return near.size > 1 && lowercaseKeyword(meant) in near
+}
 
 /** The routine that [name] probably means. */
 internal fun CheckContext.nearestRoutine(name: Name): String? {

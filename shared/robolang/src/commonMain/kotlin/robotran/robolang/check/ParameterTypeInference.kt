@@ -2,6 +2,7 @@ package robotran.robolang.check
 
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement

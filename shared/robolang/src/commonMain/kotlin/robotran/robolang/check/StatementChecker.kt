@@ -2,6 +2,7 @@ package robotran.robolang.check
 
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement

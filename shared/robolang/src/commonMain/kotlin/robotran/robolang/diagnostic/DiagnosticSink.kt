@@ -11,6 +11,9 @@ internal class DiagnosticSink(val messages: RobolangMessages) {
     /** The brick that the program is for, as far as the parser's sentences depend on it. */
     var brick: BrickKind = BrickKind.RCX
 
+    /** The names that the program seems to declare, in lower case, those of several words joined by `_`. */
+    var declaredNames: Set<String> = emptySet()
+
     private val diagnostics = mutableListOf<Diagnostic>()
     private val mistakenLines = mutableSetOf<Int>()
     private val doubtfulLines = mutableSetOf<Int>()

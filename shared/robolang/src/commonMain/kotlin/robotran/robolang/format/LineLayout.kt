@@ -1,7 +1,7 @@
 package robotran.robolang.format
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind

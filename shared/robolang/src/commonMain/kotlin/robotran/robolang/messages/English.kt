@@ -1,5 +1,7 @@
 package robotran.robolang.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 
 /** The messages in English. */
@@ -54,6 +56,9 @@ private object EnglishSyntaxMessages : SyntaxMessages {
     override fun unknownCharacter(character: String) = "The character ${quoted(character)} has no meaning here."
 
     override fun invisibleCharacter(code: String) = "There is a character here that cannot be seen ($code). Delete it."
+
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
+        pasted.adviceIn(Language.ENGLISH, written)
 
     override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 
@@ -151,6 +156,8 @@ private object EnglishSyntaxMessages : SyntaxMessages {
 
     override fun malformedName(name: String) =
         "${quoted(name)} is no name. A name begins with a letter and has letters, figures and \"_\"."
+
+    override fun nameOfSeveralWords(right: String) = "A name is one word. Write ${quoted(right)}."
 
     override fun missingComma(second: String) = "Put a comma before ${quoted(second)}."
 

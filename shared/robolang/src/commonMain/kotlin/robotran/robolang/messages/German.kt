@@ -1,5 +1,7 @@
 package robotran.robolang.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 
 /**
@@ -61,6 +63,9 @@ private object GermanSyntaxMessages : SyntaxMessages {
     override fun unknownCharacter(character: String) = "Das Zeichen ${quoted(character)} bedeutet hier nichts."
 
     override fun invisibleCharacter(code: String) = "Hier ist ein Zeichen, das man nicht sieht ($code). Lösch es."
+
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
+        pasted.adviceIn(Language.GERMAN, written)
 
     override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 
@@ -166,6 +171,8 @@ private object GermanSyntaxMessages : SyntaxMessages {
 
     override fun malformedName(name: String) =
         "${quoted(name)} ist kein Name. Ein Name beginnt mit einem Buchstaben und hat Buchstaben, Ziffern und \"_\"."
+
+    override fun nameOfSeveralWords(right: String) = "Ein Name ist ein einziges Wort. Schreib ${quoted(right)}."
 
     override fun missingComma(second: String) = "Vor ${quoted(second)} gehört ein Komma."
 

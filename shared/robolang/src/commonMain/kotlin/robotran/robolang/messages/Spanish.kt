@@ -1,5 +1,7 @@
 package robotran.robolang.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 
 /**
@@ -59,6 +61,9 @@ private object SpanishSyntaxMessages : SyntaxMessages {
     override fun unknownCharacter(character: String) = "El signo ${quoted(character)} no significa nada aquí."
 
     override fun invisibleCharacter(code: String) = "Aquí hay un signo que no se ve ($code). Bórralo."
+
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
+        pasted.adviceIn(Language.SPANISH, written)
 
     override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 
@@ -162,6 +167,8 @@ private object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun malformedName(name: String) =
         "${quoted(name)} no puede ser un nombre. Un nombre empieza por una letra y tiene letras, cifras y \"_\"."
+
+    override fun nameOfSeveralWords(right: String) = "Un nombre es una sola palabra. Escribe ${quoted(right)}."
 
     override fun missingComma(second: String) = "Pon una coma delante de ${quoted(second)}."
 

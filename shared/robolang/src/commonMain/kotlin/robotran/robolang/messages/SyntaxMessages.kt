@@ -1,5 +1,7 @@
 package robotran.robolang.messages
 
+import robotran.language.pasted.PastedCharacter
+
 /** The messages about syntax errors. Suggestions have the spelling of Robolang. */
 interface SyntaxMessages {
     /** [suggestion] is the command that was probably meant; null if none is similar. */
@@ -39,6 +41,9 @@ interface SyntaxMessages {
 
     /** [code] is the code point of the character, such as `U+200B`. */
     fun invisibleCharacter(code: String): String
+
+    /** @param written [pasted], and what was pasted behind it. */
+    fun pastedCharacter(pasted: PastedCharacter, written: String): String
 
     fun characterInsteadOf(written: String, right: String): String
 
@@ -120,6 +125,9 @@ interface SyntaxMessages {
     fun brace(brace: String): String
 
     fun malformedName(name: String): String
+
+    /** @param right the name as one word. */
+    fun nameOfSeveralWords(right: String): String
 
     /** [second] is the text after the missing comma. */
     fun missingComma(second: String): String

@@ -1,7 +1,7 @@
 package robotran.robolang.outline
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token

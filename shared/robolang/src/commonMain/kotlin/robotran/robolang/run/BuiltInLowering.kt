@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import kotlin.math.sqrt
 

@@ -1,9 +1,9 @@
 package robotran.robolang.run
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.check.SymbolKind
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue

@@ -48,6 +48,7 @@ private val VALUES =
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "int" to "var",
     "let" to "var",
+    "set" to "var",
     "double" to "var",
     "boolean" to "var",
     "void" to "procedure",
@@ -77,6 +78,10 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
     when {
         word.kind != TokenKind.WORD -> {
             reportNoWord(reader)
+        }
+
+        !isDeclaration(word) && reportsAssignedName(reader) -> {
+            Unit
         }
 
         lowercaseKeyword(word.text) in routineNames -> {
@@ -146,6 +151,12 @@ private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token)
         else -> BlockEffect.NONE
     }
 }
+
+/** Whether [word] is meant to begin a declaration. */
+private fun isDeclaration(word: Token): Boolean =
+    lowercaseKeyword(word.text) in BEGINNINGS_ELSEWHERE || suggestion(word.text, DECLARING) != null
+
+private val DECLARING = listOf(Keyword.VAR.text, Keyword.CONST.text)
 
 private fun DiagnosticSink.reportNoWord(reader: LineReader) {
     val first = reader.first

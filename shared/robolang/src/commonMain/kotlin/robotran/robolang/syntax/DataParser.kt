@@ -71,6 +71,8 @@ internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : Lin
         if (reader.take(TokenKind.ASSIGN) != null) return true
         val sign = reader.next
         val before = reader.quotable(reader.readRange)
+        val name = reader.names.lastOrNull()
+        if (name != null && diagnostics.reportsNameBefore(reader, name) { it.kind == TokenKind.ASSIGN }) return false
         when {
             sign?.kind == TokenKind.EQUAL -> {
                 val fix = SourceFix(sign.range, "=")

@@ -39,3 +39,28 @@ internal fun brickIn(lines: List<ScannedLine>): BrickKind? {
 
 /** The bricks by their words. */
 internal val KINDS = mapOf(Keyword.RCX to BrickKind.RCX, Keyword.NXT to BrickKind.NXT)
+
+/** The names that a line of [tokens] declares, in lower case. Names that are written as several words are joined. */
+internal fun declaredNames(tokens: List<Token>): List<String> {
+    val first = tokens.firstOrNull()?.keyword
+    val names = when (first) {
+        Keyword.VAR, Keyword.CONST -> listOf(tokens.drop(1).takeWhile { it.kind != TokenKind.ASSIGN })
+        Keyword.FOR -> listOf(tokens.drop(1).takeWhile { it.keyword !in BEHIND_COUNTERS })
+        Keyword.PROCEDURE, Keyword.FUNCTION -> runsOf(tokens.drop(1))
+        else -> return emptyList()
+    }
+    return names.map { it.filter { token -> token.keyword != Keyword.EACH } }.filter { it.isNotEmpty() }.map(::joined)
+}
+
+/** The runs of words between signs. */
+private fun runsOf(tokens: List<Token>): List<List<Token>> {
+    val runs = mutableListOf(mutableListOf<Token>())
+    for (token in tokens) {
+        if (token.kind == TokenKind.WORD) runs.last() += token else runs += mutableListOf<Token>()
+    }
+    return runs
+}
+
+private fun joined(words: List<Token>): String = words.joinToString("_") { lowercaseKeyword(it.text) }
+
+private val BEHIND_COUNTERS = setOf(Keyword.FROM, Keyword.IN, Keyword.TO)

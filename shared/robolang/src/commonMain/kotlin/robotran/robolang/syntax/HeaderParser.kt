@@ -49,6 +49,7 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
 
     private fun forRange(): ((Block) -> Statement)? {
         val variable = name("i from 1 to 10") ?: return null
+        if (diagnostics.reportsNameBefore(reader, variable) { it.keyword == Keyword.FROM }) return null
         if (isOtherLoop(variable) || !expect(Keyword.FROM)) return null
         val from = number("1 to 10") ?: return null
         if (!expect(Keyword.TO)) return null
@@ -86,6 +87,7 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
 
     private fun forEach(): ((Block) -> Statement)? {
         val variable = name("x in list") ?: return null
+        if (diagnostics.reportsNameBefore(reader, variable) { it.keyword == Keyword.IN }) return null
         if (!expect(Keyword.IN)) return null
         val list = value("[1, 2, 3]") ?: return null
         return { Statement.ForEach(it.range, it.endRange, variable, list, it.body) }
@@ -98,6 +100,9 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
     fun routine(): RoutineHeader {
         val name = name("square()") ?: return RoutineHeader(Name(reader.gap, ""), emptyList())
         val parameters = mutableListOf<Name>()
+        if (diagnostics.reportsNameBefore(reader, name) { it.kind == TokenKind.OPEN_BRACKET }) {
+            return RoutineHeader(name, emptyList())
+        }
         val opening = reader.take(TokenKind.OPEN_BRACKET)
         if (opening == null) {
             val message = messages.missingBracketsOfRoutine(shortened(name.text))

@@ -21,6 +21,10 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private var robot: RobotHeader? = null
     private var settings = mutableListOf<RobotSetting>()
 
+    init {
+        diagnostics.declaredNames = lines.flatMapTo(mutableSetOf()) { declaredNames(it.tokens) }
+    }
+
     fun program(): ParsedProgram {
         val written = lines.filter { it.tokens.isNotEmpty() }
         written.forEachIndexed { index, line -> line(LineReader(line, written.getOrNull(index + 1))) }

@@ -23,6 +23,7 @@ internal fun DiagnosticSink.reportMissingWord(
     words: List<String>,
     message: (suggestion: String?) -> String,
 ) {
+    if (reportsDeclaredName(reader)) return
     val typed = reader.next?.takeIf { it.kind == TokenKind.WORD }
     val meant = typed?.let { suggestion(it.text, words) }
     val fix = when {
@@ -121,6 +122,7 @@ internal fun DiagnosticSink.reportUnit(
     units: List<Keyword>,
     meant: Keyword? = meantUnit(word, units),
 ) {
+    if (reportsDeclaredName(reader)) return
     val command = lowercaseKeyword(reader.first.text)
     val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
@@ -134,7 +136,7 @@ internal fun DiagnosticSink.expectEndOfLine(reader: LineReader) {
         val indentation = reader.line.text.substring(0, reader.first.range.column - 1)
         val fix = SourceFix(space, "\n" + indentation)
         report(reader, DiagnosticCode.SEVERAL_COMMANDS, extra.range, messages.severalCommands(extra.text), fix)
-    } else {
+    } else if (!reportsDeclaredName(reader) && !reportsUnknownName(reader)) {
         val rest = reader.restRange
         val message = messages.extraWords(reader.quotable(rest), reader.quotable(reader.readRange))
         report(reader, DiagnosticCode.EXTRA_WORDS, rest, message, SourceFix(space.copy(endColumn = rest.endColumn), ""))

@@ -1,25 +1,17 @@
 package robotran.robolang.syntax
 
+import robotran.language.pasted.pastedCharacter
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 
 internal const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'
 
-/** The quotation mark of Robolang, and those of word processors and other languages. */
-private val QUOTATION_MARKS = charArrayOf(
-    QUOTATION_MARK,
-    '\'',
-    '`',
-    '\u201C',
-    '\u201D',
-    '\u201E',
-    '\u00AB',
-    '\u00BB',
-    '\u2018',
-    '\u2019',
-    '\u201A',
-)
+/** Whether [character] is the quotation mark of Robolang, or one of word processors and other languages. */
+internal fun isQuotationMark(character: Char): Boolean =
+    character in KEYBOARD_MARKS || pastedCharacter(character)?.plain.let { it == "\"" || it == "'" }
+
+private const val KEYBOARD_MARKS = "\"'`"
 
 /** Splits [source] into lines and tokens. Reports invalid characters, once per line. */
 internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> = withDeclaredNames(
@@ -48,7 +40,7 @@ private class LineScanner(private val text: String, private val number: Int, pri
             isLetter(character) -> takeWhile(TokenKind.WORD) { isLetter(it) || isDigit(it) }
             beginsNumber() -> takeWhile(TokenKind.NUMBER) { isDigit(it) || it == '.' }
             text.startsWith("//", position) -> takeComment()
-            character in QUOTATION_MARKS && closingMark() > 0 -> takeText(closingMark())
+            isQuotationMark(character) && closingMark() > 0 -> takeText(closingMark())
             character == QUOTATION_MARK -> takeUnclosedText()
             else -> sign()
         }
@@ -67,7 +59,7 @@ private class LineScanner(private val text: String, private val number: Int, pri
     /** The end of the text that begins here: the same quotation mark, otherwise another one; -1 if there is none. */
     private fun closingMark(): Int {
         if (text[position] == QUOTATION_MARK) text.indexOf(QUOTATION_MARK, position + 1).let { if (it >= 0) return it }
-        return text.indexOfAny(QUOTATION_MARKS, position + 1)
+        return (position + 1..text.lastIndex).firstOrNull { isQuotationMark(text[it]) } ?: -1
     }
 
     private fun takeText(closing: Int) {

@@ -1,16 +1,16 @@
 package robotran.robolang.syntax
 
-import robotran.language.editDistance
+import robotran.language.nearestWords
 
 /** The candidate that [word] is probably a misspelling of; null if none is similar. The first one wins a tie. */
-internal fun suggestion(word: String, candidates: List<String>): String? {
-    if (word.length > RobolangLimits.SUGGESTION_CHARACTERS) return null
+internal fun suggestion(word: String, candidates: List<String>): String? = suggestions(word, candidates).firstOrNull()
+
+/** The candidates that [word] is probably a misspelling of, none more likely than the others. */
+internal fun suggestions(word: String, candidates: List<String>): List<String> {
+    if (word.length > RobolangLimits.SUGGESTION_CHARACTERS) return emptyList()
     val lowercase = lowercaseKeyword(word)
-    val nearest = candidates.minByOrNull { editDistance(lowercase, it) } ?: return null
-    return nearest.takeIf { editDistance(lowercase, it) <= forgivenDistance(lowercase) }
+    return nearestWords(lowercase, candidates, errors = lowercase.length / LETTERS_FOR_A_SLIP)
 }
 
-/** The max edit distance: one per three letters, since short words are often similar by chance. */
-private fun forgivenDistance(word: String): Int = word.length / LETTERS_FOR_A_SLIP
-
+/** One slip is forgiven per three letters, since short words are often similar by chance. */
 private const val LETTERS_FOR_A_SLIP = 3

@@ -1,11 +1,14 @@
 package robotran.robolang.syntax
 
+import robotran.language.pasted.PastedCharacter
+import robotran.language.pasted.pastedCharacter
+import robotran.language.pasted.plainTextOf
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
-/** Characters of keyboards, word processors and other languages, with their spelling in Robolang. */
+/** Characters of other languages, with their spelling in Robolang. */
 private val RIGHT_SPELLINGS: Map<String, String> = mapOf(
     "&&" to "and",
     "||" to "or",
@@ -17,42 +20,30 @@ private val RIGHT_SPELLINGS: Map<String, String> = mapOf(
     "|" to "or",
     "!" to "not",
     "%" to "mod",
-    "\u2212" to "-",
-    "\u2010" to "-",
-    "\u2011" to "-",
-    "\u2013" to "-",
-    "\u2014" to "-",
-    "\u00D7" to "*",
-    "\u00F7" to "/",
-    "\u2260" to "!=",
-    "\u2264" to "<=",
-    "\u2265" to ">=",
     "\u00B0" to "degrees",
 )
 
 private val LONG_SLIPS: List<String> = RIGHT_SPELLINGS.keys.filter { it.length > 1 }
 
-/** The offset between full-width characters and their plain ones. */
-private const val WIDE_OFFSET = 0xFEE0
-private val WIDE_CHARACTERS = '\uFF01'..'\uFF5E'
-
 /**
- * The length of another language's operator at [position] of [text] that begins like one of Robolang; 0 if there is
- * none.
+ * The length of pasted characters, or of another language's operator, at [position] of [text] that begins like one of
+ * Robolang; 0 if there are none.
  */
 internal fun widthOfSlip(text: String, position: Int): Int {
-    var wide = 0
-    while (position + wide < text.length && text[position + wide] in WIDE_CHARACTERS) wide++
-    return if (wide > 0) wide else LONG_SLIPS.firstOrNull { text.startsWith(it, position) }?.length ?: 0
+    var pasted = 0
+    while (position + pasted < text.length && isVisiblyPasted(text[position + pasted])) pasted++
+    return if (pasted > 0) pasted else LONG_SLIPS.firstOrNull { text.startsWith(it, position) }?.length ?: 0
 }
 
-private fun rightSpelling(written: String): String? =
-    if (written[0] in WIDE_CHARACTERS) written.map { it - WIDE_OFFSET }.joinToString("") else RIGHT_SPELLINGS[written]
+private fun isVisiblyPasted(character: Char): Boolean =
+    pastedCharacter(character)?.isUnseen == false && !isQuotationMark(character)
 
 /** Reports the invalid character at [range] of the line [text]. */
 internal fun DiagnosticSink.reportCharacter(text: String, range: SourceRange) {
+    if (range.line in lines) return
     val written = text.substring(range.column - 1, range.endColumn - 1)
-    val right = rightSpelling(written)
+    pastedCharacter(written[0])?.let { return reportPasted(it, text, range, written) }
+    val right = RIGHT_SPELLINGS[written]
     val (message, replacement) = when {
         right != null -> messages.characterInsteadOf(written, right) to spaced(right, text, range)
         written == ";" -> messages.semicolon() to ""
@@ -64,6 +55,17 @@ internal fun DiagnosticSink.reportCharacter(text: String, range: SourceRange) {
         else -> messages.unknownCharacter(written) to null
     }
     report(DiagnosticCode.UNKNOWN_CHARACTER, range, written, message, replacement?.let { SourceFix(range, it) })
+}
+
+/** Reports [pasted] at [range], with a fix for all pasted characters of the line that are in no text or comment. */
+private fun DiagnosticSink.reportPasted(pasted: PastedCharacter, text: String, range: SourceRange, written: String) {
+    val end = text.indexOf("//", range.endColumn - 1).let { if (it < 0) text.length else it }
+    val start = range.endColumn - 1
+    val code = text.substring(start, end).takeWhile { !isQuotationMark(it) }
+    val rest = code.indexOfLast { pastedCharacter(it) != null && !isBlank(it) } + 1
+    val place = range.copy(endColumn = range.endColumn + rest)
+    val fix = SourceFix(place, plainTextOf(written + code.take(rest)))
+    report(DiagnosticCode.UNKNOWN_CHARACTER, range, written, messages.pastedCharacter(pasted, written), fix)
 }
 
 /** Whether a brace at [position] is alone on its line, as at the end of a block in other languages. */

@@ -1,10 +1,10 @@
 package robotran.robolang.translate
 
-import robotran.robolang.check.BuiltIn
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement

@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.brick.kind.BrickKind
-import robotran.robolang.check.BuiltIn
+import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.translate.JavaMathTexts as Maths
 import robotran.robolang.translate.JavaMoveTexts as Moves
 import robotran.robolang.translate.JavaNumberTexts as Numbers

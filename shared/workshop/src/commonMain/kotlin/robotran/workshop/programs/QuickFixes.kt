@@ -1,8 +1,8 @@
 package robotran.workshop.programs
 
 import robotran.programs.ProgramDiagnostic
+import robotran.programs.withFix
 import robotran.workshop.state.InlineDiagnostic
-import robotran.workshop.state.withFix
 
 /** Applies quick fixes. If the text has changed since it was compiled, a fix waits for the next compilation. */
 internal class QuickFixes {

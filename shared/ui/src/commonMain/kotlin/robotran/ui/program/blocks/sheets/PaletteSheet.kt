@@ -44,9 +44,9 @@ import robotran.blockediting.BlockGroup
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.PaletteHelp
+import robotran.blockediting.palette.isWritten
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
-import robotran.blockediting.palette.valueForm
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
@@ -235,7 +235,7 @@ private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
 private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
     val own = ownBlocks(state.program, state.placeForNew)
     val known = Palette.blocksFor(brick).filter { introduced == null || it.id in introduced }
-    val all = (known + own).filter { !it.isValue || it.valueForm !in UNOFFERED }
+    val all = (known + own).filterNot { it.isWritten }
     val query = state.palette.query
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
 }

@@ -1,4 +1,4 @@
-package robotran.robolang.check
+package robotran.robolang.syntax
 
 /**
  * The built-in functions. Angles are in degrees.

@@ -1,0 +1,72 @@
+package robotran.programs
+
+import robotran.robolang.diagnostic.SourceFix
+
+/**
+ * Keeps of the fixes that a compiler suggests only those that help: after them, the program has fewer mistakes, and none
+ * that it did not have before. They are tried out by [compile].
+ */
+internal class FixVerification(private val compile: (ProgramSource) -> ProgramResult) {
+    /** [result] of compiling [source], with the fixes that help. The time is bounded: beyond it, fixes are dropped. */
+    fun verified(source: ProgramSource, result: ProgramResult): ProgramResult = when (result) {
+        is ProgramResult.HasErrors -> ProgramResult.HasErrors(verified(source, result.diagnostics, isError = true))
+        is ProgramResult.Ready -> result.copy(warnings = verified(source, result.warnings, isError = false))
+    }
+
+    private fun verified(source: ProgramSource, found: List<ProgramDiagnostic>, isError: Boolean) = buildList {
+        val length = source.files.sumOf { it.text.length }
+        var trials = (MAX_CHARACTERS / maxOf(1, length)).coerceAtLeast(1)
+        for (diagnostic in found) {
+            val fix = diagnostic.fix
+            val isKept = fix == null || (trials-- > 0 && helps(source, diagnostic, fix, found, isError))
+            add(if (isKept) diagnostic else diagnostic.copy(fix = null))
+        }
+    }
+
+    private fun helps(
+        source: ProgramSource,
+        diagnostic: ProgramDiagnostic,
+        fix: SourceFix,
+        before: List<ProgramDiagnostic>,
+        isError: Boolean,
+    ): Boolean {
+        val fixed = source.withFix(diagnostic.file, fix) ?: return false
+        val after = when (val result = compile(fixed)) {
+            is ProgramResult.HasErrors -> if (isError) result.diagnostics else return false
+            is ProgramResult.Ready -> if (isError) emptyList() else result.warnings
+        }
+        return isBetter(before, after, diagnostic.file, fix)
+    }
+
+    private companion object {
+        /** Max characters that are compiled to try out the fixes of a program that is not longer itself. */
+        const val MAX_CHARACTERS = 60_000
+    }
+}
+
+/**
+ * Whether a program that had the mistakes [before] has fewer of them [after] a [fix] of [file], and none that is new: at
+ * most one is told in a line, and each must have been told there before.
+ */
+fun isBetter(
+    before: List<ProgramDiagnostic>,
+    after: List<ProgramDiagnostic>,
+    file: String,
+    fix: SourceFix,
+): Boolean {
+    val known = before.mapTo(mutableSetOf()) { keyOf(it, it.range?.line) }
+    val added = fix.replacement.count { it == '\n' }
+    return after.size < before.size && after.all { mistake ->
+        val line = mistake.range?.line
+        val lineBefore = when {
+            line == null || mistake.file != file || line <= fix.range.line -> line
+            line <= fix.range.line + added -> fix.range.line
+            else -> line - added
+        }
+        keyOf(mistake, lineBefore) in known
+    }
+}
+
+/** Numbers in a message may be those of lines, which move. */
+private fun keyOf(diagnostic: ProgramDiagnostic, line: Int?) =
+    Triple(diagnostic.file, line, diagnostic.message.filterNot { it in '0'..'9' })

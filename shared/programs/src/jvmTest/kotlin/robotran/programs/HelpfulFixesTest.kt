@@ -1,0 +1,81 @@
+package robotran.programs
+
+import robotran.language.Language
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.RobolangMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+/** A fix that is offered leaves a program with fewer mistakes, and with none that is new. */
+class HelpfulFixesTest {
+    private val compiler = ProgramCompiler(testTarget)
+
+    @Test
+    fun `a fix of Robolang helps`() = assertHelpful(robolangPrograms + robolangExamples) { name, text ->
+        ProgramSource.Robolang(name, text)
+    }
+
+    @Test
+    fun `a fix of NQC helps`() = assertHelpful(nqcExamples + nqcPrograms) { name, text ->
+        ProgramSource.Nqc(name, listOf(SourceFile(name, text)))
+    }
+
+    @Test
+    fun `the languages seldom suggest a fix that has to be dropped`() {
+        val robolang = RobolangProgramCompiler(testTarget, RobolangMessages.of(Language.ENGLISH))
+        val ofRobolang = HelpfulFixes(robolangPrograms + robolangExamples, seed = 2)
+        ofRobolang.check(PROGRAMS, { name, text -> ProgramSource.Robolang(name, text) }) {
+            robolang.read(it as ProgramSource.Robolang)
+        }
+        val nqc = FirmwareProgramCompiler(FirmwareSettings(), Language.ENGLISH)
+        val ofNqc = HelpfulFixes(nqcExamples + nqcPrograms, seed = 3)
+        ofNqc.check(PROGRAMS, { name, text -> ProgramSource.Nqc(name, listOf(SourceFile(name, text))) }) {
+            nqc.read(it as ProgramSource.Nqc)
+        }
+        for (fixes in listOf(ofRobolang, ofNqc)) {
+            val rate = fixes.harmful.size.toDouble() / fixes.offered
+            val shown = fixes.harmful.take(SHOWN).joinToString("\n\n")
+            println("$rate of ${fixes.offered} fixes would be dropped, such as\n$shown")
+            assertTrue(rate < MAX_DROPPED, "$rate of ${fixes.offered}")
+        }
+    }
+
+    @Test
+    fun `a fix that only moves a mistake is not offered`() {
+        val unhelpful = FixVerification { ProgramResult.HasErrors(listOf(mistake(2), mistake(3))) }
+        assertNull(verifiedFix(unhelpful))
+        val harmful = FixVerification { ProgramResult.HasErrors(emptyList<ProgramDiagnostic>() + mistake(3, "new")) }
+        assertNull(verifiedFix(harmful))
+        val helpful = FixVerification { ProgramResult.HasErrors(listOf(mistake(3))) }
+        assertNotNull(verifiedFix(helpful))
+    }
+
+    private fun verifiedFix(verification: FixVerification): SourceFix? {
+        val source = ProgramSource.Robolang("a.robo", "beep\nbep\nbep")
+        val fixable = mistake(2).copy(fix = SourceFix(SourceRange(2, 1, 4), "beep"))
+        val result = verification.verified(source, ProgramResult.HasErrors(listOf(fixable, mistake(3))))
+        return (result as ProgramResult.HasErrors).diagnostics.first().fix
+    }
+
+    private fun mistake(line: Int, message: String = "wrong") =
+        ProgramDiagnostic("a.robo", SourceRange(line, 1, 2), message)
+
+    private fun assertHelpful(programs: Map<String, String>, sourceOf: (String, String) -> ProgramSource) {
+        val fixes = HelpfulFixes(programs, seed = 1)
+        fixes.check(PROGRAMS, sourceOf) { compiler.compileNow(it) }
+        assertTrue(fixes.offered > PROGRAMS / 5, "${fixes.offered}")
+        assertEquals(emptyList(), fixes.harmful)
+    }
+
+    private companion object {
+        const val PROGRAMS = 1_500
+        const val MAX_DROPPED = 0.4
+
+        /** Fixes that are printed. */
+        const val SHOWN = 60
+    }
+}
