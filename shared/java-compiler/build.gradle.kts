@@ -31,6 +31,7 @@ kotlin {
             implementation(project(":shared:nxj-library"))
         }
         jvmMain.dependencies {
+            implementation(libs.coroutines.core)
             implementation(project(":shared:ecj"))
         }
         jvmTest.dependencies {

@@ -30,6 +30,7 @@ test('each of two tabs comes back with its own work, under a name of its own', (
     await other.goto(page.url());
     await isReady(other);
     await says(other, 'work-menu', /My first work 2/);
+    await says(other, 'notice-text', /“My first work” is open in another window/);
     await writeProgram(other, 'forward 22');
     await isKept(other, 'forward 22');
     await reload(other);

@@ -17,11 +17,13 @@ import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.FolderKeyValueStore
+import robotran.ui.platform.FolderOpeningMarks
 import robotran.ui.platform.JavaClock
 import robotran.workshop.platform.GradingThreads
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.OpeningMarks
 import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.QrScanner
@@ -40,6 +42,7 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val speaker: LoudSpeaker = audioTrackSpeaker()
     override val store: KeyValueStore =
         FolderKeyValueStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
+    override val openingMarks: OpeningMarks = FolderOpeningMarks(context.filesDir.toPath().resolve("opening"))
     override val files = AndroidFilePicker(ContentFiles(context.contentResolver), openRequests, ::unreadable)
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock

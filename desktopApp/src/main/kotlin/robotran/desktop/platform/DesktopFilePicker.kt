@@ -14,8 +14,10 @@ import robotran.workshop.platform.Saving
 import robotran.workshop.platform.appLanguage
 import java.awt.FileDialog
 import java.awt.Frame
+import java.io.IOException
 import java.nio.file.Path
 import kotlin.io.path.exists
+import kotlin.io.path.getLastModifiedTime
 import kotlin.io.path.name
 
 /**
@@ -57,11 +59,20 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
         when (val result = withContext(Dispatchers.IO) { writeSafely(Path.of(location), bytes) }) {
             StoreResult.Done -> Saving.Saved(name, location)
             StoreResult.Full -> Saving.Failed("", isFull = true)
+            StoreResult.NoAnswer -> Saving.Failed("timeout")
             is StoreResult.Failed -> Saving.Failed(result.reason)
         }
 
     override suspend fun read(location: String): ByteArray? =
         withContext(Dispatchers.IO) { (readFile(Path.of(location), Language.ENGLISH) as? FileContent.Read)?.bytes }
+
+    override suspend fun changedAt(location: String): Long? = withContext(Dispatchers.IO) {
+        try {
+            Path.of(location).getLastModifiedTime().toMillis()
+        } catch (_: IOException) {
+            null
+        }
+    }
 
     private fun choosePlace(name: String): Path? {
         val dialog = FileDialog(window(), "", FileDialog.SAVE)

@@ -11,6 +11,7 @@ import robotran.workshop.platform.GradingThreads
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.OpeningMarks
 import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
@@ -28,7 +29,9 @@ internal class DesktopPlatform(
     override val files: FilePicker,
     override val openRequests: OpenRequests,
     override val restoresLastProject: Boolean,
+    override val openingMarks: OpeningMarks,
 ) : Platform {
+    override val showsRecentFiles: Boolean get() = true
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val posters: Posters = DesktopPosters
     override val webSite: WebSite? = FolderWebSite.ofThisProcess()

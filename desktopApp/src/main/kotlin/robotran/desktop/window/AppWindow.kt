@@ -25,13 +25,23 @@ import robotran.ui.desktop.WorkshopMenuBar
 import robotran.ui.desktop.windowTitle
 import java.awt.Dimension
 
-/** The window [open] with the platform's menu. Calls [close] when it may close, and [openAnother] for a new window. */
+/**
+ * The window [open] with the platform's menu. Calls [close] when it may close, [openAnother] for a new window, and [quit]
+ * to close all.
+ */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> Unit, close: () -> Unit) {
+internal fun AppWindow(
+    open: OpenWindow,
+    state: WindowState,
+    openAnother: () -> Unit,
+    close: () -> Unit,
+    quit: () -> Unit,
+) {
     val icon = remember { BrickIcon() }
     val rescue = remember { CrashHandler(open, close) }
     val requestClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
+    open.requestClose = requestClose
     DisposableEffect(Unit) { onDispose { open.close() } }
     SaveWindowBounds(open, state)
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides rescue) {
@@ -42,7 +52,7 @@ internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> 
                     open.frame = window
                     onDispose { open.frame = null }
                 }
-                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, requestClose) }
+                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, requestClose, quit) }
                 Box(Modifier.fillMaxSize().opensDroppedFiles(open::bring)) { RobotranWindow(open.workshop) }
             }
         }

@@ -13,7 +13,9 @@ import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
 import robotran.desktop.platform.DesktopFilePicker
 import robotran.desktop.platform.DesktopPlatform
+import robotran.desktop.platform.dataFolder
 import robotran.desktop.sound.soundCardSpeaker
+import robotran.ui.platform.FolderOpeningMarks
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.KeyValueStore
@@ -33,6 +35,9 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresL
     /** The AWT window; null while there is none. */
     var frame: Frame? = null
 
+    /** Closes the window, unless that would lose work and the user stays. */
+    var requestClose: () -> Unit = {}
+
     /** Null while it is loading. */
     var workshop: Workshop? by mutableStateOf(null)
 
@@ -48,6 +53,7 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresL
             }, ::tellUnreadable),
             openRequests,
             restoresLastProject,
+            FolderOpeningMarks(dataFolder().resolve("opening")),
         )
 
     /** Lives as long as the window; runs on the UI thread. */

@@ -34,6 +34,7 @@ internal fun showWindows(arrival: OpenRequest?) {
                         windows -= open
                         if (windows.isEmpty()) exitApplication()
                     },
+                    quit = { windows.toList().forEach { it.requestClose() } },
                 )
             }
         }

@@ -32,7 +32,7 @@ fun main() {
         Window(::exitApplication) {
             var text by remember { mutableStateOf("pen down") }
             val focus = remember { FocusRequester() }
-            WorkshopMenuBar(workshop.state, workshop::handle, {}, {})
+            WorkshopMenuBar(workshop.state, workshop::handle, {}, {}, {})
             BasicTextField(text, { text = it }, Modifier.focusRequester(focus))
             LaunchedEffect(Unit) {
                 for (language in listOf(Language.ENGLISH, Language.GERMAN, Language.SPANISH, Language.ENGLISH)) {

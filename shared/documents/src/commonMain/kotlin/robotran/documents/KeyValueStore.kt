@@ -9,6 +9,9 @@ package robotran.documents
  * projects from this.
  */
 interface KeyValueStore {
+    /** Whether the store answers. Where it does not, reading finds nothing, and writing is [StoreResult.NoAnswer]. */
+    val isAnswering: Boolean get() = true
+
     /** The names of all texts, in no order; empty if the store cannot be read. */
     suspend fun names(): List<String>
 
@@ -43,6 +46,9 @@ sealed interface StoreResult {
 
     /** The device or the app has no free storage left. */
     data object Full : StoreResult
+
+    /** The store says nothing; what was written may be lost. */
+    data object NoAnswer : StoreResult
 
     /** The write failed for another reason, such as a read-only folder; [reason] is the platform's message. */
     data class Failed(val reason: String) : StoreResult

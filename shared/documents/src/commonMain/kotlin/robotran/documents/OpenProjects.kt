@@ -21,13 +21,23 @@ class OpenProjects(private val store: KeyValueStore, private val repository: Pro
      *
      * @param hasEnded whether the window with the project of this id ended normally, even if it could not record that
      * here.
+     * @param mayOpen is asked before a project is read. If it says no, nothing is restored, neither now nor at the next
+     * start.
      */
-    suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): RestoredProject? {
+    suspend fun takeBack(
+        hasEnded: (id: String) -> Boolean = { false },
+        mayOpen: (id: String) -> Boolean = { true },
+    ): RestoredProject? {
         var back: RestoredProject? = null
         var abnormalCount = 0
         for (open in orphans()) {
             val claim = repository.claim(open.id) ?: continue
             val endedAbnormally = open.wasRunning && !hasEnded(open.id)
+            if (back == null && !mayOpen(open.id)) {
+                claim.release()
+                store.remove(nameOf(open.id))
+                return null
+            }
             val reading = if (back == null) repository.read(open.id) else null
             if (reading is SavedProjectResult.Found) {
                 back = RestoredProject(reading.work, claim, endedAbnormally = endedAbnormally || reading.isPartial)
@@ -86,6 +96,13 @@ class OpenProjects(private val store: KeyValueStore, private val repository: Pro
     /** Equal times count as newer, because a page only leaves a text that it could not save. */
     private fun SavedProjectCopy.Whole.isNewerThan(kept: SavedProjectResult.Found?): Boolean =
         kept == null || entry.keptAt >= kept.work.keptAt
+
+    /** The projects that other windows have open, the last opened one first. */
+    suspend fun elsewhere(): List<String> = orphans().map { it.id }.filter { id ->
+        val claim = repository.claim(id)
+        claim?.release()
+        claim == null
+    }
 
     private suspend fun orphans(): List<Open> = store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->
         val words = store.read(name)?.split(' ').orEmpty()

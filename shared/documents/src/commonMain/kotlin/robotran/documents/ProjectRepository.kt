@@ -41,6 +41,9 @@ class ProjectRepository(private val store: KeyValueStore) {
         return if (reading is SavedProjectResult.Found) reading.copy(isPartial = copies.size > whole.size) else reading
     }
 
+    /** The project [id] as the text of a project file, unread; null if there is no whole copy. */
+    suspend fun fileText(id: String): String? = copies(id).newestWhole()?.second?.project
+
     /** Saves [work], which must be locked. Rejects a project that could not be read again. */
     suspend fun save(work: SavedProject): SaveResult {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
@@ -57,6 +60,7 @@ class ProjectRepository(private val store: KeyValueStore) {
         return when (val result = store.write(nameOf(work.id, place), SavedProjectText.write(work, order, project))) {
             StoreResult.Done -> SaveResult.Saved.also { newest[work.id] = Place(place, order) }
             StoreResult.Full -> SaveResult.Full
+            StoreResult.NoAnswer -> SaveResult.NoAnswer
             is StoreResult.Failed -> SaveResult.Failed(result.reason)
         }
     }

@@ -11,6 +11,7 @@ import robotran.projects.Project
  * @property keptAt time of the last save, in milliseconds since 1970.
  * @property file the file that the pupil saved it to; null if none.
  * @property saved whether that file contains all changes.
+ * @property breakpoints where its programs stop. They belong to whoever works on it, so files and links have none.
  */
 data class SavedProject(
     val id: String,
@@ -19,21 +20,37 @@ data class SavedProject(
     val project: Project,
     val file: SaveTarget? = null,
     val saved: Boolean = false,
+    val breakpoints: List<SavedBreakpoint> = emptyList(),
 ) {
     companion object {
         const val MAXIMUM_ID = 40
+
+        /** More breakpoints are not saved. */
+        const val MAXIMUM_BREAKPOINTS = 500
 
         /** Max length of a project's name. */
         const val MAXIMUM_NAME = 80
     }
 }
 
+/** A program stops before [line], from 1, of the file [file] of the program [program] of the robot [robot]. */
+data class SavedBreakpoint(val robot: String, val program: String, val file: String, val line: Int)
+
 /**
  * An entry of the project list, without the content.
  *
- * @property fileName the name of its file; null if none.
+ * @property file its file; null if none.
+ * @property saved whether the file contains all changes.
  */
-data class ProjectSummary(val id: String, val name: String, val keptAt: Long, val fileName: String?)
+data class ProjectSummary(
+    val id: String,
+    val name: String,
+    val keptAt: Long,
+    val file: SaveTarget? = null,
+    val saved: Boolean = false,
+) {
+    val fileName: String? get() = file?.place?.name
+}
 
 /** The result of reading a saved project. */
 sealed interface SavedProjectResult {
@@ -55,6 +72,9 @@ sealed interface SaveResult {
     data object Saved : SaveResult
 
     data object Full : SaveResult
+
+    /** The store does not answer. */
+    data object NoAnswer : SaveResult
 
     data class Failed(val reason: String) : SaveResult
 

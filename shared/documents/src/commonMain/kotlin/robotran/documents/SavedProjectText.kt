@@ -53,22 +53,39 @@ internal object SavedProjectText {
         text("fileName", work.file?.place?.name)
         text("fileStamp", work.file?.stamp?.text)
         flag("saved", work.saved, default = false)
+        list("breakpoints", work.breakpoints.take(SavedProject.MAXIMUM_BREAKPOINTS)) {
+            jsonObject {
+                text("robot", it.robot)
+                text("program", it.program)
+                text("file", it.file)
+                number("line", it.line)
+            }
+        }
     }
 
     private fun headIn(head: JsonCursor, id: String, project: String): SavedProjectCopy.Whole {
-        val entry = ProjectSummary(
-            id = id,
-            name = head.member("name").textOrNull().orEmpty(),
-            keptAt = head.member("keptAt").longNumber(0..MAX_NUMBER),
-            fileName = head.optional("fileName")?.textOrNull(),
-        )
-        val file = entry.fileName?.let { name ->
+        val file = head.optional("fileName")?.textOrNull()?.let { name ->
             val address = head.member("fileAddress").textOrNull().orEmpty()
             SaveTarget(FileReference(address, name), FileStamp(head.member("fileStamp").textOrNull().orEmpty()))
         }
         val order = head.member("order").longNumber(0..MAX_NUMBER)
-        return SavedProjectCopy.Whole(entry, order, file, head.optional("saved")?.flag() ?: false, project)
+        val entry = ProjectSummary(
+            id = id,
+            name = head.member("name").textOrNull().orEmpty(),
+            keptAt = head.member("keptAt").longNumber(0..MAX_NUMBER),
+            file = file,
+            saved = head.optional("saved")?.flag() ?: false,
+        )
+        val breakpoints = head.optional("breakpoints")?.items(0..SavedProject.MAXIMUM_BREAKPOINTS).orEmpty()
+        return SavedProjectCopy.Whole(entry, order, project, breakpoints.map(::breakpointIn))
     }
+
+    private fun breakpointIn(place: JsonCursor) = SavedBreakpoint(
+        place.member("robot").textOrNull().orEmpty(),
+        place.member("program").textOrNull().orEmpty(),
+        place.member("file").textOrNull().orEmpty(),
+        place.member("line").wholeNumber(1..Int.MAX_VALUE),
+    )
 
     private const val FORMAT = "robotran-work "
     private const val VERSION = 1
@@ -86,14 +103,21 @@ internal sealed interface SavedProjectCopy {
     class Whole(
         val entry: ProjectSummary,
         val order: Long,
-        private val file: SaveTarget?,
-        private val saved: Boolean,
-        private val project: String,
+        val project: String,
+        private val breakpoints: List<SavedBreakpoint>,
     ) : SavedProjectCopy {
         fun read(): SavedProjectResult = when (val result = readProject(project)) {
             is ProjectFileResult.Loaded -> {
                 SavedProjectResult.Found(
-                    SavedProject(entry.id, entry.name, entry.keptAt, result.project, file, saved),
+                    SavedProject(
+                        entry.id,
+                        entry.name,
+                        entry.keptAt,
+                        result.project,
+                        entry.file,
+                        entry.saved,
+                        breakpoints,
+                    ),
                     isPartial = false,
                 )
             }

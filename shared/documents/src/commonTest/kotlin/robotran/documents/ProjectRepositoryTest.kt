@@ -113,7 +113,7 @@ class ProjectRepositoryTest {
         store.write("work-broken.a", "robotran-work 1\n{")
         store.write("settings", "language=de")
         assertEquals(
-            listOf(ProjectSummary("new", "Town", 7, null), ProjectSummary("old", "Maze", 5, null)),
+            listOf(ProjectSummary("new", "Town", 7), ProjectSummary("old", "Maze", 5)),
             repository.projects(),
         )
     }

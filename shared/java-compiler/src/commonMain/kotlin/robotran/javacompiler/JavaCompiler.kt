@@ -33,51 +33,65 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
         library: Map<String, ByteArray>,
         missing: List<LejosDifference> = emptyList(),
         target: BrickTarget = BrickTarget.LEJOS_RCX,
-    ): CompilationResult {
-        val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
-        val gaps = MissingMembers(missing)
-        val compilation = compile(texts, library, gaps, target)
-        val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
-        val diagnostics = diagnosis.diagnostics()
-        val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
-        return if (errors.isEmpty()) {
-            CompilationResult.Compiled(
-                compilation.classes,
-                diagnostics,
-                compilation.mainClasses,
-                diagnosis.missingMain(),
-            )
-        } else {
-            CompilationResult.Rejected(errors)
-        }
-    }
-
-    private fun compile(
-        texts: List<JavaSource>,
-        library: Map<String, ByteArray>,
-        gaps: MissingMembers,
-        target: BrickTarget,
-    ): EcjCompilation {
-        val first = ecj.compile(texts, library, gaps.keys, target)
-        if (target != BrickTarget.LEJOS_NXJ || first.problems.none { it.isError }) return first
-        val diamonds = Diamonds(texts)
-        if (diamonds.isEmpty) return first
-        val second = ecj.compile(diamonds.blanked(), library, gaps.keys, target)
-        val syntaxErrors = second.problems.filter { it.isSyntax }
-        if (syntaxErrors.isEmpty() && first.problems.none { it.isSyntax }) return first
-        val others = first.problems.filterNot { it.isSyntax || it.number == ProblemId.DIAMOND }
-        return EcjCompilation(
-            first.classes,
-            first.mainClasses,
-            diamonds.problems() + syntaxErrors + others,
-            first.completed,
-        )
-    }
-
-    private companion object {
-        const val BYTE_ORDER_MARK = "\uFEFF"
+    ): CompilationResult = compilation(sources, library, missing, target, messages) { texts, gaps ->
+        ecj.compile(texts, library, gaps, target)
     }
 }
+
+/**
+ * What [ecj] and we make of [sources].
+ *
+ * @param ecj compiles sources and refuses the use of gaps in the library.
+ */
+internal inline fun compilation(
+    sources: List<JavaSource>,
+    library: Map<String, ByteArray>,
+    missing: List<LejosDifference>,
+    target: BrickTarget,
+    messages: JavaMessages,
+    ecj: (texts: List<JavaSource>, gaps: Set<String>) -> EcjCompilation,
+): CompilationResult {
+    val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
+    val gaps = MissingMembers(missing)
+    val first = ecj(texts, gaps.keys)
+    val diamonds = if (target == BrickTarget.LEJOS_NXJ && first.problems.any { it.isError }) Diamonds(texts) else null
+    val compilation = if (diamonds == null || diamonds.isEmpty) {
+        first
+    } else {
+        withDiamonds(first, diamonds, ecj(diamonds.blanked(), gaps.keys))
+    }
+    return told(compilation, Diagnosis(texts, library, compilation, messages, gaps, target))
+}
+
+/** The problems of [first], which tells little beside a diamond, and of [second], which did not see the [diamonds]. */
+internal fun withDiamonds(first: EcjCompilation, diamonds: Diamonds, second: EcjCompilation): EcjCompilation {
+    val syntaxErrors = second.problems.filter { it.isSyntax }
+    if (syntaxErrors.isEmpty() && first.problems.none { it.isSyntax }) return first
+    val others = first.problems.filterNot { it.isSyntax || it.number == ProblemId.DIAMOND }
+    return EcjCompilation(
+        first.classes,
+        first.mainClasses,
+        diamonds.problems() + syntaxErrors + others,
+        first.completed,
+    )
+}
+
+internal fun told(compilation: EcjCompilation, diagnosis: Diagnosis): CompilationResult {
+    val diagnostics = diagnosis.diagnostics()
+    val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
+    return if (errors.isEmpty()) {
+        CompilationResult.Compiled(
+            compilation.classes,
+            diagnostics,
+            compilation.mainClasses,
+            diagnosis.missingMain(),
+        )
+    } else {
+        CompilationResult.Rejected(errors)
+    }
+}
+
+internal const val BYTE_ORDER_MARK = "\uFEFF"
 
 /**
  * Returns the compiler of this platform: at once on the JVM and Android. A browser loads the compiler's module first,

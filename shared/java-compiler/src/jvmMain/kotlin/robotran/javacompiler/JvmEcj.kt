@@ -11,7 +11,7 @@ import robotran.javacompiler.messages.JavaMessages
 
 actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler = JavaCompiler(JvmEcj(), messages)
 
-private class JvmEcj : Ecj {
+internal class JvmEcj : Ecj {
     private class LoadedLibrary(val classFiles: Map<String, ByteArray>) {
         val library = Library().apply { classFiles.forEach { (name, bytes) -> add(name, bytes) } }
     }

@@ -1,5 +1,13 @@
 package robotran.programs
 
+/** The result of [ProgramCompiler.compile]. */
+sealed interface TimedCompilation {
+    data class Compiled(val result: ProgramResult) : TimedCompilation
+
+    /** A compiler could not be loaded; see [CompilerLoading.Failed]. */
+    class NotLoaded(val cause: Throwable) : TimedCompilation
+}
+
 /** The result of loading a compiler. */
 sealed interface CompilerLoading {
     /** The compiler is loaded, or none is needed. */

@@ -1,7 +1,9 @@
 package robotran.programs
 
 import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.TimedJavaCompiler
 import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.timedJavaCompiler
 import robotran.nxjlibrary.NxjLibrary
 
 /** What compiling Java needs, as far as it has been loaded. */
@@ -9,6 +11,9 @@ internal class LoadedJava {
     /** With messages in any language. */
     var compiler: JavaCompiler? = null
         private set
+
+    /** Compiles beside the caller; null where only the caller can. */
+    val timedCompiler: TimedJavaCompiler? by lazy { timedJavaCompiler() }
 
     var nxj: NxjLibrary? = null
         private set

@@ -1,7 +1,9 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.javacompiler.CompilerNotLoadedException
 import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.TimedJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
@@ -61,11 +63,15 @@ class ProgramCompiler private constructor(
         if (target == this.target) this else ProgramCompiler(target, java, firmware, language, loaded)
 
     /** Loads what compiling [source] needs. */
-    suspend fun prepareFor(source: ProgramSource): CompilerLoading = try {
+    suspend fun prepareFor(source: ProgramSource): CompilerLoading = attempt {
         if (otherBrick.mistakeIn(source) == null) {
             if (source is ProgramSource.Java) loaded.loadCompiler()
-            if (source !is ProgramSource.Robolang && target.kind == BrickKind.NXT) loaded.loadNxj()
+            if (source !is ProgramSource.Robolang) loadLibrary()
         }
+    }
+
+    private suspend fun attempt(load: suspend () -> Unit): CompilerLoading = try {
+        load()
         CompilerLoading.Loaded
     } catch (cancelled: CancellationException) {
         throw cancelled
@@ -97,6 +103,43 @@ class ProgramCompiler private constructor(
             BrickKind.NXT -> nxjLinker().link(compiledOf(source))
         }
     }
+
+    /**
+     * Compiles any [source] for somebody who waits, and loads what that needs. The compiler for Java works beside the
+     * caller where it can; a program with which it is not ready after some time has a mistake that says so.
+     */
+    suspend fun compile(source: ProgramSource): TimedCompilation {
+        val timed = loaded.timedCompiler
+        if (timed != null && source is ProgramSource.Java && otherBrick.mistakeIn(source) == null) {
+            val loading = attempt { loadLibrary() }
+            if (loading is CompilerLoading.Failed) return TimedCompilation.NotLoaded(loading.cause)
+            try {
+                return TimedCompilation.Compiled(compile(source, timed))
+            } catch (_: CompilerNotLoadedException) {
+                // A page that may not have this worker compiles by itself.
+            }
+        }
+        return when (val loading = prepareFor(source)) {
+            CompilerLoading.Loaded -> TimedCompilation.Compiled(compileNow(source))
+            is CompilerLoading.Failed -> TimedCompilation.NotLoaded(loading.cause)
+        }
+    }
+
+    private suspend fun loadLibrary() {
+        if (target.kind == BrickKind.NXT) loaded.loadNxj()
+    }
+
+    private suspend fun compile(source: ProgramSource.Java, timed: TimedJavaCompiler): ProgramResult {
+        val (linker, library) = javaParts()
+        return TimedJavaProgramCompiler(timed.withLanguage(JavaMessages.of(language)), linker, library).read(source)
+            ?: ProgramResult.HasErrors(listOf(tooLong(source)))
+    }
+
+    private fun tooLong(source: ProgramSource.Java) = ProgramDiagnostic(
+        source.files.firstOrNull()?.name.orEmpty(),
+        null,
+        ProgramMessages.of(language).compilesTooLong(),
+    )
 
     /**
      * Builds the image of [sources] for a real RCX with leJOS [version]; the Prgm button goes through them in this
@@ -151,10 +194,13 @@ class ProgramCompiler private constructor(
 
     private fun javaCompiler(): JavaProgramCompiler {
         val compiler = speaking(checkNotNull(loaded.compiler) { "The compiler for Java is not loaded." })
-        return when (target.kind) {
-            BrickKind.RCX -> JavaProgramCompiler(compiler, classFiles, JavaLibrary.ofLejos(java))
-            BrickKind.NXT -> JavaProgramCompiler(compiler, nxjLinker(), JavaLibrary.ofNxj(nxjLibrary()))
-        }
+        val (linker, library) = javaParts()
+        return JavaProgramCompiler(compiler, linker, library)
+    }
+
+    private fun javaParts(): Pair<ProgramLinker, JavaLibrary> = when (target.kind) {
+        BrickKind.RCX -> classFiles to JavaLibrary.ofLejos(java)
+        BrickKind.NXT -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary())
     }
 
     private fun nxjLinker() = NxjLinker(nxjLibrary(), java.speed, TinyVmMessages.of(language))

@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.json.JsonLimits
 import robotran.json.JsonReading
 import robotran.json.readJson
 import robotran.json.writeCompactJson
@@ -37,7 +38,26 @@ fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): Projec
  * [project] as a file, readable and easy to merge. [readProject] restores the same project if its numbers have at most
  * fifteen digits.
  */
-fun writeProject(project: Project): String = writeJson(elementOf(project), MULTILINE_LISTS + TEXT)
+fun writeProject(project: Project): String {
+    val element = elementOf(project)
+    val readable = writeJson(element, MULTILINE_LISTS + TEXT)
+    // What was read must be written again, even if there is no room for indentation.
+    return if (readable.length <= JsonLimits.MAXIMUM_CHARACTERS) readable else writeCompactJson(element) + "\n"
+}
+
+/** How many characters the programs of [project] may take in its file, see [charactersInFile]. */
+fun roomForPrograms(project: Project): Int =
+    JsonLimits.MAXIMUM_CHARACTERS - MARGIN - writeCompactJson(elementOf(project.copy(robots = emptyList()))).length
+
+/** How many characters [text] takes at most as a program in a project's file that has no room to spare. */
+fun charactersInFile(text: String): Int = LINE_MARKS + text.sumOf { letter ->
+    when {
+        letter == '\n' -> LINE_MARKS
+        letter < ' ' -> ESCAPE
+        letter == '"' || letter == '\\' -> 2
+        else -> 1
+    }
+}
 
 /**
  * What a hand-in's link holds: the project without white space, and without its world unless the assignment allows to
@@ -49,6 +69,13 @@ internal fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (
     is JsonReading.Read -> ProjectFileResult.Loaded(reading.value)
     is JsonReading.Rejected -> ProjectFileResult.Rejected(reading.message, reading.line, reading.path)
 }
+
+/** For the names of robots, programs and files. */
+private const val MARGIN = 50_000
+
+/** The quotes of a line and its comma. */
+private const val LINE_MARKS = 3
+private const val ESCAPE = 6
 
 internal const val PROJECT_FORMAT = "robotran-project"
 internal const val PROJECT_VERSION = 1

@@ -27,6 +27,7 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embed
     }
     LaunchedEffect(workshop) { workshop.runCompiler() }
     LaunchedEffect(workshop) { workshop.runAutosave() }
+    LaunchedEffect(workshop) { workshop.runOpeningGuard() }
     val settings = workshop.settings
     InLanguage(settings.language) {
         RobotranTheme(dark, settings) {

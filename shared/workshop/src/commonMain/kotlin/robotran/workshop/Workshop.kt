@@ -3,10 +3,15 @@ package robotran.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.runtime.withFrameNanos
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.withTimeoutOrNull
 import robotran.brick.controls.startButton
 import robotran.brick.kind.BrickKind
+import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.Assignment
@@ -14,6 +19,7 @@ import robotran.projects.AssignmentTries
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.projects.roomForPrograms
 import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
@@ -62,6 +68,7 @@ import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.sheet.SheetStateHolder
 import robotran.workshop.show.ShowStateHolder
 import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Pane
@@ -94,6 +101,7 @@ class Workshop(
     ScreenNavigator,
     Notices {
     private var opened = project
+    private var measuredRoom: Pair<Project, Int>? = null
     private var pane by mutableStateOf(Pane.WORLD)
     private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
@@ -101,7 +109,8 @@ class Workshop(
     private val board = NoticeBoard({ handIns.isVisiting }, ::canUndo)
 
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
-    private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this)
+    private val programs: ProgramsStateHolder =
+        ProgramsStateHolder(project, this, this, this, ::roomForPrograms)
     private val run: RunStateHolder =
         RunStateHolder(
             project.worldToRun,
@@ -184,6 +193,7 @@ class Workshop(
         robots = programs.projectRobots(opened.world),
         inputs = emptyList(),
     )
+    override val savedBreakpoints: List<SavedBreakpoint> get() = programs.savedBreakpoints
     override val shownProgram: PupilProgram get() = programs.state.program
     override val shownRobot: RobotPlacement get() = programs.state.robot
 
@@ -251,6 +261,23 @@ class Workshop(
         }
     }
 
+    /**
+     * Watches that what was opened is compiled and drawn, so that it may be opened again; never returns. Call it once
+     * while the workshop is on the screen, in the scope of its frames.
+     */
+    suspend fun runOpeningGuard() {
+        snapshotFlow { document.opening to mayBeOpened }.collectLatest { (opening, mayBeOpened) ->
+            if (!opening.first || !mayBeOpened) return@collectLatest
+            // A hidden page draws nothing. It lives, as the pause shows.
+            withTimeoutOrNull(UNDRAWN_MILLISECONDS) { repeat(DRAWN_FRAMES) { withFrameNanos { } } }
+            document.openingSettled()
+        }
+    }
+
+    /** The pictures in the list of projects are drawn one after the other, so that list is open as long as it is shown. */
+    private val mayBeOpened: Boolean
+        get() = programs.state.compileStatus.isOver && document.state.dialog !is DocumentDialog.ProjectList
+
     /** Autosaves the project on changes; never returns. Call it once while the workshop is on the screen. */
     suspend fun runAutosave() = document.runAutosave()
 
@@ -287,6 +314,7 @@ class Workshop(
     }
 
     private suspend fun compile() {
+        document.markOpenProject()
         run.programsCompiled(programs.compile())
         runChanged()
     }
@@ -344,6 +372,11 @@ class Workshop(
         assignment.projectChanged()
         course.projectChanged()
         worldChanged(isAnother = true)
+    }
+
+    override fun restoreBreakpoints(breakpoints: List<SavedBreakpoint>) {
+        programs.restoreBreakpoints(breakpoints)
+        run.programsChanged()
     }
 
     override fun changeWorld(world: World, isAnother: Boolean) {
@@ -454,6 +487,13 @@ class Workshop(
         if (fullPane != pane) fullPane = null
     }
 
+    /** Measures the rest of the project only once. */
+    private fun roomForPrograms(): Int {
+        val known = measuredRoom?.takeIf { it.first === opened } ?: (opened to roomForPrograms(opened))
+        measuredRoom = known
+        return known.second
+    }
+
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.projectChanged()
@@ -488,6 +528,7 @@ class Workshop(
     /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
         val wasRunning = run.state.running
+        if (event == RunEvent.RunPressed) document.markOpenProject()
         if (event == RunEvent.RunPressed) board.dismissIf { it is Notice.SensorsPluggedIn }
         run.handle(event)
         if (event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))) showTask(false)
@@ -551,5 +592,11 @@ class Workshop(
     private fun editFirstLength() {
         show(Pane.PROGRAM)
         programs.editFirstLength()
+    }
+
+    private companion object {
+        /** The second frame begins once the first is drawn. */
+        const val DRAWN_FRAMES = 3
+        const val UNDRAWN_MILLISECONDS = 3_000L
     }
 }

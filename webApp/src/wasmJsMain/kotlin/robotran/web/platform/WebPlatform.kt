@@ -16,9 +16,11 @@ import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryStore
+import robotran.workshop.platform.NoOpeningMarks
 import robotran.workshop.platform.NoWindowMemory
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.OpeningMarks
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
 import robotran.workshop.platform.QrScanner
@@ -46,6 +48,7 @@ internal class WebPlatform(
     override val clock: WallClock = WebClock
     override val openRequests: OpenRequests = OpenRequests()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
+    override val openingMarks: OpeningMarks = if (embedded) NoOpeningMarks else WebOpeningMarks
     override val pageAddress: String = pageAddress()
     override val isForFingers: Boolean = isPointerCoarse()
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }

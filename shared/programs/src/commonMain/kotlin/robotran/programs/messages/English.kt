@@ -12,4 +12,8 @@ object EnglishProgramMessages : ProgramMessages {
     override fun noImageForFirmware() =
         "This program is for LEGO's own firmware, so it cannot be in an image for leJOS. Build it alone, to a file " +
             "such as program.rcx."
+
+    override fun compilesTooLong() =
+        "This program keeps the compiler for Java busy for too long. Make it simpler: put fewer blocks into each " +
+            "other, or make several short methods of a long one."
 }

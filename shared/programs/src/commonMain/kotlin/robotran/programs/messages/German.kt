@@ -13,4 +13,8 @@ object GermanProgramMessages : ProgramMessages {
     override fun noImageForFirmware() =
         "Dieses Programm ist für LEGOs eigene Firmware, also passt es in kein Abbild für leJOS. Baue es allein, in " +
             "eine Datei wie programm.rcx."
+
+    override fun compilesTooLong() =
+        "Dieses Programm beschäftigt den Java-Compiler zu lange. Mach es einfacher: Steck weniger Blöcke ineinander, " +
+            "oder mach aus einer langen Methode mehrere kurze."
 }

@@ -17,6 +17,9 @@ interface ProgramMessages {
     /** An image for leJOS was asked for of a program for LEGO's own firmware. */
     fun noImageForFirmware(): String
 
+    /** The compiler for Java was not ready with a program in the time that it has. */
+    fun compilesTooLong(): String
+
     companion object {
         fun of(language: Language): ProgramMessages =
             language.choose(EnglishProgramMessages, SpanishProgramMessages, GermanProgramMessages)

@@ -12,4 +12,8 @@ object SpanishProgramMessages : ProgramMessages {
     override fun noImageForFirmware() =
         "Este programa es para el firmware propio de LEGO, así que no cabe en una imagen para leJOS. Prepáralo solo, " +
             "en un archivo como programa.rcx."
+
+    override fun compilesTooLong() =
+        "Este programa ocupa demasiado tiempo al compilador de Java. Hazlo más sencillo: pon menos bloques unos " +
+            "dentro de otros o haz varios métodos cortos de uno largo."
 }

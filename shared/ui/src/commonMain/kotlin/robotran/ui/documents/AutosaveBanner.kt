@@ -32,6 +32,7 @@ import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_trouble_failed
 import robotran.ui.resources.documents_trouble_full
 import robotran.ui.resources.documents_trouble_long
+import robotran.ui.resources.documents_trouble_silent
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -100,6 +101,7 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
 private fun wordsFor(error: AutosaveError): String = when (error) {
     AutosaveError.Full -> stringResource(Res.string.documents_trouble_full)
     AutosaveError.TooLong -> stringResource(Res.string.documents_trouble_long)
+    AutosaveError.NoAnswer -> stringResource(Res.string.documents_trouble_silent)
     is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, error.reason)
 }
 

@@ -43,6 +43,9 @@ internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> U
         is DocumentDialog.PastingLink -> PasteLinkDialog(dialog, onEvent)
         is DocumentDialog.ChangedElsewhere -> ChangedMeanwhileDialog(dialog, onEvent)
         DocumentDialog.WouldBeLost -> WouldBeLostDialog(onEvent)
+        is DocumentDialog.About -> AboutDialog(dialog, onEvent)
+        is DocumentDialog.NewerInMyWork -> NewerInMyWorkDialog(dialog, onEvent)
+        is DocumentDialog.StoppedLastTime -> StoppedLastTimeDialog(dialog, onEvent)
         is DocumentDialog.Rejected -> RejectedDialog(dialog, onEvent)
     }
 }

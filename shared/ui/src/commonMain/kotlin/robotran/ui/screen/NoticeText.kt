@@ -21,6 +21,7 @@ import robotran.ui.resources.documents_delete_failed
 import robotran.ui.resources.documents_go_back
 import robotran.ui.resources.documents_kept_before
 import robotran.ui.resources.documents_kit_mistake
+import robotran.ui.resources.documents_last_elsewhere
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_no_room
 import robotran.ui.resources.documents_not_copied
@@ -33,6 +34,7 @@ import robotran.ui.resources.documents_save_failed
 import robotran.ui.resources.documents_save_full
 import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_too_long
+import robotran.ui.resources.documents_trouble_silent
 import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_unexpected
 import robotran.ui.resources.documents_work_elsewhere
@@ -93,6 +95,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.FileNotSaved -> stringResource(notSaved(notice), notice.reason)
 
+    Notice.StoreSilent -> stringResource(Res.string.documents_trouble_silent)
+
     Notice.ProjectTooLong -> stringResource(Res.string.documents_too_long)
 
     is Notice.FileOpenElsewhere -> stringResource(Res.string.documents_open_elsewhere, notice.name)
@@ -110,6 +114,12 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     Notice.CompilerMissing -> stringResource(Res.string.status_no_compiler)
 
     Notice.ProjectOpenElsewhere -> stringResource(Res.string.documents_work_elsewhere)
+
+    is Notice.LastProjectOpenElsewhere -> if (notice.name.isEmpty()) {
+        stringResource(Res.string.documents_own_elsewhere)
+    } else {
+        stringResource(Res.string.documents_last_elsewhere, notice.name)
+    }
 
     Notice.OwnProjectOpenElsewhere -> stringResource(Res.string.documents_own_elsewhere)
 

@@ -52,7 +52,8 @@ fun RobotranTheme(
     }
 }
 
-private fun coloursOf(theme: AppTheme, dark: Boolean): RobotranColours = when (theme) {
+/** The colours of [theme]; [dark] is whether the system is dark. */
+fun coloursOf(theme: AppTheme, dark: Boolean): RobotranColours = when (theme) {
     AppTheme.SYSTEM -> if (dark) RobotranColours.DARK else RobotranColours.LIGHT
     AppTheme.LIGHT -> RobotranColours.LIGHT
     AppTheme.DARK -> RobotranColours.DARK

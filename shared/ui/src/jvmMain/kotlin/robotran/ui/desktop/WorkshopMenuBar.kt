@@ -1,5 +1,6 @@
 package robotran.ui.desktop
 
+import androidx.compose.foundation.isSystemInDarkTheme
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.input.key.Key
@@ -17,6 +18,7 @@ import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_list
+import robotran.ui.resources.documents_about
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
 import robotran.ui.resources.documents_firmware_image
@@ -34,6 +36,8 @@ import robotran.ui.resources.documents_new_window
 import robotran.ui.resources.documents_open
 import robotran.ui.resources.documents_open_link
 import robotran.ui.resources.documents_program_file
+import robotran.ui.resources.documents_quit
+import robotran.ui.resources.documents_recent
 import robotran.ui.resources.documents_redo
 import robotran.ui.resources.documents_rename
 import robotran.ui.resources.documents_replay
@@ -67,6 +71,7 @@ import robotran.ui.resources.run_step_over
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
+import robotran.ui.theme.coloursOf
 import robotran.workshop.Workshop
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent
@@ -96,16 +101,21 @@ fun FrameWindowScope.WorkshopMenuBar(
     onEvent: (WorkshopEvent) -> Unit,
     openAnother: () -> Unit,
     close: () -> Unit,
+    quit: () -> Unit,
 ) {
+    val colours = coloursOf(state.settings.theme, isSystemInDarkTheme())
     InLanguage(state.settings.language) {
         // A visible window does not lay out a new menu bar or repaint a replaced one by itself.
         LaunchedEffect(window) {
             window.rootPane.revalidate()
             window.rootPane.repaint()
         }
+        LaunchedEffect(window, colours, state.settings.language, state.document.recentFiles) {
+            if (!IS_MAC) colourMenuBar(window, colours)
+        }
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) {
-                FileItems(state.document, onEvent, openAnother, close)
+                FileItems(state.document, onEvent, openAnother, close, quit)
             }
             Menu(stringResource(Res.string.documents_menu_edit)) {
                 EditItems(undoTarget(state), window, onEvent)
@@ -134,6 +144,8 @@ fun FrameWindowScope.WorkshopMenuBar(
                 Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
                 Choice(Res.string.learning_help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
                 Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+                Separator()
+                Choice(Res.string.documents_about) { onEvent(DocumentEvent.AboutRequested(VERSION)) }
             }
         }
     }
@@ -155,6 +167,7 @@ private fun MenuScope.FileItems(
     onEvent: (WorkshopEvent) -> Unit,
     openAnother: () -> Unit,
     close: () -> Unit,
+    quit: () -> Unit,
 ) {
     Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
     Choice(Res.string.documents_new_nxt) { onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
@@ -163,6 +176,9 @@ private fun MenuScope.FileItems(
     Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
     Choice(Res.string.course_list) { onEvent(CourseEvent.ListRequested) }
     Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
+    Menu(stringResource(Res.string.documents_recent), enabled = document.recentFiles.isNotEmpty()) {
+        for (file in document.recentFiles) Item(file.name) { onEvent(DocumentEvent.SavedProjectChosen(file.id)) }
+    }
     Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
     Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveRequested) }
@@ -182,6 +198,8 @@ private fun MenuScope.FileItems(
     Choice(Res.string.hand_ins_menu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
+    // macOS has it in the menu of the app.
+    if (!IS_MAC) Choice(Res.string.documents_quit, control(Key.Q), onClick = quit)
 }
 
 /** Undo and Redo of the program, or of the world or the robot while it is edited. */
@@ -251,3 +269,6 @@ private fun control(key: Key, shift: Boolean = false) =
 
 private val IS_MAC = System.getProperty("os.name").orEmpty().startsWith("Mac")
 private const val APP = "Robotran"
+
+/** Known to an installed app only. */
+private val VERSION = System.getProperty("jpackage.app-version").orEmpty()

@@ -7,6 +7,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
 import robotran.workshop.documents.projectFile
+import robotran.workshop.documents.write
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
@@ -46,6 +47,34 @@ class DocumentPictures {
                 workshop.handle(DocumentEvent.NewRequested)
                 picture("loss", workshop)
                 workshop.close()
+            }
+        }
+    }
+
+    @Test
+    fun `questions about work that stopped the app or is newer than its file can be photographed`() {
+        for ((name, width, height) in SCREENS) {
+            for (language in listOf(Language.ENGLISH, Language.GERMAN, Language.SPANISH)) {
+                val picture = { what: String, workshop: Workshop ->
+                    val settings = workshop.state.settings.copy(language = language)
+                    workshop.handle(SettingsEvent.SettingsChanged(settings))
+                    photograph(
+                        workshop,
+                        width,
+                        height,
+                        dark = language == Language.GERMAN,
+                        "documents-$name-$what-$language",
+                    )
+                }
+                val machine = Machine()
+                val file = OpenRequest.OfFiles(listOf(projectFile("forward 20\nbeep\n")))
+                machine.window(file).also { it.write("forward 21\nbeep\n") }
+                picture("stopped", machine.afterKill().window())
+                val later = machine.afterKill().also { it.marks.times.clear() }
+                later.files.changed = 0
+                picture("newer", later.window(file))
+                picture("about", Machine().window().also { it.handle(DocumentEvent.AboutRequested("1.2")) })
+                picture("silent", Machine().also { it.store.isAnswering = false }.window())
             }
         }
     }

@@ -97,6 +97,36 @@ class ProjectMenuTest {
     }
 
     @Test
+    fun `work that stopped the app last time is asked about, with my work in sight`() {
+        machine.window().also { it.handle(ProgramEvent.ProgramEdited("forward 7")) }.keep()
+        val next = machine.afterKill()
+        next.window()
+        shown(next.afterKill().window()) { workshop ->
+            onNodeWithTag("stopped-help").assertIsDisplayed()
+            onNodeWithTag("stopped-save").assertIsDisplayed()
+            onNodeWithTag("stopped-my-work").performClick()
+            val work = checkNotNull(
+                assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
+            ).single().entry.id
+            onNodeWithTag("work-$work").performClick()
+            onNodeWithTag("stopped-open").performClick()
+            assertEquals("forward 7", workshop.state.programText)
+        }
+    }
+
+    @Test
+    fun `a file that is older than my work is asked about`() {
+        machine.window(opened).also { it.handle(ProgramEvent.ProgramEdited("forward 7")) }.keep()
+        val next = machine.afterKill().also { it.marks.times.clear() }
+        shown(next.window(opened)) { workshop ->
+            onNodeWithTag("newer-times").assertIsDisplayed()
+            onNodeWithTag("newer-file").assertIsDisplayed()
+            onNodeWithTag("newer-work").performClick()
+            assertEquals("forward 7", workshop.state.programText)
+        }
+    }
+
+    @Test
     fun `my work offers a new one with either brick, in the words of the menu`() = shown { workshop ->
         choose("my-work")
         onNodeWithTag("works-new-nxt").assertTextEquals("New with an NXT").performClick()
@@ -184,8 +214,10 @@ class ProjectMenuTest {
         assertEquals("mine.robotran", it.state.document.fileName)
     }
 
-    private fun shown(vararg openRequests: OpenRequest, check: ComposeUiTest.(Workshop) -> Unit) {
-        val workshop = machine.window(*openRequests)
+    private fun shown(vararg openRequests: OpenRequest, check: ComposeUiTest.(Workshop) -> Unit) =
+        shown(machine.window(*openRequests), check)
+
+    private fun shown(workshop: Workshop, check: ComposeUiTest.(Workshop) -> Unit) {
         runDesktopComposeUiTest(411, 891) {
             setContent {
                 RobotranTheme(dark = false) {

@@ -57,6 +57,10 @@ internal class CourseShelf(private val store: KeyValueStore, scope: CoroutineSco
                 KeptCourse.Full
             }
 
+            StoreResult.NoAnswer -> {
+                KeptCourse.Failed("timeout")
+            }
+
             is StoreResult.Failed -> {
                 KeptCourse.Failed(result.reason)
             }

@@ -10,6 +10,7 @@ import robotran.documents.ProjectLock
 import robotran.documents.ProjectRepository
 import robotran.documents.SaveResult
 import robotran.documents.SaveTarget
+import robotran.documents.SavedBreakpoint
 import robotran.documents.SavedProject
 import robotran.documents.defaultProjectName
 import robotran.documents.handoverText
@@ -18,12 +19,15 @@ import robotran.projects.Project
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
 
 /** Autosaves the open project on changes, and tracks what is autosaved and what is saved to a file. */
 internal class DocumentAutosaver(
     private val platform: Platform,
     private val preferences: Preferences,
     private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val guard: OpeningGuard,
 ) {
     val repository = ProjectRepository(platform.store)
     val openProjects = OpenProjects(platform.store, repository)
@@ -36,9 +40,13 @@ internal class DocumentAutosaver(
         }
     private var projectLock: ProjectLock? = null
     private var fileClaim: ProjectLock? = null
+
+    /** Keeps the name of a project that is not saved yet from other windows. */
+    private var nameLock: ProjectLock? = null
     private var autosavedProject: Project? = null
     private var autosavedName = ""
     private var autosavedFile: SaveTarget? = null
+    private var autosavedBreakpoints: List<SavedBreakpoint> = emptyList()
     private var savedProject: Project? = null
     private var isMarkedOpen = false
     private var isOnlyChosen = false
@@ -64,9 +72,10 @@ internal class DocumentAutosaver(
 
     /**
      * Whether the autosaved copy is up to date. In a new project, choosing how programs are shown is not yet work to
-     * save: the settings remember it.
+     * save: the settings remember it. Neither is a breakpoint.
      */
     val isAutosaved: Boolean get() = autosavedName == name && autosavedFile == file &&
+        (id == null || autosavedBreakpoints == current.savedBreakpoints) &&
         (autosavedProject == current.project || (id == null && equalsExceptViews(autosavedProject)))
 
     /** The ID of the previous project if the open one is unchanged; null if there is none. */
@@ -79,11 +88,12 @@ internal class DocumentAutosaver(
     /** Whether the project is [other], but for how its programs are shown. */
     private fun equalsExceptViews(other: Project?) = other?.withoutViews() == current.project.withoutViews()
 
-    /** Starts a new project [name], which is not autosaved until it changes. */
-    fun startNew(name: String) {
+    /** Starts a new project with the name [new], which is not autosaved until it changes. */
+    fun startNew(new: UnusedName) {
         forget()
-        this.name = name
-        autosavedName = name
+        nameLock = new.lock
+        name = new.name
+        autosavedName = new.name
         autosavedProject = current.project
         savedProject = current.project
     }
@@ -115,6 +125,8 @@ internal class DocumentAutosaver(
         autosavedProject = project
         leftProjectId = work.id.takeIf { project == null }
         savedProject = if (work.saved) project ?: current.project else null
+        editor.restoreBreakpoints(work.breakpoints)
+        autosavedBreakpoints = current.savedBreakpoints
         openProjects.opened(work.id, platform.clock.now)
         isMarkedOpen = true
         if (name.isEmpty() && id == work.id) name = uniqueName()
@@ -149,7 +161,7 @@ internal class DocumentAutosaver(
             reservedId = leaving
             platform.window.projectId = leaving
         }
-        platform.window.leave(leaving, handoverText(SavedProject(leaving, name, now, current.project, file, isSaved)))
+        platform.window.leave(leaving, handoverText(workNow(leaving, now)))
         leftProjectId = leaving
     }
 
@@ -163,20 +175,25 @@ internal class DocumentAutosaver(
         times = times.begun(now)
         // A project from a file has the file's name.
         if (id == null && file == null) name = uniqueName(name)
-        val work = SavedProject(id ?: newId(now), name, now, current.project, file, isSaved)
+        val work = workNow(id ?: newId(now), now)
         val result = withContext(platform.background) { repository.save(work) }
         times = times.ended(platform.clock.now)
         if (result == SaveResult.Saved && id == work.id) {
             autosavedProject = work.project
             autosavedName = work.name
             autosavedFile = work.file
+            autosavedBreakpoints = work.breakpoints
             leftProjectId?.let { platform.window.leave(it, null) }
             leftProjectId = null
             if (!isMarkedOpen) openProjects.opened(work.id, now)
             isMarkedOpen = true
+            releaseName()
         }
         result
     }
+
+    private fun workNow(id: String, now: Long) =
+        SavedProject(id, name, now, current.project, file, isSaved, current.savedBreakpoints)
 
     /** Called when the window opens another project, or closes with [reopens]. */
     suspend fun leave(reopens: Boolean) {
@@ -188,11 +205,27 @@ internal class DocumentAutosaver(
     suspend fun uniqueName(wanted: String = defaultProjectName(preferences.language), of: String? = null): String =
         uniqueProjectName(wanted, repository.projects().filter { it.id != of }.map { it.name })
 
+    /**
+     * A name for a new project that neither a saved one nor the new one of another window has. The new project of this
+     * window gives its own away.
+     */
+    suspend fun unusedName(): UnusedName {
+        releaseName()
+        val taken = repository.projects().mapTo(mutableListOf()) { it.name }
+        repeat(NEW_NAMES) {
+            val free = uniqueProjectName(defaultProjectName(preferences.language), taken)
+            platform.store.claim("name-${FileStamp.of(free).text}")?.let { return UnusedName(free, it) }
+            taken += free
+        }
+        return UnusedName(uniqueProjectName(defaultProjectName(preferences.language), taken), null)
+    }
+
     /** Closes the project and releases the claims of this window. */
     fun forget() {
         projectLock?.release()
         projectLock = null
         releaseFile()
+        releaseName()
         id = null
         reservedId = null
         leftProjectId = null
@@ -203,6 +236,7 @@ internal class DocumentAutosaver(
         autosavedProject = null
         autosavedFile = null
         autosavedName = ""
+        autosavedBreakpoints = emptyList()
         savedProject = null
     }
 
@@ -210,6 +244,12 @@ internal class DocumentAutosaver(
     fun release() {
         projectLock?.release()
         releaseFile()
+        releaseName()
+    }
+
+    private fun releaseName() {
+        nameLock?.release()
+        nameLock = null
     }
 
     private fun releaseFile() {
@@ -241,6 +281,7 @@ internal class DocumentAutosaver(
             if (claim != null) {
                 projectLock = claim
                 id = new
+                guard.saved(new)
                 return new
             }
             number++
@@ -248,4 +289,12 @@ internal class DocumentAutosaver(
     }
 
     private fun idOf(number: Long) = "w${number.coerceAtLeast(0).toString(radix = 36)}"
+
+    private companion object {
+        /** More windows with new projects may have equal names until they are saved. */
+        const val NEW_NAMES = 20
+    }
 }
+
+/** A name for a new project, with the [lock] that keeps other windows from it; null if there is none. */
+internal class UnusedName(val name: String, val lock: ProjectLock?)

@@ -9,9 +9,9 @@ import robotran.documents.projectFile
 import robotran.documents.zipOf
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.image.toBytes
-import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
+import robotran.programs.TimedCompilation
 import robotran.programs.brickOf
 import robotran.programs.firmwareImage
 import robotran.projects.LinkCreation
@@ -133,8 +133,9 @@ internal class DocumentExports(
         val source = program.source()
         val target = targetOf(program)
         val reader = ProgramCompiler(target, language = preferences.language)
-        if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
-        when (val result = withContext(platform.background) { reader.compileNow(source) }) {
+        val compiled = withContext(platform.background) { reader.compile(source) }
+        val result = (compiled as? TimedCompilation.Compiled)?.result ?: return notices.show(Notice.CompilerMissing)
+        when (result) {
             is ProgramResult.HasErrors -> {
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
             }

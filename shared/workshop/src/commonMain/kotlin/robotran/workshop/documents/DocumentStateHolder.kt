@@ -7,6 +7,7 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import robotran.brick.kind.BrickKind
 import robotran.documents.AutosaveThrottle
+import robotran.documents.RestoredProject
 import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
 import robotran.documents.validProjectName
@@ -53,7 +54,8 @@ class DocumentStateHolder(
     private val takesElsewhere: (OpenRequest) -> Boolean = { false },
 ) : ProjectSwitcher,
     StoredAssignments {
-    private val autosaver = DocumentAutosaver(platform, preferences, current)
+    private val guard = OpeningGuard(platform.openingMarks, platform.clock)
+    private val autosaver = DocumentAutosaver(platform, preferences, current, editor, guard)
     private val view = DocumentView(autosaver, platform.sharing.hasShareSheet)
     private val saver = FileSaver(platform, current, notices, autosaver, view)
     private val replacement = ProjectReplacement(autosaver, view, saver, notices)
@@ -71,10 +73,13 @@ class DocumentStateHolder(
             replacement,
             openCourses,
             putRobot,
+            guard,
+            openStored = { openStored(it) },
         )
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
-    private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
-    private val restoration = ProjectRestoration(platform, notices, autosaver)
+    private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement, guard)
+    private val restoration = ProjectRestoration(platform, notices, autosaver, guard)
+    private val stopped = StoppedWorkDesk(platform, preferences, notices, autosaver, view, opener, projects)
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
     val state: DocumentState get() = view.state
@@ -100,6 +105,10 @@ class DocumentStateHolder(
             DocumentEvent.ReplayRequested -> launch { exports.saveReplay() }
             DocumentEvent.ProgramFileRequested -> launch { exports.saveProgram() }
             DocumentEvent.KitRequested -> launch { exports.saveKit() }
+            is DocumentEvent.AboutRequested -> view.show(DocumentDialog.About(event.version))
+            is DocumentEvent.WorkOrFileChosen -> launch { opener.answer(event.isWork) }
+            DocumentEvent.StoppedWorkOpened -> launch { stopped.open() }
+            DocumentEvent.StoppedWorkSaved -> launch { stopped.save() }
             is DocumentEvent.Answered -> launch { answer(event.answer) }
             is DocumentEvent.WarningShown -> view.showWarning(event.shown)
             DocumentEvent.DialogClosed -> view.answer(null)
@@ -110,18 +119,36 @@ class DocumentStateHolder(
     suspend fun start() {
         val arrival = platform.openRequests.takeNow()
         val back = restoration.take(isBroughtSomething = arrival != null)
-        if (back == null) {
-            autosaver.startNew(autosaver.uniqueName())
-        } else {
-            editor.openProject(back.work.project)
-            autosaver.resume(back.work, back.claim, current.project.takeIf { back.isAutosaved })
-            if (!back.isAutosaved) saveNow()
-            navigator.hideTask()
-            restoration.show(back)
-        }
+        if (back == null) autosaver.startNew(autosaver.unusedName()) else restore(back)
         view.refresh()
+        if (!platform.store.isAnswering) view.tellSilence()
+        if (platform.showsRecentFiles) view.findRecentFiles()
+        restoration.stopped?.let { projects.tellStopped(it) }
         if (arrival != null) receive(arrival)
     }
+
+    private suspend fun restore(back: RestoredProject) {
+        editor.openProject(back.work.project)
+        autosaver.resume(back.work, back.claim, current.project.takeIf { back.isAutosaved })
+        claimFile()
+        if (!back.isAutosaved) saveNow()
+        navigator.hideTask()
+        restoration.show(back)
+    }
+
+    /** Claims the file of the open project. Says so if another window has it. */
+    private suspend fun claimFile() {
+        if (!autosaver.claimFile()) notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
+    }
+
+    /** Whether something is being opened; and how many were opened before it. */
+    internal val opening: Pair<Boolean, Int> get() = guard.isOpening to guard.count
+
+    /** Called before the open project does what may stop the app: it is compiled or started. */
+    internal fun markOpenProject() = guard.again(autosaver.openId)
+
+    /** Called when what was opened is compiled and drawn. */
+    internal fun openingSettled() = guard.settled()
 
     /** Whether the open project has not been edited yet. */
     val isFresh: Boolean get() = autosaver.openId == null && autosaver.isAutosaved
@@ -151,6 +178,7 @@ class DocumentStateHolder(
 
     /** Prepares the window to close and asks the user if the project cannot be saved. Returns whether it may close. */
     suspend fun close(): Boolean {
+        guard.settled()
         if (!saveNow()) return replacement.confirmsLoss()
         autosaver.leave(reopens = true)
         autosaver.forget()
@@ -162,6 +190,7 @@ class DocumentStateHolder(
      * continues as after a normal exit.
      */
     suspend fun windowHidden() {
+        guard.settled()
         autosaver.leaveUnsavedChanges()
         if (saveNow()) autosaver.leave(reopens = true)
     }
@@ -183,9 +212,11 @@ class DocumentStateHolder(
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace {
             val left = autosaver.openId
+            guard.begin(into ?: SWITCHED)
             editor.openProject(project)
             if (taken != null) {
                 autosaver.resume(taken.first, taken.second, taken.first.project)
+                claimFile()
             } else {
                 autosaver.opened(name, null)
             }
@@ -202,6 +233,7 @@ class DocumentStateHolder(
         val left = autosaver.openId
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
+            guard.begin(SWITCHED)
             editor.openProject(project)
             autosaver.opened(name, null, before, isOnlyChosen = true)
             view.show(null)
@@ -215,6 +247,7 @@ class DocumentStateHolder(
         val taken = id?.let { projects.claim(it) }
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
+            guard.begin(id ?: SWITCHED)
             editor.openProject(taken?.first?.project ?: project)
             if (taken != null) autosaver.resume(taken.first, taken.second) else autosaver.opened(name, null)
             view.show(null)
@@ -228,6 +261,7 @@ class DocumentStateHolder(
     override suspend fun openWorld(world: World): SwitchResult {
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
+            guard.begin(SWITCHED)
             editor.changeWorld(world, isAnother = true)
             autosaver.opened(
                 validProjectName(world.title) ?: defaultProjectName(preferences.language),
@@ -250,8 +284,10 @@ class DocumentStateHolder(
             if (taken == null) {
                 begin(brick)
             } else {
+                guard.begin(taken.first.id)
                 editor.openProject(taken.first.project)
                 autosaver.resume(taken.first, taken.second)
+                claimFile()
                 view.show(null)
             }
             result = SwitchResult.Switched(before, autosaver.openId)
@@ -299,7 +335,7 @@ class DocumentStateHolder(
 
     private suspend fun begin(brick: BrickKind) {
         navigator.leavePages()
-        val name = autosaver.uniqueName()
+        val name = autosaver.unusedName()
         editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
         autosaver.startNew(name)
         // This project is for free experiments.
@@ -337,8 +373,15 @@ class DocumentStateHolder(
 
     private fun launch(work: suspend () -> Unit) {
         scope.launch {
+            val before = autosaver.openId
             work()
+            if (platform.showsRecentFiles && autosaver.openId != before) view.findRecentFiles()
             projectMayHaveChanged()
         }
+    }
+
+    private companion object {
+        /** The mark of a project that is not saved yet. */
+        const val SWITCHED = "new"
     }
 }

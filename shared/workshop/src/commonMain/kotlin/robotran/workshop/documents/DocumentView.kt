@@ -9,6 +9,7 @@ import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
+import robotran.workshop.state.RecentFile
 
 /** The document's UI state, and the question that waits for an answer. */
 internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSheet: Boolean) {
@@ -75,13 +76,29 @@ internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSh
         if (now != state) state = now
     }
 
+    /** Finds the files that were used last, each once. */
+    suspend fun findRecentFiles() {
+        val others = autosaver.repository.projects()
+            .filter { it.file != null && it.id != autosaver.openId && it.file?.place != autosaver.file?.place }
+            .distinctBy { it.file?.place?.address }
+        state = state.copy(recentFiles = others.take(RECENT_FILES).map { RecentFile(it.id, it.fileName.orEmpty()) })
+    }
+
+    /** Says at once that nothing can be saved, before there is anything to lose. */
+    fun tellSilence() = tell(SaveResult.NoAnswer)
+
     private fun tell(result: SaveResult) {
         val error = when (result) {
             SaveResult.Saved -> null
             SaveResult.Full -> AutosaveError.Full
             SaveResult.TooLong -> AutosaveError.TooLong
+            SaveResult.NoAnswer -> AutosaveError.NoAnswer
             is SaveResult.Failed -> AutosaveError.Failed(result.reason)
         }
         if (error != state.error) state = state.copy(error = error, warningShown = true)
+    }
+
+    private companion object {
+        const val RECENT_FILES = 8
     }
 }

@@ -8,11 +8,13 @@ import robotran.documents.IncomingFile
 import robotran.documents.OpenFilesError
 import robotran.documents.OpenFilesResult
 import robotran.documents.OpenedProject
+import robotran.documents.ProjectSummary
 import robotran.documents.SavedProject
 import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
+import robotran.documents.projectNameOfFile
 import robotran.documents.validProjectName
 import robotran.projects.Course
 import robotran.projects.Project
@@ -30,12 +32,14 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.StoppedWork
 import robotran.world.RobotDescription
 
 /**
  * Opens files and links.
  *
  * @param putRobot puts a robot into the world that is open.
+ * @param openStored opens the stored project with this ID.
  */
 internal class FileOpener(
     private val platform: Platform,
@@ -50,13 +54,33 @@ internal class FileOpener(
     private val replacement: ProjectReplacement,
     private val openCourses: suspend (List<Course>) -> Unit,
     private val putRobot: (RobotDescription) -> Unit,
+    private val guard: OpeningGuard,
+    private val openStored: suspend (id: String) -> Unit,
 ) {
+    /** What was to be opened, and what My work has of it, until the pupil has chosen. */
+    private var asked: Pair<OpenFilesResult.Opened, ProjectSummary>? = null
+
+    /** The files that stopped the app the last time, until the pupil has chosen. */
+    var stoppedFiles: List<OpenedFile> = emptyList()
+        private set
+
     suspend fun choose() {
         val files = platform.files.open(KINDS)
         if (files.isNotEmpty()) open(files)
     }
 
-    suspend fun open(files: List<OpenedFile>) {
+    /**
+     * Opens [files]. If they stopped the app the last time, asks first unless they are opened [anyway]. If My work has
+     * newer changes, asks unless the files are [wanted][isWanted] as they are.
+     */
+    suspend fun open(files: List<OpenedFile>, anyway: Boolean = false, isWanted: Boolean = false) {
+        val mark = OpeningGuard.nameOfFiles(files)
+        if (!anyway && guard.hasContentStopped(mark)) {
+            stoppedFiles = files
+            val name = projectNameOfFile(files.first().name)
+            return view.show(DocumentDialog.StoppedLastTime(name, StoppedWork.OfFiles))
+        }
+        guard.begin(mark)
         val given = files.map { file ->
             IncomingFile(file.name, file.bytes, file.location?.let { FileReference(it, file.name) })
         }
@@ -65,12 +89,18 @@ internal class FileOpener(
                 openFiles(unpackedCourses(given), preferences.language)
             }
         ) {
-            is OpenFilesResult.Opened -> take(opening)
+            is OpenFilesResult.Opened -> take(opening, isWanted)
             is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
         }
     }
 
-    suspend fun openLink(link: String) {
+    /** The same for [link]. */
+    suspend fun openLink(link: String, anyway: Boolean = false) {
+        val mark = OpeningGuard.nameOfLink(link)
+        if (!anyway && guard.hasContentStopped(mark)) {
+            return view.show(DocumentDialog.StoppedLastTime("", StoppedWork.OfLink(link)))
+        }
+        guard.begin(mark)
         when (val opening = openLinkText(link, preferences.language)) {
             is OpenFilesResult.Opened -> {
                 view.show(null)
@@ -87,19 +117,31 @@ internal class FileOpener(
     suspend fun reopen() {
         val location = autosaver.file?.place ?: return
         val bytes = platform.files.read(location.address) ?: return
-        open(listOf(OpenedFile(location.name, bytes, location.address)))
+        open(listOf(OpenedFile(location.name, bytes, location.address)), isWanted = true)
     }
 
-    private suspend fun take(opened: OpenFilesResult.Opened) {
+    private suspend fun take(opened: OpenFilesResult.Opened, isWanted: Boolean = false) {
         navigator.leavePages()
-        takeWork(opened)
+        takeWork(opened, isWanted)
         if (opened.courses.isNotEmpty()) openCourses(opened.courses)
     }
 
-    private suspend fun takeWork(opened: OpenFilesResult.Opened) {
+    /**
+     * Opens what is in files. If My work has newer changes of the first project's file, asks, unless the file [isWanted]
+     * as it is.
+     */
+    private suspend fun takeWork(opened: OpenFilesResult.Opened, isWanted: Boolean = false) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
-        val others = saveOthers(opened.projects.drop(1))
         view.saveNow()
+        val known = if (isWanted) null else known(first)
+        if (known != null && known.id == autosaver.openId && (!known.saved || known.file == first.file)) {
+            // It is open here, perhaps with changes that the file lacks.
+            if (known.saved) return view.show(null)
+            return ask(opened, known)
+        }
+        if (known != null && !known.saved) return ask(opened, known)
+        val others = saveOthers(opened.projects.drop(1).filter { known(it) == null })
+        if (known != null && goOnWith(known, opened)) return
         val begun = begunBefore(first.project)
         replacement.replace { before ->
             editor.openProject(first.project)
@@ -116,11 +158,75 @@ internal class FileOpener(
             }
             addPrograms(opened)
         }
-        if (!autosaver.claimFile()) {
-            notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
-        } else if (others) {
+        if (!tellFileElsewhere() && others) {
             notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
         }
+    }
+
+    /** Answers the question whether to go on with My work ([isWork]) or to open the file. */
+    suspend fun answer(isWork: Boolean) {
+        val (opened, known) = asked ?: return
+        asked = null
+        view.show(null)
+        if (isWork) openStored(known.id) else takeWork(opened, isWanted = true)
+    }
+
+    private suspend fun ask(opened: OpenFilesResult.Opened, known: ProjectSummary) {
+        asked = opened to known
+        val language = preferences.settings.language?.tag.orEmpty()
+        val place = known.file?.place ?: return
+        view.show(
+            DocumentDialog.NewerInMyWork(
+                place.name,
+                workTime = platform.clock.describe(known.keptAt, language),
+                fileTime = platform.files.changedAt(place.address)?.let { platform.clock.describe(it, language) },
+            ),
+        )
+    }
+
+    /** The newest entry of My work that was opened from or saved to the file of [opened]; null if there is none. */
+    private suspend fun known(opened: OpenedProject): ProjectSummary? {
+        val address = opened.file?.place?.address?.takeIf { it.isNotEmpty() } ?: return null
+        return autosaver.repository.projects().firstOrNull { it.file?.place?.address == address }
+    }
+
+    /**
+     * Opens the file of [opened] as the entry [known] of My work, which has nothing that the file lacks. Returns false
+     * if another window has that entry.
+     */
+    private suspend fun goOnWith(known: ProjectSummary, opened: OpenFilesResult.Opened): Boolean {
+        val first = opened.projects.first()
+        val isOpen = known.id == autosaver.openId
+        val claim = if (isOpen) null else autosaver.repository.claim(known.id) ?: return false
+        val isDone = replacement.replace { before ->
+            if (isOpen) autosaver.forget()
+            val own = claim ?: autosaver.repository.claim(known.id)
+            guard.begin(known.id)
+            editor.openProject(first.project)
+            if (own == null) {
+                autosaver.opened(first.name, first.file, before)
+            } else {
+                // Other texts have other lines.
+                val breakpoints = (autosaver.repository.read(known.id) as? SavedProjectResult.Found)
+                    ?.takeIf { known.file == first.file }?.work?.breakpoints.orEmpty()
+                val work =
+                    SavedProject(known.id, known.name, known.keptAt, first.project, first.file, true, breakpoints)
+                autosaver.resume(work, own, current.project.takeIf { known.file == first.file })
+            }
+            view.show(null)
+            opened.world?.let { editor.changeWorld(it) }
+            replacement.offerPreviousProject(before.takeIf { it != known.id })
+            addPrograms(opened)
+        }
+        if (!isDone) claim?.release()
+        tellFileElsewhere()
+        return true
+    }
+
+    private suspend fun tellFileElsewhere(): Boolean {
+        val isClaimed = autosaver.claimFile()
+        if (!isClaimed) notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
+        return !isClaimed
     }
 
     /** The ID of the newest stored project with the same assignment that has been worked at; null if there is none. */
@@ -156,7 +262,8 @@ internal class FileOpener(
         }
         val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
-        if (missing.isNotEmpty()) {
+        val isFull = current.project.robots.firstOrNull()?.programs.orEmpty().size >= BrickProgram.MAX_PROGRAMS
+        if (missing.isNotEmpty() && isFull) {
             notices.show(Notice.NoSlotForProgram(missing.first().name, BrickProgram.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)

@@ -12,7 +12,12 @@ internal class ProjectRestoration(
     private val platform: Platform,
     private val notices: Notices,
     private val autosaver: DocumentAutosaver,
+    private val guard: OpeningGuard,
 ) {
+    /** The project that is not restored, because it stopped the app the last time; null if there is none. */
+    var stopped: String? = null
+        private set
+
     /**
      * The project to restore in this window: its own after a reload, otherwise the last open one; null for a new
      * project.
@@ -24,8 +29,11 @@ internal class ProjectRestoration(
         for (id in platform.window.leftIds()) if (id != own) saveHandover(id)
         return when {
             own != null -> takeOwn(own)
+
             isBroughtSomething || !platform.restoresLastProject -> null
-            else -> autosaver.openProjects.takeBack(platform.window::hasEnded)
+
+            else -> autosaver.openProjects.takeBack(platform.window::hasEnded, ::mayOpen)
+                ?: null.also { tellElsewhere() }
         }
     }
 
@@ -53,10 +61,29 @@ internal class ProjectRestoration(
             notices.show(Notice.OwnProjectOpenElsewhere)
             return null
         }
-        val back = autosaver.openProjects.takeBack(id, claim, platform.window.hasEnded(id), left)
+        val back = if (mayOpen(id)) {
+            autosaver.openProjects.takeBack(id, claim, platform.window.hasEnded(id), left)
+        } else {
+            autosaver.openProjects.closed(id, platform.clock.now, comesBack = false)
+            null
+        }
         if (back == null) claim.release()
         if (back?.isAutosaved == true && left != null) platform.window.leave(id, null)
         return back
+    }
+
+    /** Says where the work is of a pupil who opens a second window, in which another project begins. */
+    private suspend fun tellElsewhere() {
+        val id = autosaver.openProjects.elsewhere().firstOrNull() ?: return
+        val name = autosaver.repository.projects().firstOrNull { it.id == id }?.name
+        notices.show(Notice.LastProjectOpenElsewhere(name.orEmpty()))
+    }
+
+    /** Marks the project [id], which is restored next, unless it stopped the app the last time. */
+    private fun mayOpen(id: String): Boolean {
+        val hasStopped = guard.hasStopped(id)
+        if (hasStopped) stopped = id else guard.begin(id)
+        return !hasStopped
     }
 
     /** Stores the changes of project [id] that a closed window could not autosave. */

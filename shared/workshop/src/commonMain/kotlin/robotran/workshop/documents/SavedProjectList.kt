@@ -16,6 +16,7 @@ import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ProjectListEntry
+import robotran.workshop.state.StoppedWork
 
 /** The list of stored projects, to open, rename, duplicate and delete. */
 internal class SavedProjectList(
@@ -26,6 +27,7 @@ internal class SavedProjectList(
     private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
+    private val guard: OpeningGuard,
 ) {
     /** What can be brought back. */
     private var lastDeleted: SavedProject? = null
@@ -52,6 +54,8 @@ internal class SavedProjectList(
     }
 
     private suspend fun showAll() {
+        val isPlain = guard.hasStopped(OpeningGuard.LIST)
+        guard.begin(OpeningGuard.LIST)
         if (view.dialog !is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(projects = null))
         view.saveNow()
         val language = preferences.settings.language?.tag.orEmpty()
@@ -64,6 +68,8 @@ internal class SavedProjectList(
         }
         if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(projects))
         for (work in projects) {
+            // A picture of what stops the app would stop the list.
+            if (isPlain || guard.hasStopped(work.entry.id)) continue
             yield()
             loadDetails(work.entry)
         }
@@ -87,19 +93,25 @@ internal class SavedProjectList(
         )
     }
 
-    private suspend fun open(id: String) {
+    /** Opens the project [id]. If it stopped the app the last time, asks first unless it is opened [anyway]. */
+    suspend fun open(id: String, anyway: Boolean = false) {
         if (id == autosaver.openId) return view.show(null)
+        if (!anyway && guard.hasStopped(id)) return tellStopped(id)
         val claim = autosaver.repository.claim(id)
         if (claim == null) {
             notices.show(Notice.ProjectOpenElsewhere)
             return
         }
+        guard.begin(id)
         when (val reading = autosaver.repository.read(id)) {
             is SavedProjectResult.Found -> {
                 replacement.replace {
                     editor.openProject(reading.work.project)
                     autosaver.resume(reading.work, claim)
                     view.show(null)
+                }
+                if (!autosaver.claimFile()) {
+                    notices.show(Notice.FileOpenElsewhere(reading.work.file?.place?.name.orEmpty()))
                 }
             }
 
@@ -113,6 +125,12 @@ internal class SavedProjectList(
                 showAll()
             }
         }
+    }
+
+    /** Says that the project [id] stopped the app the last time, and offers what can be done. */
+    suspend fun tellStopped(id: String) {
+        val name = autosaver.repository.projects().firstOrNull { it.id == id }?.name.orEmpty()
+        view.show(DocumentDialog.StoppedLastTime(name, StoppedWork.Stored(id)))
     }
 
     /** The entry of a deleted project goes, and with it the offer to bring the project back. */
@@ -155,11 +173,19 @@ internal class SavedProjectList(
         var isDeleted = false
         changing(id) { work ->
             val result = autosaver.repository.delete(id)
-            if (result is StoreResult.Failed) {
-                notices.show(Notice.ProjectNotDeleted(result.reason))
-            } else {
-                lastDeleted = work
-                isDeleted = true
+            when (result) {
+                is StoreResult.Failed -> {
+                    notices.show(Notice.ProjectNotDeleted(result.reason))
+                }
+
+                StoreResult.NoAnswer -> {
+                    notices.show(Notice.StoreSilent)
+                }
+
+                StoreResult.Done, StoreResult.Full -> {
+                    lastDeleted = work
+                    isDeleted = true
+                }
             }
         }
         // The entry keeps its place, so that nothing moves under the finger, and offers to bring the project back.
@@ -210,6 +236,7 @@ internal class SavedProjectList(
             SaveResult.Saved -> Unit
             SaveResult.Full -> notices.show(Notice.FileNotSaved("", isFull = true))
             SaveResult.TooLong -> notices.show(Notice.ProjectTooLong)
+            SaveResult.NoAnswer -> notices.show(Notice.StoreSilent)
             is SaveResult.Failed -> notices.show(Notice.FileNotSaved(result.reason, isFull = false))
         }
         return result == SaveResult.Saved

@@ -80,6 +80,18 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Exports the current program with everything that a real brick needs. */
     data object KitRequested : DocumentEvent
 
+    /** Says what Robotran is; [version] is empty if it is not known. */
+    data class AboutRequested(val version: String) : DocumentEvent
+
+    /** Goes on with My work, which has newer changes than its file, or else opens the file. */
+    data class WorkOrFileChosen(val isWork: Boolean) : DocumentEvent
+
+    /** Opens what stopped the app last time, all the same. */
+    data object StoppedWorkOpened : DocumentEvent
+
+    /** Writes it to a chosen file without opening it. */
+    data object StoppedWorkSaved : DocumentEvent
+
     /** Answers the question about a file changed by another app or a project that cannot be saved. */
     data class Answered(val answer: DocumentAnswer) : DocumentEvent
 

@@ -358,5 +358,6 @@ class HandInsStateHolder internal constructor(
 internal fun notKept(result: StoreResult): HandInsMessage? = when (result) {
     StoreResult.Done -> null
     StoreResult.Full -> HandInsMessage.NotKept("")
+    StoreResult.NoAnswer -> HandInsMessage.NotKept("timeout")
     is StoreResult.Failed -> HandInsMessage.NotKept(result.reason)
 }

@@ -13,6 +13,9 @@ interface FilePicker {
 
     /** The current content of the file at [location]; null if it is missing or unreadable. */
     suspend fun read(location: String): ByteArray? = null
+
+    /** When the file at [location] was changed last, in milliseconds since 1970; null if the platform does not tell. */
+    suspend fun changedAt(location: String): Long? = null
 }
 
 /**

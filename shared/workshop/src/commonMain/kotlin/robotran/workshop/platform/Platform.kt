@@ -31,6 +31,9 @@ interface Platform {
     /** Whether this is the first window, which restores the last project; other windows start a new one. */
     val restoresLastProject: Boolean get() = true
 
+    /** The marks of what is being opened, shared by all windows. */
+    val openingMarks: OpeningMarks get() = NoOpeningMarks
+
     /** The state that this window restores after a reload. */
     val window: WindowMemory get() = NoWindowMemory
 
@@ -39,6 +42,9 @@ interface Platform {
      * [Settings.site][robotran.workshop.state.Settings.site].
      */
     val pageAddress: String get() = ""
+
+    /** Whether the platform's menu has the files that were used last. */
+    val showsRecentFiles: Boolean get() = false
 
     /** Whether the pupil works with fingers and has no keyboard, so that programs are shown in blocks first. */
     val isForFingers: Boolean get() = false
@@ -86,4 +92,6 @@ class MemoryPlatform(
     override val webSite: WebSite? = null,
     override val gradingWorkers: GradingWorkers? = null,
     override val qrScanner: QrScanner? = null,
+    override val openingMarks: OpeningMarks = NoOpeningMarks,
+    override val showsRecentFiles: Boolean = false,
 ) : Platform

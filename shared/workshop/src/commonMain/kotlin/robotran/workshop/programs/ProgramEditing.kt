@@ -21,11 +21,16 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 
-/** User actions on the programs of the shown robot. */
+/**
+ * User actions on the programs of the shown robot.
+ *
+ * @param hasRoom whether the project can still be saved if a text takes the place of another one.
+ */
 internal class ProgramEditing(
     private val preferences: Preferences,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
+    private val hasRoom: (old: String, new: String) -> Boolean,
 ) {
     private val fixes = QuickFixes()
 
@@ -105,6 +110,7 @@ internal class ProgramEditing(
 
     private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
         if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.show(TOO_LONG)
+        if (!hasRoom(robot.memory.draft.text, draft.text)) return notices.show(Notice.ProjectTooLong)
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
@@ -116,6 +122,7 @@ internal class ProgramEditing(
         if (robot.entry.program.language != ProgramLanguage.ROBOLANG) return
         val after = robot.memory.after(event)
         if (!robot.entry.program.hasRoomFor(robot.shownFile, after.draft)) return notices.show(TOO_LONG)
+        if (!hasRoom(robot.memory.draft.text, after.draft.text)) return notices.show(Notice.ProjectTooLong)
         if (after.draft.text != robot.memory.draft.text) resetEditState()
         remember(robot, after)
     }
@@ -172,6 +179,8 @@ internal class ProgramEditing(
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
         if (robot.list.entries.size >= BrickProgram.MAX_PROGRAMS) return
+        val text = entry.program.files.joinToString("\n") { it.text }
+        if (!hasRoom("", text)) return notices.show(Notice.ProjectTooLong)
         robot.list.insert(robot.list.entries.size, entry)
         choose(robot, robot.list.entries.lastIndex)
         navigator.show(Pane.PROGRAM)

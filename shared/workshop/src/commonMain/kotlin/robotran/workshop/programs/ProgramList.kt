@@ -8,6 +8,7 @@ import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
+import robotran.programs.TimedCompilation
 import robotran.projects.ProgramView
 import robotran.workshop.state.PupilProgram
 
@@ -73,9 +74,10 @@ internal class ProgramList(
         while (true) {
             val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
             val source = program.source()
-            val loading = compiler.prepareFor(source)
-            if (loading is CompilerLoading.Failed) return loading
-            val result = withContext(Dispatchers.Default) { compiler.compileNow(source) }
+            val result = when (val compiled = withContext(Dispatchers.Default) { compiler.compile(source) }) {
+                is TimedCompilation.Compiled -> compiled.result
+                is TimedCompilation.NotLoaded -> return CompilerLoading.Failed(compiled.cause)
+            }
             entries = entries.map { if (it.program === program) it.read(result) else it }
         }
     }

@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.brick.kind.BrickKind
+import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
@@ -15,6 +16,7 @@ import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
+import robotran.projects.charactersInFile
 import robotran.projects.target
 import robotran.robolang.diagnostic.SourceRange
 import robotran.simulation.Breakpoint
@@ -43,12 +45,14 @@ import robotran.world.World
  * Holds the programs of all robots in a world, as written by the pupil, and their compile results.
  *
  * @param project the initial project; its first robot gets the square program if it has none.
+ * @param roomInFile how many characters all programs may take in the project's file, see [charactersInFile].
  */
 class ProgramsStateHolder(
     project: Project,
     private val preferences: Preferences,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
+    private val roomInFile: () -> Int = { Int.MAX_VALUE },
 ) {
     private var compiler = ProgramCompiler(PENBOT_TARGET, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
@@ -58,7 +62,7 @@ class ProgramsStateHolder(
     private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
-    private val editing = ProgramEditing(preferences, navigator, notices)
+    private val editing = ProgramEditing(preferences, navigator, notices, ::hasRoom)
     private val otherBrick = OtherBrickFinder()
     private var compileStatus = CompileStatus.DONE
 
@@ -120,6 +124,22 @@ class ProgramsStateHolder(
     /** The breakpoints of the program in [slot] of the robot [robot]. */
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
         robots.firstOrNull { it.placement.name == robot }?.breakpoints(slot).orEmpty()
+
+    /** The breakpoints of all programs, in order. */
+    internal val savedBreakpoints: List<SavedBreakpoint>
+        get() = robots.flatMap { robot -> robot.list.entries.flatMap { it.savedBreakpoints(robot.placement.name) } }
+
+    /** Sets the breakpoints of all programs. */
+    internal fun restoreBreakpoints(breakpoints: List<SavedBreakpoint>) {
+        for (robot in robots) {
+            val own = breakpoints.filter { it.robot == robot.placement.name }.groupBy { it.program }
+            for ((program, lines) in own) {
+                val slot = robot.list.entries.indexOfFirst { it.program.name == program }
+                if (slot >= 0) robot.list.change(slot, robot.list.entries[slot].withBreakpoints(lines))
+            }
+        }
+        refresh()
+    }
 
     /** The breakpoints at the lines of [program]; none if its source has changed since. */
     internal fun breakpointsOf(program: ImmediateProgram): Set<Breakpoint> {
@@ -303,6 +323,15 @@ class ProgramsStateHolder(
         refresh()
     }
 
+    /** Whether the project can still be saved if [new] takes the place of [old] in one of its programs. */
+    private fun hasRoom(old: String, new: String): Boolean {
+        if (new.length <= old.length) return true
+        val programs = robots.flatMap { it.list.programs }
+        if (programs.sumOf { it.characters } + new.length <= SURELY_SAVED) return true
+        val now = programs.sumOf { program -> program.files.sumOf { charactersInFile(it.text) } }
+        return now + charactersInFile(new) - charactersInFile(old) <= roomInFile()
+    }
+
     private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =
         robots.mapIndexed { index, robot -> robot to if (index == 0) slot else robot.shownProgram }
 
@@ -366,6 +395,11 @@ class ProgramsStateHolder(
             searchRequested = searchRequested,
             otherBrick = otherBrickOf(robot),
         )
+    }
+
+    private companion object {
+        /** In characters. Together they are short beside what a project's file may have. */
+        const val SURELY_SAVED = 20_000
     }
 }
 

@@ -1,5 +1,6 @@
 package robotran.workshop.service
 
+import robotran.documents.SavedBreakpoint
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
 import robotran.workshop.state.PupilProgram
@@ -12,6 +13,9 @@ interface CurrentProject {
 
     /** [project] with the inputs of the session and the programs that Run started. It reproduces the session. */
     val replay: Project
+
+    /** Where its programs stop. */
+    val savedBreakpoints: List<SavedBreakpoint> get() = emptyList()
 
     val shownProgram: PupilProgram
 

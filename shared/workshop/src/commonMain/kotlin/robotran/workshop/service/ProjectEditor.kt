@@ -1,5 +1,6 @@
 package robotran.workshop.service
 
+import robotran.documents.SavedBreakpoint
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.world.World
@@ -8,6 +9,9 @@ import robotran.world.World
 interface ProjectEditor {
     /** Replaces the open project by [project] and starts a new run. */
     fun openProject(project: Project)
+
+    /** Sets the breakpoints of the open project; those of what it does not have are left out. */
+    fun restoreBreakpoints(breakpoints: List<SavedBreakpoint>) = Unit
 
     /**
      * Puts the same robots and programs into [world] and starts a new run.

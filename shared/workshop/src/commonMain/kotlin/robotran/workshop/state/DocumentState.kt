@@ -19,6 +19,7 @@ import robotran.world.World
  * @property hasGoals whether its world has goals, so that hand-ins for it can be graded.
  * @property canSend whether the shown robot has a brick to which programs can be sent; others have a kit.
  * @property hasFirmwareImage whether the shown program is for LEGO's own firmware: that has no kit, but an image.
+ * @property recentFiles the files of other projects, the last used first; only where a platform shows them.
  */
 @Immutable
 data class DocumentState(
@@ -32,11 +33,19 @@ data class DocumentState(
     val hasGoals: Boolean = false,
     val canSend: Boolean = true,
     val hasFirmwareImage: Boolean = false,
+    val recentFiles: List<RecentFile> = emptyList(),
 )
+
+/** The file [name] of the stored project [id]. */
+@Immutable
+data class RecentFile(val id: String, val name: String)
 
 /** Why autosave fails. */
 sealed interface AutosaveError {
     data object Full : AutosaveError
+
+    /** The device's store does not answer. */
+    data object NoAnswer : AutosaveError
 
     /** The project exceeds the max size that can be read again. */
     data object TooLong : AutosaveError
@@ -83,8 +92,36 @@ sealed interface DocumentDialog {
     /** The project cannot be saved, so it would be lost if another one replaced it. */
     data object WouldBeLost : DocumentDialog
 
+    /**
+     * My work has changes that are not in the file [fileName], which was to be opened.
+     *
+     * @property workTime when they were stored, formatted.
+     * @property fileTime when the file was changed, formatted; null if the platform does not tell.
+     */
+    data class NewerInMyWork(val fileName: String, val workTime: String, val fileTime: String?) : DocumentDialog
+
+    /**
+     * What was to be opened stopped the app the last time.
+     *
+     * @property name the name of the project; empty if it has none or comes from a link.
+     */
+    data class StoppedLastTime(val name: String, val work: StoppedWork) : DocumentDialog
+
+    /** @property version the version of the app; empty if it is not known. */
+    data class About(val version: String) : DocumentDialog
+
     /** Files cannot be opened. */
     data class Rejected(val error: OpenFilesError) : DocumentDialog
+}
+
+/** What stopped the app when it was opened last. */
+sealed interface StoppedWork {
+    /** The stored project [id]. */
+    data class Stored(val id: String) : StoppedWork
+
+    data class OfLink(val link: String) : StoppedWork
+
+    data object OfFiles : StoppedWork
 }
 
 /**

@@ -53,6 +53,9 @@ sealed interface Notice {
         Notice,
         Error
 
+    /** The device's store does not answer, so nothing was written. */
+    data object StoreSilent : Notice, Error
+
     /** The project exceeds the max size of a project file. */
     data object ProjectTooLong : Notice, Error
 
@@ -76,6 +79,11 @@ sealed interface Notice {
 
     /** The saved project is open in another window. */
     data object ProjectOpenElsewhere : Notice
+
+    /** The project [name] is open in another window, so this one begins a new project; empty if it has no name. */
+    data class LastProjectOpenElsewhere(val name: String) : Notice {
+        override val action: NoticeAction get() = NoticeAction.ShowProjects
+    }
 
     /** This window's project is open in another window, so this one starts a new project. */
     data object OwnProjectOpenElsewhere : Notice

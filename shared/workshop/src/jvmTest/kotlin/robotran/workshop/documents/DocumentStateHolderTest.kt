@@ -38,7 +38,7 @@ class DocumentStateHolderTest {
     @Test
     fun `what was changed is there again after the app was killed, and that is said`() {
         machine.window().write("forward 7")
-        val killed = machine.afterKill()
+        val killed = machine.afterKill().window()
         assertEquals("forward 7", killed.state.programText)
         assertIs<Notice.ProjectRestored>(killed.state.notice)
     }
@@ -51,6 +51,20 @@ class DocumentStateHolderTest {
         val second = machine.window()
         assertEquals("forward 7", second.state.programText)
         assertNull(second.state.notice)
+    }
+
+    @Test
+    fun `breakpoints are there again, with the work and with its file`() {
+        val file = projectFile("beep\nbeep\nbeep")
+        val first = machine.window(OpenRequest.OfFiles(listOf(file)))
+        first.handle(ProgramEvent.BreakpointToggled(2))
+        first.handle(ProgramEvent.BreakpointToggled(3))
+        runBlocking { assertTrue(first.closeDocument()) }
+        val second = machine.window()
+        assertEquals(setOf(2, 3), second.state.programs.breakpoints)
+        assertTrue(second.state.document.saved, "the file has no breakpoints")
+        runBlocking { assertTrue(second.closeDocument()) }
+        assertEquals(setOf(2, 3), machine.window(OpenRequest.OfFiles(listOf(file))).state.programs.breakpoints)
     }
 
     @Test
@@ -349,13 +363,6 @@ class DocumentStateHolderTest {
         assertEquals("square.zip", machine.files.suggestion)
         val zip = ZipInputStream(ByteArrayInputStream(machine.files.disk.getValue("program")))
         assertContains(generateSequence { zip.nextEntry?.name }.toList(), "Square/Square.java")
-    }
-
-    /** Simulates that the window was killed, which releases its claims. */
-    private fun Machine.afterKill(): Workshop {
-        val left = Machine()
-        runBlocking { for (name in store.names()) left.store.write(name, store.read(name).orEmpty()) }
-        return left.window()
     }
 
     private fun Machine.projects(workshop: Workshop) = workshop.run {

@@ -38,6 +38,15 @@ class TabsTest {
     }
 
     @Test
+    fun `two windows in which nothing was done have different names, and the second says where the work is`() {
+        val names = List(3) { machine.tab(TabMemory()).state.document.name }
+        assertEquals(listOf("My first work", "My first work 2", "My first work 3"), names)
+        val machine = Machine()
+        machine.tab(TabMemory()).write("forward 1")
+        assertEquals(Notice.LastProjectOpenElsewhere("My first work"), machine.tab(TabMemory()).state.notice)
+    }
+
+    @Test
     fun `a work that is renamed as another is gets a number`() {
         val workshop = machine.tab(memory)
         workshop.write("forward 1")
@@ -86,6 +95,7 @@ class TabsTest {
         val reloaded = machine.tab(memory)
         assertNull(reloaded.state.notice)
         reloaded.close()
+        machine.marks.times.clear() // It was drawn before.
         memory.hasEnded = false
         assertIs<Notice.ProjectRestored>(machine.tab(memory).state.notice)
     }
@@ -104,6 +114,7 @@ class TabsTest {
         assertEquals("forward 12", second.state.programText)
         assertNull(memory.projectId?.let(memory::left))
         second.write("forward 13")
+        runBlocking { second.hideDocument() }
         second.close()
         assertEquals("forward 13", machine.tab(memory).state.programText)
     }

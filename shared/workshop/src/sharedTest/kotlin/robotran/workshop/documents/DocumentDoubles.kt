@@ -22,6 +22,7 @@ import robotran.workshop.platform.NoWindowMemory
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.OpeningMarks
 import robotran.workshop.platform.Saving
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WindowMemory
@@ -54,14 +55,38 @@ internal class MemoryFilePicker : FilePicker {
     }
 
     override suspend fun read(location: String): ByteArray? = disk[location]
+
+    /** The time of every file. */
+    var changed: Long? = null
+
+    override suspend fun changedAt(location: String): Long? = changed
+}
+
+/** Marks that outlive the windows of a [Machine]. */
+internal class MemoryOpeningMarks : OpeningMarks {
+    val times = mutableMapOf<String, Long>()
+
+    override fun put(name: String, time: Long) {
+        times[name] = time
+    }
+
+    override fun remove(name: String) {
+        times.remove(name)
+    }
+
+    override fun timeOf(name: String): Long? = times[name]
 }
 
 /** A store that can be full. */
 internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : KeyValueStore by disk {
     var full = false
+    override var isAnswering = true
 
-    override suspend fun write(name: String, text: String): StoreResult =
-        if (full) StoreResult.Full else disk.write(name, text)
+    override suspend fun write(name: String, text: String): StoreResult = when {
+        !isAnswering -> StoreResult.NoAnswer
+        full -> StoreResult.Full
+        else -> disk.write(name, text)
+    }
 }
 
 internal class RememberingClipboard : Sharing {
@@ -79,6 +104,7 @@ internal class Machine {
     val store = FillingStore()
     val clipboard = RememberingClipboard()
     val clock = FixedClock(now = 1_000_000)
+    val marks = MemoryOpeningMarks()
 
     /** The app's own base URL of links. */
     var page = "https://school.example/robotran/"
@@ -89,10 +115,31 @@ internal class Machine {
     fun tab(memory: WindowMemory, vararg openRequests: OpenRequest): Workshop {
         val waiting = OpenRequests().also { openRequests.forEach(it::bring) }
         return runBlocking {
-            openWorkshop(
-                platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page),
-            )
+            openWorkshop(platform = platform(memory, waiting))
         }
+    }
+
+    fun platform(memory: WindowMemory = NoWindowMemory, waiting: OpenRequests = OpenRequests()) = MemoryPlatform(
+        NoLoudSpeaker,
+        store,
+        files,
+        clipboard,
+        clock,
+        waiting,
+        memory,
+        page,
+        openingMarks = marks,
+        showsRecentFiles = true,
+    )
+
+    /** This machine after all its windows were killed, which releases their claims and leaves their marks. */
+    fun afterKill(): Machine {
+        val next = Machine()
+        runBlocking { for (name in store.names()) next.store.write(name, store.read(name).orEmpty()) }
+        next.marks.times += marks.times
+        next.clock.now = clock.now
+        next.files.disk += files.disk
+        return next
     }
 }
 

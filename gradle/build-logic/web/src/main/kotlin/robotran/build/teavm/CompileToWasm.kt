@@ -8,7 +8,10 @@ import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.InputFiles
 import org.gradle.api.tasks.OutputDirectory
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
@@ -48,6 +51,11 @@ abstract class CompileToWasm : DefaultTask() {
     @get:Input
     abstract val strict: Property<Boolean>
 
+    /** Scripts that import the module, put beside it. */
+    @get:InputFiles
+    @get:PathSensitive(PathSensitivity.NAME_ONLY)
+    abstract val scripts: ConfigurableFileCollection
+
     @get:OutputDirectory
     abstract val outputFolder: DirectoryProperty
 
@@ -62,6 +70,7 @@ abstract class CompileToWasm : DefaultTask() {
             it.moduleName.set(moduleName)
             it.strict.set(strict)
             it.wasmFunctions.set(wasmFunctions)
+            it.scripts.from(scripts)
             it.outputFolder.set(outputFolder)
         }
     }

@@ -23,6 +23,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         val moduleName: Property<String>
         val strict: Property<Boolean>
         val wasmFunctions: ListProperty<String>
+        val scripts: ConfigurableFileCollection
         val outputFolder: DirectoryProperty
     }
 
@@ -33,6 +34,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         compile(folder, "$name.wasm")
         folder.resolve("$name-runtime.mjs").writeText(runtime())
         folder.resolve("$name.mjs").writeText(entry(name))
+        parameters.scripts.forEach { it.copyTo(folder.resolve(it.name)) }
     }
 
     private fun compile(folder: File, fileName: String) {

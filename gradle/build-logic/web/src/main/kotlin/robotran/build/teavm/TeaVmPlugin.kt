@@ -81,4 +81,5 @@ class EcjModulePlugin :
         it.moduleName.set("ecj")
         // ECJ catches such exceptions for broken sources.
         it.strict.set(true)
+        it.scripts.from(it.project.file("src/browser/js/ecj-worker.mjs"))
     })
