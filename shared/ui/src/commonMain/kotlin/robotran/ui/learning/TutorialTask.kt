@@ -91,7 +91,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
     }
 }
 
-/** Buttons for hints and the solution, and below them the visible hints, in a column. */
+/** Buttons for hints and the solution, and below them the visible hints, the latest first, in a column. */
 @Composable
 internal fun TaskHelps(
     help: TaskHelp,
@@ -99,9 +99,13 @@ internal fun TaskHelps(
     onHint: (shown: Boolean) -> Unit,
     onSolution: (shown: Boolean) -> Unit,
 ) {
-    // Above their content, so that they do not move.
-    Helps(help, onHint, onSolution)
-    HintCards(help.hints, isInBlocks)
+    // Above their content, so that they do not move. In sight with the latest hint, for whoever wants another.
+    val latest = help.hints.lastOrNull()
+    Column(Modifier.broughtIntoSight(latest != null, latest), Arrangement.spacedBy(8.dp)) {
+        Helps(help, onHint, onSolution)
+        latest?.let { HintCards(listOf(it), isInBlocks) }
+    }
+    HintCards(help.hints.dropLast(1).reversed(), isInBlocks, hasLatest = false)
     if (help.solutionShown) {
         Text(
             stringResource(Res.string.learning_solution_note),
