@@ -17,8 +17,8 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.IntSize
 
 /**
- * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [requested] becomes true, or
- * when it is and there is other [content].
+ * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [requested] becomes true,
+ * or when it is and there is other [content].
  */
 @OptIn(ExperimentalFoundationApi::class)
 internal fun Modifier.broughtIntoSight(requested: Boolean, content: Any? = Unit): Modifier = composed {
