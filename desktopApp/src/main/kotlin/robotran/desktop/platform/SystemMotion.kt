@@ -49,9 +49,6 @@ internal object SystemMotion {
 
     /** 0 or 1, from the settings daemon of the desktop. */
     private const val GTK_ANIMATIONS = "gnome.Gtk/EnableAnimations"
-    private val MAC_COMMAND = listOf("defaults", "read", "com.apple.universalaccess", "reduceMotion")
-    private val WINDOWS_COMMAND =
-        listOf("reg", "query", "HKCU\\Control Panel\\Desktop", "/v", "UserPreferencesMask")
 }
 
 /** "Reduce motion" is on if [answer], of `defaults`, is 1. It says nothing if nobody has touched the switch. */
@@ -69,3 +66,5 @@ internal fun isReducedOnWindows(answer: String): Boolean {
 
 private const val FIFTH_BYTE = 8
 private const val CLIENT_AREA_ANIMATION = 0x02
+private val MAC_COMMAND = listOf("defaults", "read", "com.apple.universalaccess", "reduceMotion")
+private val WINDOWS_COMMAND = listOf("reg", "query", "HKCU\\Control Panel\\Desktop", "/v", "UserPreferencesMask")
