@@ -23,6 +23,7 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 /** A ring around what has the focus comes with keys only. */
@@ -68,12 +69,13 @@ class FocusRingTest {
     fun `the ring of the blocks goes with a touch and comes back with the next key`() = onTablet { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         pass(300)
+        val pane = onNodeWithTag("block-pane").fetchSemanticsNode().boundsInRoot
         onNodeWithTag("block-0").performClick()
         pass(600)
-        assertNoRing("after a touch")
+        assertFalse(shown().hasDown(pane.left, pane.bottom - 20), "A ring after a touch")
         onRoot().performKeyInput { pressKey(Key.DirectionDown) }
         pass(300)
-        assertRing("after a key")
+        assertTrue(shown().hasDown(pane.left, pane.bottom - 20), "No ring after a key")
     }
 
     @Test
@@ -121,18 +123,21 @@ class FocusRingTest {
 
     /** Whether the ring goes down beside [x] at [y]. */
     private fun PixelMap.hasDown(x: Float, y: Float): Boolean =
-        near(x, width).any { at -> near(y, height).all { this[at, it] == RING } }
+        near(x, width, REACH).any { at -> near(y, height, ALONG).all { this[at, it] == RING } }
 
     /** Whether the ring goes across beside [y] at [x]. */
     private fun PixelMap.hasAcross(x: Float, y: Float): Boolean =
-        near(y, height).any { at -> near(x, width).all { this[it, at] == RING } }
+        near(y, height, REACH).any { at -> near(x, width, ALONG).all { this[it, at] == RING } }
 
-    private fun near(at: Float, end: Int) =
-        (at.toInt() - REACH).coerceAtLeast(0)..(at.toInt() + REACH).coerceAtMost(end - 1)
+    private fun near(at: Float, end: Int, reach: Int) =
+        (at.toInt() - reach).coerceAtLeast(0)..(at.toInt() + reach).coerceAtMost(end - 1)
 
     private companion object {
         const val STEPS = 25
-        const val REACH = 6
+
+        /** A chip has its ring around all that a finger can touch. */
+        const val REACH = 14
+        const val ALONG = 6
         const val LINE = 24
         val RING = RobotranColours.LIGHT.focus
     }

@@ -42,7 +42,7 @@ class SettingsPageTest {
     }
 
     @Test
-    fun `the size of texts follows a finger to the end, and is chosen when it is lifted`() = onPhone { workshop ->
+    fun `the size of texts follows a finger to the end, and is chosen when it is lifted`() = onScreen(411, 1500) { workshop ->
         openSettings()
         onNodeWithTag("text-size").performTouchInput {
             down(centerLeft)
