@@ -6,6 +6,8 @@ import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
 import robotran.android.platform.AndroidFilePicker
+import robotran.android.platform.AndroidMotion
+import robotran.android.platform.AndroidPhotoReader
 import robotran.android.platform.AndroidPhotos
 import robotran.android.platform.AndroidPosters
 import robotran.android.platform.AndroidSharing
@@ -24,6 +26,7 @@ import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpeningMarks
+import robotran.workshop.platform.PhotoReader
 import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.QrScanner
@@ -52,6 +55,9 @@ class AndroidPlatform(private val context: Context) : Platform {
     /** False for a Chromebook, and for a tablet in a case with a keyboard. */
     override val isForFingers: Boolean =
         context.resources.configuration.keyboard != Configuration.KEYBOARD_QWERTY
+    override val photoReader: PhotoReader = AndroidPhotoReader
+    val motion = AndroidMotion(context.contentResolver)
+    override val prefersLessMotion: Boolean get() = motion.isReduced
     override val gradingWorkers: GradingWorkers = GradingThreads()
     val photos = AndroidPhotos(context)
     override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, photos, ::pixelsIn)

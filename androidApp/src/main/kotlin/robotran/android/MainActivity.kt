@@ -39,6 +39,11 @@ class MainActivity : ComponentActivity() {
         return true
     }
 
+    override fun onStart() {
+        super.onStart()
+        kept.platform.motion.look()
+    }
+
     override fun onStop() {
         super.onStop()
         kept.rest()

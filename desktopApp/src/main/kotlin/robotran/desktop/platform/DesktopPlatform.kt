@@ -5,6 +5,7 @@ import robotran.desktoptower.DesktopTowerPorts
 import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
+import robotran.ui.pictures.SkiaPhotoReader
 import robotran.ui.platform.JavaClock
 import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.GradingThreads
@@ -12,6 +13,7 @@ import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpeningMarks
+import robotran.workshop.platform.PhotoReader
 import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
@@ -40,5 +42,7 @@ internal class DesktopPlatform(
     override val towers: TowerPorts = DesktopTowerPorts()
     override val gradingWorkers: GradingWorkers = GradingThreads()
     override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, pixelsIn = ::pixelsIn)
+    override val photoReader: PhotoReader = SkiaPhotoReader
+    override val prefersLessMotion: Boolean get() = SystemMotion.isReduced
     override val background: CoroutineContext = Dispatchers.Default
 }

@@ -1,6 +1,5 @@
 package robotran.runcontrol
 
-import robotran.brick.controls.startButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.program.StepKind
 import robotran.brick.sound.SoundTrack
@@ -47,6 +46,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     /** The lines at which to stop. */
     var breakpoints: Set<Breakpoint> = emptySet()
+
+    /** The same for the programs of robots that are not [watched], by the index of the robot; none is empty. */
+    var otherBreakpoints: Map<Int, Set<Breakpoint>> = emptyMap()
 
     /** Why the run stopped; null if it is running or the user paused it. */
     var stop: StopReason? = null
@@ -113,20 +115,6 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
         return (input?.input as? SessionInput.RunNow)?.program
     }
-
-    /**
-     * The robot that got a program to run at once last, if at [time] nobody has pressed the start button of a brick since; otherwise
-     * null.
-     */
-    val immediateRobot: Int?
-        get() {
-            val now = time
-            val last = whole.lastOrNull { it.milliseconds <= now && startsProgram(it.input) }
-            return (last?.input as? SessionInput.RunNow)?.robot
-        }
-
-    private fun startsProgram(input: SessionInput): Boolean =
-        input is SessionInput.RunNow || (input is SessionInput.Press && input.button == input.button.kind.startButton)
 
     /** All events of the known run, including those after [time]; the same list until that changes. */
     val marks: List<TimelineMark> get() = shown.timeline
@@ -261,14 +249,16 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     }
 
     private fun play(now: PlaybackState.Playing, milliseconds: Int) =
-        go(milliseconds) { part -> take.run(part, breakpoints + listOfNotNull(now.until)) }
+        go(milliseconds) { part -> take.run(part, breakpoints + listOfNotNull(now.until), otherBreakpoints) }
 
     private fun step(now: PlaybackState.Stepping, milliseconds: Int) {
-        go(milliseconds) { part -> take.step(now.kind, isStepBegun, part, breakpoints).also { isStepBegun = true } }
+        go(milliseconds) { part ->
+            take.step(now.kind, isStepBegun, part, breakpoints, otherBreakpoints).also { isStepBegun = true }
+        }
     }
 
     private fun seekOn(now: PlaybackState.Seeking, milliseconds: Int) {
-        go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part, emptySet()) }
+        go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part) }
         if (take.milliseconds < now.target) return
         recomputation?.let {
             recomputation = null

@@ -30,17 +30,25 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
         }
     }
 
-    /** Advances by [milliseconds], or less if the program reaches one of [breakpoints] earlier; null if it does not. */
-    fun run(milliseconds: Int, breakpoints: Set<Breakpoint>): StopReason? {
-        if (breakpoints.isEmpty()) {
+    /**
+     * Advances by [milliseconds], or less if the program reaches one of [breakpoints] earlier, or that of another robot
+     * one of [others]; null if none does.
+     */
+    fun run(
+        milliseconds: Int,
+        breakpoints: Set<Breakpoint> = emptySet(),
+        others: Map<Int, Set<Breakpoint>> = emptyMap(),
+    ): StopReason? {
+        if (breakpoints.isEmpty() && others.isEmpty()) {
             session.advance(milliseconds)
             return null
         }
         session.breakpoints = breakpoints
+        session.otherBreakpoints = others
         val end = this.milliseconds + milliseconds
         while (this.milliseconds < end) {
             // A program that starts meanwhile must not pass a breakpoint.
-            val part = if (session.isDebuggable) (end - this.milliseconds).toInt() else 1
+            val part = if (session.areBreakpointsReady) (end - this.milliseconds).toInt() else 1
             val reason = session.runUntilStop(part)
             if (reason is StopReason.Breakpoint) return reason
         }
@@ -48,8 +56,15 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
     }
 
     /** Starts or continues a step, for at most [milliseconds]; null if it takes longer. */
-    fun step(kind: StepKind, isBegun: Boolean, milliseconds: Int, breakpoints: Set<Breakpoint>): StopReason? {
+    fun step(
+        kind: StepKind,
+        isBegun: Boolean,
+        milliseconds: Int,
+        breakpoints: Set<Breakpoint>,
+        others: Map<Int, Set<Breakpoint>>,
+    ): StopReason? {
         session.breakpoints = breakpoints
+        session.otherBreakpoints = others
         val reason = if (isBegun) session.continueStep(milliseconds) else session.stepStatement(kind, milliseconds)
         return reason.takeIf { it != StopReason.TimeUp }
     }

@@ -191,6 +191,30 @@ class RunPlayerTest {
     }
 
     @Test
+    fun `a breakpoint of another robot stops the run before its line and changes nothing`() = runTest {
+        val two = BuiltInWorlds.plain.copy(
+            robots = listOf(
+                BuiltInWorlds.plain.robots.first(),
+                BuiltInWorlds.plain.robots.first().copy(start = Pose(20.0, 60.0, 0.0), name = "other"),
+            ),
+        )
+        val player = started(BUSY, two)
+        player.watched = 1
+        player.otherBreakpoints = mapOf(0 to setOf(Breakpoint(2)))
+        player.pass(3_000)
+        val stop = player.stop as? StopReason.Breakpoint
+        assertEquals(2 to 0, stop?.line to stop?.robot)
+        assertEquals(PlaybackState.Paused, player.playback)
+        val stopped = player.time
+        player.watched = 0
+        assertEquals(stopped to true, player.time to player.session.isBeforeStatement)
+        player.otherBreakpoints = emptyMap()
+        player.play()
+        player.pass(1_000)
+        assertEquals(player.again(BUSY, player.time, two).traceHash, player.session.traceHash)
+    }
+
+    @Test
     fun `several robots run, and the one that is watched can be stepped through`() = runTest {
         val two = BuiltInWorlds.plain.copy(
             robots = listOf(

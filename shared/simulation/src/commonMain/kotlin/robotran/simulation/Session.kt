@@ -26,8 +26,9 @@ import robotran.world.World
  * Not thread-safe.
  *
  * One robot can be debugged, see [watched]. [stepStatement] and [runUntilStop] can stop its program before any
- * statement. Several statements share a millisecond, so the program may stop in the middle of one; that millisecond
- * ends when the session continues or receives an input. Stops do not affect the results of the session.
+ * statement, and those of others at [otherBreakpoints]. Several statements share a millisecond, so the program may stop
+ * in the middle of one; that millisecond ends when the session continues or receives an input. Stops do not affect the
+ * results of the session.
  *
  * @param loads the configurations of the robots, in the world's order; robots without one get no program.
  * @param language the language of goals, bricks and [explain]; it does not affect the simulation.
@@ -55,7 +56,6 @@ class Session(
     var watched = 0
         set(number) {
             require(number in world.robots.indices) { "There is no robot $number." }
-            endPause()
             field = number
         }
 
@@ -71,11 +71,13 @@ class Session(
     /** Virtual time since the session began; the same as in [state], but cheaper. */
     val milliseconds: Long get() = running.milliseconds
 
-    /** Whether a debuggable program is running; the same as whether there are [threads], but cheaper. */
-    val isDebuggable: Boolean get() = brick.debuggableRun != null
+    /** Whether all programs run that could stop at a breakpoint. */
+    val areBreakpointsReady: Boolean
+        get() = (breakpoints.isEmpty() || brick.debuggableRun != null) &&
+            otherBreakpoints.keys.all { running.robots[it].brick.debuggableRun != null }
 
-    /** Whether the program is paused in the middle of a millisecond. */
-    val isPaused: Boolean get() = brick.isPaused
+    /** Whether a program is paused in the middle of a millisecond. */
+    val isPaused: Boolean get() = running.robots.any { it.brick.isPaused }
 
     /** Whether the running program is at the start of a statement, so that the next line is known. */
     val isBeforeStatement: Boolean get() = brick.debuggableRun?.isBeforeStatement == true
@@ -91,6 +93,9 @@ class Session(
 
     /** The lines at which [runUntilStop] and [stepStatement] stop. */
     var breakpoints: Set<Breakpoint> = emptySet()
+
+    /** The same for the programs of robots that are not [watched], by the index of the robot; none is empty. */
+    var otherBreakpoints: Map<Int, Set<Breakpoint>> = emptyMap()
 
     /** The active calls of the running program, innermost first; empty if no debuggable program is running. */
     val callStack: List<CallFrame> get() = brick.debuggableRun?.callStack.orEmpty()
@@ -125,7 +130,7 @@ class Session(
      * thread; other threads do not end it, unless the current thread can no longer reach its end.
      */
     fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.MAX_STEP_MILLISECONDS): StopReason {
-        step = brick.debuggableRun?.let { Stepping(it, breakpoints, kind, brick.isPaused) }
+        step = brick.debuggableRun?.let { Stepping(watched, it, breakpoints, kind, brick.isPaused) }
         return continueStep(milliseconds)
     }
 
@@ -140,10 +145,8 @@ class Session(
      * all of the time passes.
      */
     fun runUntilStop(milliseconds: Int): StopReason {
-        val run = brick.debuggableRun
-        if (run != null) return advanceUntilStop(Stepping(run, breakpoints), milliseconds)
-        advance(milliseconds)
-        return StopReason.TimeUp
+        val stepping = brick.debuggableRun?.let { Stepping(watched, it, breakpoints) }
+        return advanceUntilStop(stepping, milliseconds)
     }
 
     /** Applies an external input between two ticks. Lengths, angles and amounts are rounded to thousandths. */
@@ -177,19 +180,24 @@ class Session(
         closed = true
     }
 
-    private fun advanceUntilStop(stepping: Stepping, milliseconds: Int): StopReason {
+    /** @param own of the [watched] robot's program; null if none runs. */
+    private fun advanceUntilStop(own: Stepping?, milliseconds: Int): StopReason {
         check(!closed) { "The session is closed." }
-        val run = stepping.run
+        val others = otherBreakpoints.mapNotNull { (robot, lines) ->
+            running.robots[robot].brick.debuggableRun?.let { Stepping(robot, it, lines) }
+        }
+        val all = listOfNotNull(own?.takeIf { it.canStop }) + others
+        val isOver = { own != null && brick.debuggableRun !== own.run }
         val end = running.milliseconds + milliseconds
-        run.watch = stepping.takeIf { it.canStop }
-        while (running.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) running.tick()
-        run.watch = null
-        return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
+        for (each in all) each.run.watch = each
+        while (running.milliseconds < end && all.none { it.reason != null } && !isOver()) running.tick()
+        for (each in all) each.run.watch = null
+        return all.firstNotNullOfOrNull { it.reason } ?: if (isOver()) StopReason.Ended else StopReason.TimeUp
     }
 
-    /** Completes a millisecond in which the program is paused. */
+    /** Completes a millisecond in which a program is paused. */
     private fun endPause() {
-        if (brick.isPaused) running.tick()
+        if (isPaused) running.tick()
     }
 
     companion object {

@@ -10,9 +10,11 @@ import robotran.brick.program.ThreadActivity
  * Stops [run] at breakpoints and after a requested [step]. The statement before which the run stands at creation
  * belongs to the step.
  *
+ * @param robot the index of the robot that runs it.
  * @param isPaused whether the run was stopped before that statement, so that it does not query it again.
  */
 internal class Stepping(
+    private val robot: Int,
     val run: DebuggableRun,
     private val breakpoints: Set<Breakpoint>,
     private val step: StepKind? = null,
@@ -37,7 +39,7 @@ internal class Stepping(
         val isStepOver = if (isOwn) isStepDone(statement.depth) else isStepGivenUp()
         reason = when {
             isStepOver -> StopReason.StepDone
-            isBreakpoint(statement) -> StopReason.Breakpoint(statement.sourceLine, statement.sourceFile)
+            isBreakpoint(statement) -> StopReason.Breakpoint(statement.sourceLine, statement.sourceFile, robot)
             else -> null
         }
         return reason != null

@@ -7,8 +7,9 @@ sealed interface StopReason {
      *
      * @property line from 1.
      * @property sourceFile the file of the line; null if the program has only one.
+     * @property robot the index of the robot whose program it is.
      */
-    data class Breakpoint(val line: Int, val sourceFile: String? = null) : StopReason
+    data class Breakpoint(val line: Int, val sourceFile: String? = null, val robot: Int = 0) : StopReason
 
     /** The step has ended: the program is about to execute its next statement. */
     data object StepDone : StopReason

@@ -121,7 +121,7 @@ class ThreadSteppingTest {
 
     @Test
     fun `a breakpoint of a file stops in this file only`() {
-        val stepping = Stepping(StandingRun, setOf(Breakpoint(7, "Robot.java"), Breakpoint(9)))
+        val stepping = Stepping(0, StandingRun, setOf(Breakpoint(7, "Robot.java"), Breakpoint(9)))
         assertFalse(stepping.pausesBefore(Statement(7, 0, sourceFile = "Other.java")))
         assertTrue(stepping.pausesBefore(Statement(7, 0, sourceFile = "Robot.java")))
         assertEquals(StopReason.Breakpoint(7, "Robot.java"), stepping.reason)

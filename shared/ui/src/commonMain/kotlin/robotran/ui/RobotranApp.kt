@@ -30,7 +30,7 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embed
     LaunchedEffect(workshop) { workshop.runOpeningGuard() }
     val settings = workshop.settings
     InLanguage(settings.language) {
-        RobotranTheme(dark, settings) {
+        RobotranTheme(dark, settings, workshop.hasLessMotion) {
             if (embedded) {
                 EmbedScreen(
                     workshop.state,

@@ -210,6 +210,9 @@ class Workshop(
     override val settings: Settings get() = settingsHolder.state
     override val language: Language get() = appLanguage(settings.language)
 
+    /** Whether animations are reduced: as the pupil has chosen, before that as the system is told. */
+    val hasLessMotion: Boolean get() = settings.lessMotion ?: platform.prefersLessMotion
+
     override fun change(settings: Settings) = handle(SettingsEvent.SettingsChanged(settings))
 
     /** Handles a user action. */
@@ -335,7 +338,7 @@ class Workshop(
     }
 
     private fun celebrate() {
-        if (!settings.lessMotion) run.celebrate()
+        if (!hasLessMotion) run.celebrate()
     }
 
     /** Returns whether the task has just been solved. */
@@ -557,7 +560,8 @@ class Workshop(
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
         if (isWritten) board.dismissIf { it == Notice.FirstProgramRuns }
-        if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        val isForRun = event is ProgramEvent.BreakpointToggled || event is ProgramEvent.RobotChosen
+        if (isWritten || isForRun) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
         if (isWritten) assignment.programsChanged()
         board.withdrawUndo()

@@ -2,6 +2,9 @@
 
 package robotran.web.platform
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import kotlinx.coroutines.await
 import robotran.projects.isLink
 import robotran.simulation.picture.WorldPictures
@@ -21,6 +24,7 @@ import robotran.workshop.platform.NoWindowMemory
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpeningMarks
+import robotran.workshop.platform.PhotoReader
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
 import robotran.workshop.platform.QrScanner
@@ -51,8 +55,11 @@ internal class WebPlatform(
     override val openingMarks: OpeningMarks = if (embedded) NoOpeningMarks else WebOpeningMarks
     override val pageAddress: String = pageAddress()
     override val isForFingers: Boolean = isPointerCoarse()
+    override var prefersLessMotion: Boolean by mutableStateOf(false)
+        private set
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
 
+    override val photoReader: PhotoReader = WebPhotoReader
     override val videos: VideoRecorder = WebVideoRecorder
     override val posters: Posters = WebPosters
     override val webSite: WebSite = OwnWebSite
@@ -63,6 +70,7 @@ internal class WebPlatform(
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
 
     init {
+        whenLessMotionChanges { prefersLessMotion = it }
         prepareReadingOfFiles()
         takeLink()
         onNewFragment(::takeLink)
@@ -102,6 +110,14 @@ private fun pageAddress(): String = js("location.href.split('#')[0]")
 
 /** Whether the machine's main pointer is a finger: a phone or a tablet without a mouse. */
 private fun isPointerCoarse(): Boolean = js("matchMedia('(pointer: coarse)').matches")
+
+private fun whenLessMotionChanges(tell: (Boolean) -> Unit): Unit = js(
+    """{
+        const less = matchMedia('(prefers-reduced-motion: reduce)');
+        less.addEventListener('change', () => tell(less.matches));
+        tell(less.matches);
+    }""",
+)
 
 /** The fragment of the URL. If it may be a link, removes it from the URL unless it [stays]. */
 private fun takeFragment(stays: Boolean): String = js(

@@ -140,8 +140,14 @@ private fun labelOf(node: SemanticsNode): String {
         config.getOrNull(SemanticsProperties.StateDescription),
         config.getOrNull(SemanticsProperties.Error),
     )
-    return words.filterNot { it.isNullOrEmpty() }.joinToString(", ")
+    return words.filterNot { it.isNullOrEmpty() }.filterNotNull().reduceOrNull(::together).orEmpty()
 }
+
+/** A sentence and a state read as two sentences, words as a list. */
+private fun together(words: String, more: String): String =
+    if (words.last() in SENTENCE_ENDS) "$words $more" else "$words, $more"
+
+private const val SENTENCE_ENDS = ".!?"
 
 private fun roleOf(node: SemanticsNode, tag: String): String? {
     val config = node.config

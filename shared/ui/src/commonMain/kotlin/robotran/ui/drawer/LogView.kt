@@ -1,5 +1,6 @@
 package robotran.ui.drawer
 
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
@@ -40,6 +41,7 @@ import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.log.LoggedCall
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
@@ -94,8 +96,14 @@ internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Mod
 private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     val filter = state.filter
     val search = stringResource(Res.string.run_log_search)
+    val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
     Row(
-        Modifier.fillMaxWidth().horizontalScroll(rememberScrollState()).padding(vertical = 4.dp),
+        Modifier
+            .fillMaxWidth()
+            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .horizontalScroll(scroll)
+            .padding(vertical = 4.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
@@ -165,11 +173,13 @@ private fun ToolButton(name: StringResource, tag: String, onClick: () -> Unit) {
 @Composable
 private fun LogEntries(entries: List<LoggedCall>, modifier: Modifier) {
     val list = rememberLazyListState()
+    val colours = LocalRobotranColours.current
     FollowEnd(list, entries.size)
     BoxWithConstraints(modifier) {
         val showsCode = maxWidth / LocalDensity.current.fontScale >= 560.dp
         val style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
-        LazyColumn(Modifier.fillMaxSize().testTag("log"), list) {
+        val hint = Modifier.scrollHint(list, Orientation.Vertical, colours.pane, colours.onPane)
+        LazyColumn(hint.fillMaxSize().testTag("log"), list) {
             items(entries.size) { LogRow(entries[it], showsCode, style) }
         }
     }

@@ -29,23 +29,26 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 
-/** The visible [hints], the latest last. The first is told to screen readers when it comes by itself after a try. */
+/**
+ * The visible [hints]. They are told to screen readers, also the one that comes by itself after a try.
+ *
+ * @param hasLatest whether the first of them is the latest one.
+ */
 @Composable
-internal fun HintCards(hints: List<Hint>, inBlocks: Boolean) {
+internal fun HintCards(hints: List<Hint>, inBlocks: Boolean, hasLatest: Boolean = true) {
     hints.forEachIndexed { place, hint ->
-        // A new hint is brought into sight, also in the place of another.
-        key(hint) { HintCard(hint, inBlocks, isLast = place == hints.lastIndex) }
+        key(hint) { HintCard(hint, inBlocks, isLatest = hasLatest && place == 0) }
     }
 }
 
 @Composable
-private fun HintCard(hint: Hint, inBlocks: Boolean, isLast: Boolean) {
+private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
     val colours = LocalRobotranColours.current
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag(if (isLast) "hint" else "hint-${hint.stage.name.lowercase()}")
-            .broughtIntoSight(isLast)
+            .testTag(if (isLatest) "hint" else "hint-${hint.stage.name.lowercase()}")
+            .broughtIntoSight(isLatest)
             .border(1.dp, colours.line, Shapes.MEDIUM)
             .padding(12.dp)
             .semantics(mergeDescendants = true) { liveRegion = LiveRegionMode.Polite },

@@ -39,6 +39,12 @@ internal fun MarkedText(
 private fun marked(text: String, code: SpanStyle): AnnotatedString = buildAnnotatedString {
     text.split('`').forEachIndexed { place, part ->
         // A thin space on either side separates the code's background from the words.
-        if (place % 2 == 1) withStyle(code) { append("\u2009${part.replace(' ', '\u00A0')}\u2009") } else append(part)
+        if (place % 2 == 1) withStyle(code) { append("\u2009${kept(part)}\u2009") } else append(part)
     }
 }
+
+/** Short code stays in one line; longer code may be broken at its blanks, or it would be broken within a word. */
+private fun kept(code: String): String = if (code.length <= KEPT) code.replace(' ', '\u00A0') else code
+
+/** Fits on a phone with the largest text. */
+private const val KEPT = 16

@@ -2,8 +2,6 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
@@ -12,9 +10,11 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.layout.Layout
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.theme.LineHeights
@@ -43,20 +43,26 @@ internal fun StationPath(stops: List<Stop>) {
             },
         ) {
             rows.forEachIndexed { row, inRow ->
-                val padded = inRow + List(columns - inRow.size) { null }
-                Row(Modifier.fillMaxWidth()) {
-                    for (stop in if (row % 2 == 0) padded else padded.reversed()) {
-                        if (stop == null) {
-                            Spacer(Modifier.weight(1f))
-                        } else {
-                            Station(stop, stops.indexOf(stop) + 1, rowHeight, Modifier.weight(1f))
-                        }
-                    }
+                StationRow(columns, isBack = row % 2 == 1) {
+                    for (stop in inRow) Station(stop, stops.indexOf(stop) + 1, rowHeight, Modifier)
                 }
             }
         }
     }
 }
+
+/** Cells of equal width, from right to left if it goes [isBack]. The Tab key follows the stops, not the screen. */
+@Composable
+private fun StationRow(columns: Int, isBack: Boolean, stations: @Composable () -> Unit) =
+    Layout(stations, Modifier.fillMaxWidth()) { measurables, constraints ->
+        val cell = constraints.maxWidth / columns
+        val placed = measurables.map { it.measure(Constraints.fixedWidth(cell)) }
+        layout(constraints.maxWidth, placed.maxOf { it.height }) {
+            placed.forEachIndexed { place, station ->
+                station.place(cell * (if (isBack) columns - 1 - place else place), 0)
+            }
+        }
+    }
 
 /** The middle of the station with this [index]; every second row goes back. */
 private fun DrawScope.centreOf(index: Int, columns: Int, cell: Dp, rowHeight: Dp): Offset {

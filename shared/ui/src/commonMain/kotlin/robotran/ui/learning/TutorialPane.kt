@@ -91,12 +91,16 @@ private fun StepText(state: LearningState, tutorial: TutorialState) {
         text.title,
         Modifier.testTag("step-title").semantics { heading() },
         color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.KEY,
+        // A long word of a larger title would be broken on a phone.
+        fontSize = if (LocalDensity.current.fontScale > LARGE) TextSizes.LEAD else TextSizes.KEY,
         lineHeight = LineHeights.HEADING,
         fontWeight = FontWeight.SemiBold,
     )
     for (paragraph in text.paragraphs) MarkedText(paragraph)
 }
+
+/** From this font scale on, the text itself is as large as a title. */
+private const val LARGE = 1.5f
 
 /** From this width on, at default font size, the task is next to the text. */
 private val BROAD = 640.dp

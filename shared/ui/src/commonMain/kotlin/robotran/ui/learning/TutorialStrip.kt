@@ -40,6 +40,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
+import robotran.ui.parts.WordsBeside
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_close
 import robotran.ui.resources.learning_fold
@@ -69,11 +70,11 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
     val colours = LocalRobotranColours.current
     if (tutorial.isFolded && !tutorial.isLoaded) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
-    Row(
+    WordsBeside(
+        { StripButtons(tutorial, onEvent) },
         modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
-        verticalAlignment = Alignment.CenterVertically,
     ) {
-        Box(Modifier.weight(1f)) {
+        Box {
             Column(
                 Modifier
                     .testTag("tutorial-steps")
@@ -96,23 +97,27 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
         }
-        val folded = tutorial.isFolded
-        if (folded && tutorial.hints.isNotEmpty()) {
-            // After a try that failed, the hint is one touch away.
-            SecondButton(stringResource(Res.string.learning_hint), "folded-hint", {
-                onEvent(LearningEvent.TutorialFolded(false))
-            })
-        }
-        IconTouch(MAP_ICON, stringResource(Res.string.learning_map), "lesson-map", {
-            onEvent(LearningEvent.PageRequested(LearningPage.MAP))
-        })
-        IconTouch(
-            if (folded) UNFOLD_ICON else FOLD_ICON,
-            stringResource(if (folded) Res.string.learning_unfold else Res.string.learning_fold),
-            "fold-tutorial",
-            { onEvent(LearningEvent.TutorialFolded(!folded)) },
-        )
     }
+}
+
+@Composable
+private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
+    val folded = tutorial.isFolded
+    if (folded && tutorial.hints.isNotEmpty()) {
+        // After a try that failed, the hint is one touch away.
+        SecondButton(stringResource(Res.string.learning_hint), "folded-hint", {
+            onEvent(LearningEvent.TutorialFolded(false))
+        })
+    }
+    IconTouch(MAP_ICON, stringResource(Res.string.learning_map), "lesson-map", {
+        onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+    })
+    IconTouch(
+        if (folded) UNFOLD_ICON else FOLD_ICON,
+        stringResource(if (folded) Res.string.learning_unfold else Res.string.learning_fold),
+        "fold-tutorial",
+        { onEvent(LearningEvent.TutorialFolded(!folded)) },
+    )
 }
 
 /** Returns to the step with its program and world; the open project is saved. */

@@ -93,7 +93,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
 }
 
 /**
- * Buttons for hints and the solution, and below them the visible hints, in a column.
+ * Buttons for hints and the solution, and below them the visible hints, the latest first, in a column.
  *
  * @param isSolved whether the present run has solved the task, so that nobody needs help until the next one.
  */
@@ -105,9 +105,13 @@ internal fun TaskHelps(
     onHint: (shown: Boolean) -> Unit,
     onSolution: (shown: Boolean) -> Unit,
 ) {
-    // Above their content, so that they do not move.
-    if (!isSolved || help.solutionShown) Helps(help, onHint, onSolution)
-    HintCards(help.hints, isInBlocks)
+    // Above their content, so that they do not move. In sight with the latest hint, for whoever wants another.
+    val latest = help.hints.lastOrNull()
+    Column(Modifier.broughtIntoSight(latest != null, latest), Arrangement.spacedBy(8.dp)) {
+        if (!isSolved || help.solutionShown) Helps(help, onHint, onSolution)
+        latest?.let { HintCards(listOf(it), isInBlocks) }
+    }
+    HintCards(help.hints.dropLast(1).reversed(), isInBlocks, hasLatest = false)
     if (help.solutionShown) {
         Text(
             stringResource(Res.string.learning_solution_note),

@@ -1,12 +1,14 @@
 package robotran.ui.parts
 
 import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.material3.DropdownMenu
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
+import robotran.ui.theme.FocusWindow
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.WithAddedFonts
 
@@ -31,5 +33,5 @@ internal fun AppMenu(
         modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane),
         scrollState = scroll,
         containerColor = colours.pane,
-    ) { WithAddedFonts { content() } }
+    ) { WithAddedFonts { FocusWindow { Column(content = content) } } }
 }

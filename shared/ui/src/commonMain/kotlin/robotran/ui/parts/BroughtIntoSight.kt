@@ -17,14 +17,15 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.IntSize
 
 /**
- * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [requested] becomes true.
+ * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [requested] becomes true,
+ * or when it is and there is other [content].
  */
 @OptIn(ExperimentalFoundationApi::class)
-internal fun Modifier.broughtIntoSight(requested: Boolean): Modifier = composed {
+internal fun Modifier.broughtIntoSight(requested: Boolean, content: Any? = Unit): Modifier = composed {
     val requester = remember { BringIntoViewRequester() }
     var size by remember { mutableStateOf(IntSize.Zero) }
     val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
-    LaunchedEffect(requested) {
+    LaunchedEffect(requested, content) {
         if (!requested) return@LaunchedEffect
         // It has its final position only after layout.
         withFrameNanos { }

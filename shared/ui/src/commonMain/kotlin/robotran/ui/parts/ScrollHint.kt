@@ -1,7 +1,7 @@
 package robotran.ui.parts
 
-import androidx.compose.foundation.ScrollState
 import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.gestures.ScrollableState
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.Offset
@@ -16,12 +16,16 @@ import androidx.compose.ui.unit.dp
  * Shows that there is more to scroll: the content of [scroll] fades into its [ground] at that edge, with an [arrow] in
  * this colour. Must precede the scroll modifier.
  */
-internal fun Modifier.scrollHint(scroll: ScrollState, orientation: Orientation, ground: Color, arrow: Color): Modifier =
-    drawWithContent {
-        drawContent()
-        if (scroll.canScrollBackward) drawHint(orientation, isForward = false, ground, arrow)
-        if (scroll.canScrollForward) drawHint(orientation, isForward = true, ground, arrow)
-    }
+internal fun Modifier.scrollHint(
+    scroll: ScrollableState,
+    orientation: Orientation,
+    ground: Color,
+    arrow: Color,
+): Modifier = drawWithContent {
+    drawContent()
+    if (scroll.canScrollBackward) drawHint(orientation, isForward = false, ground, arrow)
+    if (scroll.canScrollForward) drawHint(orientation, isForward = true, ground, arrow)
+}
 
 private fun DrawScope.drawHint(orientation: Orientation, isForward: Boolean, ground: Color, arrow: Color) {
     val isVertical = orientation == Orientation.Vertical

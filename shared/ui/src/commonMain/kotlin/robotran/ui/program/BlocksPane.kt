@@ -14,7 +14,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -27,11 +26,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.focus.onFocusChanged
-import androidx.compose.ui.input.InputMode
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -50,13 +47,10 @@ import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.EditErrorBar
 import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
-import robotran.ui.program.blocks.KeysInUse
 import robotran.ui.program.blocks.LocalAllowedBlocks
-import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.SaidAloud
-import robotran.ui.program.blocks.noting
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.sheets.BlockSheetView
 import robotran.ui.program.blocks.sheets.BlocksRoom
@@ -131,11 +125,8 @@ internal fun BlocksPane(
     val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
     val own = remember { FocusRequester() }
     val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
-    val keysInUse = remember { KeysInUse() }
     val label = stringResource(Res.string.blocks_label_keys)
     val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
-    // After a touch the focus is only for a keyboard that may follow.
-    val isTouched = LocalInputModeManager.current.inputMode == InputMode.Touch
     dragging.takeFocus = (focus ?: own)::requestFocus
     var hadSheet by remember { mutableStateOf(false) }
     LaunchedEffect(blocks.sheet == null, blocks.cursor) {
@@ -148,69 +139,67 @@ internal fun BlocksPane(
         withFrameNanos { }
         dragging.takeFocus()
     }
-    CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
-        BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
-            val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale, isVeryLow)
-            val hasWords = maxHeight >= FOR_WORDS
-            val covered = room.coveredBy(blocks.sheet)
-            val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
-            val hasPicture =
-                room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
-            val picture = if (hasPicture) minOf(above, MAX_PICTURE) + PICTURE_MARGIN else 0.dp
-            val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
-            KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
-            Row(Modifier.fillMaxSize()) {
-                val rail = Modifier.width(room.railWidth).fillMaxHeight()
-                if (room.hasGroups) GroupRail(scope, rail)
-                if (room.sheets == SheetPlace.OVER) AddRail(scope, rail)
-                // Also without a sheet, so that a sheet that opens moves no block.
-                Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
-                    BlockListView(
-                        scope,
-                        dragging,
-                        { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, found, isCarried) },
-                        { row, marks ->
-                            BlockRowView(
-                                row,
-                                scope,
-                                marks,
-                                { event.value(ProgramEvent.BreakpointToggled(it)) },
-                                { lineOfFix(it, shown.value) },
-                                { fix.value(it) },
-                            )
-                        },
-                        maxOf(ROOM_BELOW, covered),
-                        Modifier
-                            .fillMaxSize()
-                            .testTag("block-pane")
-                            .focusRequester(focus ?: own)
-                            .onFocusChanged { hasFocus.value = it.isFocused }
-                            .onKeyEvent(keys::handle)
-                            .then(if (isTouched) Modifier else Modifier.focusRing(FOCUS_CORNER))
-                            .focusable()
-                            .semantics { contentDescription = label },
-                    )
-                    if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasGroups)
-                    Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
-                        if (blocks.sheet == null) EditError(scope)
-                        when {
-                            blocks.sheet != null || dragging.isCarrying -> Unit
-                            blocks.isChoosing -> ChoosingBar(scope)
-                            room.railWidth == 0.dp -> AddBar(scope, hasWords = hasWords)
-                        }
+    BoxWithConstraints(modifier.background(LocalRobotranColours.current.pane)) {
+        val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale, isVeryLow)
+        val hasWords = maxHeight >= FOR_WORDS
+        val covered = room.coveredBy(blocks.sheet)
+        val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
+        val hasPicture =
+            room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
+        val picture = if (hasPicture) minOf(above, MAX_PICTURE) + PICTURE_MARGIN else 0.dp
+        val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
+        KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
+        Row(Modifier.fillMaxSize()) {
+            val rail = Modifier.width(room.railWidth).fillMaxHeight()
+            if (room.hasGroups) GroupRail(scope, rail)
+            if (room.sheets == SheetPlace.OVER) AddRail(scope, rail)
+            // Also without a sheet, so that a sheet that opens moves no block.
+            Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
+                BlockListView(
+                    scope,
+                    dragging,
+                    { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, found, isCarried) },
+                    { row, marks ->
+                        BlockRowView(
+                            row,
+                            scope,
+                            marks,
+                            { event.value(ProgramEvent.BreakpointToggled(it)) },
+                            { lineOfFix(it, shown.value) },
+                            { fix.value(it) },
+                        )
+                    },
+                    maxOf(ROOM_BELOW, covered),
+                    Modifier
+                        .fillMaxSize()
+                        .testTag("block-pane")
+                        .focusRequester(focus ?: own)
+                        .onFocusChanged { hasFocus.value = it.isFocused }
+                        .onKeyEvent(keys::handle)
+                        .focusRing(FOCUS_CORNER, isInside = true)
+                        .focusable()
+                        .semantics { contentDescription = label },
+                )
+                if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasGroups)
+                Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
+                    if (blocks.sheet == null) EditError(scope)
+                    when {
+                        blocks.sheet != null || dragging.isCarrying -> Unit
+                        blocks.isChoosing -> ChoosingBar(scope)
+                        room.railWidth == 0.dp -> AddBar(scope, hasWords = hasWords)
                     }
                 }
             }
-            BlockSheetView(scope, dragging, room)
-            val sheetHeight = room.heightOf(blocks.sheet)
-            if (hasPicture) {
-                val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)
-                LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
-            }
-            // A sheet covers the lower end.
-            if (blocks.sheet != null) EditError(scope)
-            SaidAloud(blocks.said)
         }
+        BlockSheetView(scope, dragging, room)
+        val sheetHeight = room.heightOf(blocks.sheet)
+        if (hasPicture) {
+            val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)
+            LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
+        }
+        // A sheet covers the lower end.
+        if (blocks.sheet != null) EditError(scope)
+        SaidAloud(blocks.said)
     }
 }
 

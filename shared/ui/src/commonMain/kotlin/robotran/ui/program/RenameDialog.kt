@@ -1,11 +1,9 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.AlertDialog
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
@@ -25,6 +23,8 @@ import androidx.compose.ui.text.input.TextFieldValue
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
+import robotran.ui.documents.DialogFrame
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_name
 import robotran.ui.resources.editor_name_empty
@@ -39,7 +39,6 @@ import robotran.ui.resources.editor_rename_done
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
-import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 import robotran.workshop.programs.NameProblem
 import robotran.workshop.programs.endingOf
@@ -55,43 +54,35 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
     val problem = nameProblem(state.programs, state.shownProgram, state.shownFile, typed.text)
     val take = { if (problem == null) onName(typed.text) }
     val focus = remember { FocusRequester() }
-    AlertDialog(
-        onDismissRequest = onLeave,
-        modifier = Modifier.testTag("rename"),
-        containerColor = LocalRobotranColours.current.pane,
-        title = { Text(stringResource(Res.string.editor_rename), fontSize = TextSizes.HEADING) },
-        text = {
-            Column {
-                // A dialog is composed separately: only now does the field exist.
-                LaunchedEffect(Unit) { focus.requestFocus() }
-                WithAddedFonts {
-                    OutlinedTextField(
-                        typed,
-                        { typed = it },
-                        Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
-                        label = { Text(stringResource(Res.string.editor_name)) },
-                        suffix = { Text(ending) },
-                        supportingText = { problem?.let { Text(stringResource(wordsFor(it))) } },
-                        isError = problem != null,
-                        singleLine = true,
-                        keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
-                        keyboardActions = KeyboardActions(onDone = { take() }),
-                    )
-                }
-                if (state.program.files.size > 1) {
-                    val isJava = state.program.language == ProgramLanguage.JAVA
-                    val remove = if (isJava) Res.string.editor_remove_class else Res.string.editor_remove_file
-                    DialogButton(stringResource(remove), "remove-class", true, onRemove)
-                }
-            }
-        },
-        confirmButton = {
+    DialogFrame(
+        stringResource(Res.string.editor_rename),
+        onLeave,
+        buttons = {
+            DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave)
             DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() }
         },
-        dismissButton = {
-            DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave)
-        },
-    )
+    ) {
+        // A dialog is composed separately: only now does the field exist.
+        LaunchedEffect(Unit) { focus.requestFocus() }
+        OutlinedTextField(
+            typed,
+            { typed = it },
+            Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
+            label = { Text(stringResource(Res.string.editor_name)) },
+            suffix = { Text(ending) },
+            supportingText = { problem?.let { Text(stringResource(wordsFor(it))) } },
+            isError = problem != null,
+            singleLine = true,
+            keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
+            keyboardActions = KeyboardActions(onDone = { take() }),
+            colors = fieldColours(),
+        )
+        if (state.program.files.size > 1) {
+            val isJava = state.program.language == ProgramLanguage.JAVA
+            val remove = if (isJava) Res.string.editor_remove_class else Res.string.editor_remove_file
+            DialogButton(stringResource(remove), "remove-class", true, onRemove)
+        }
+    }
 }
 
 @Composable

@@ -8,6 +8,7 @@ import androidx.compose.ui.geometry.Rect
 import robotran.robotediting.elements
 import robotran.robotediting.placeOf
 import robotran.ui.sheet.SheetTransform
+import robotran.ui.worldedit.CarriedItem
 import robotran.world.RobotDescription
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
@@ -26,8 +27,8 @@ internal class PlanView(robot: RobotDescription) {
     /** The bounds of the plan's pane on the screen. */
     var window by mutableStateOf(Rect.Zero)
 
-    /** The position of an item dragged from the palette, in pixels of the screen. */
-    var carried by mutableStateOf<Offset?>(null)
+    /** The item that is dragged from the palette. */
+    var carried by mutableStateOf<CarriedItem?>(null)
 
     val pane: Rect get() = Rect(Offset.Zero, window.size)
 

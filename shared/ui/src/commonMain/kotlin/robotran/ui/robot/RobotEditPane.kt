@@ -1,9 +1,7 @@
 package robotran.ui.robot
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -12,11 +10,8 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.heightIn
-import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.shape.CircleShape
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
@@ -37,7 +32,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
@@ -47,12 +41,11 @@ import robotran.ui.parts.ScreenLayout
 import robotran.ui.resources.Res
 import robotran.ui.resources.robot_bench
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.ui.worldedit.CarriedSign
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.RobotEditState
 import robotran.workshop.state.WorldEditState
-import kotlin.math.roundToInt
 
 /** The workbench, which covers the world editor: palette, plan, and the figures of the robot. */
 @Composable
@@ -110,7 +103,7 @@ internal fun RobotEditPane(
                 else -> Below(parts, height)
             }
         }
-        view.carried?.let { Carried(it - corner) }
+        view.carried?.let { CarriedSign(it, corner) }
     }
 }
 
@@ -185,22 +178,8 @@ private fun FollowChosen(scope: RobotScope, onTab: (RobotTab) -> Unit) {
     LaunchedEffect(chosen) { if (chosen != null) onTab(RobotTab.CHOSEN) }
 }
 
-/** An item dragged from the palette. */
-@Composable
-private fun Carried(place: Offset) {
-    val radius = with(LocalDensity.current) { CARRIED.toPx() / 2 }
-    Box(
-        Modifier
-            .offset { IntOffset((place.x - radius).roundToInt(), (place.y - radius).roundToInt()) }
-            .size(CARRIED)
-            .background(RobotranColours.CASING.copy(alpha = 0.8f), CircleShape)
-            .border(2.dp, LocalRobotranColours.current.focus, CircleShape),
-    )
-}
-
 private val PANEL_WIDTH = 340.dp
 private val WIDE = 800.dp
 private val WORDS_WIDTH = 900.dp
 private const val PANEL_SHARE = 0.42f
 private const val PANEL_SHARE_UPRIGHT = 0.36f
-private val CARRIED = 44.dp

@@ -31,6 +31,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.worldedit.CarriedItem
+import robotran.ui.worldedit.PALETTE_SIGN
 import robotran.ui.worldedit.SignWord
 import robotran.world.geometry.Point
 import kotlin.math.abs
@@ -70,6 +72,7 @@ private fun PaletteItem(scope: RobotScope, view: PlanView, item: RobotItem, upri
         scope.make(RobotEdit.Add(item, at))
         onPut()
     }
+    val colour = rememberUpdatedState(ink)
     SignWord(
         stringResource(itemWord(item)),
         "robot-item-${item.name.lowercase()}",
@@ -78,12 +81,15 @@ private fun PaletteItem(scope: RobotScope, view: PlanView, item: RobotItem, upri
             .width(ITEM_WIDTH * LocalDensity.current.fontScale.coerceIn(1f, MAX_STRETCH))
             .onGloballyPositioned { corner = it.positionInRoot() }
             .pointerInput(view) {
-                carryOut(upright, { view.carried = it?.plus(corner) }) { place ->
+                val carry = { at: Offset? ->
+                    view.carried = at?.let { CarriedItem(it + corner) { drawRobotItem(item, colour.value) } }
+                }
+                carryOut(upright, carry) { place ->
                     val inPane = place + corner - view.window.topLeft
                     if (inPane in view.pane) put.value(view.transform.toRobot(inPane))
                 }
             },
-    ) { Canvas(Modifier.size(28.dp)) { drawRobotItem(item, ink) } }
+    ) { Canvas(Modifier.size(PALETTE_SIGN)) { drawRobotItem(item, ink) } }
 }
 
 /** Leaving the strip sideways drags an item; movement along the strip scrolls. */

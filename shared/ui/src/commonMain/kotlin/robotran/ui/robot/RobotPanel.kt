@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.IntrinsicSize
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
@@ -19,7 +18,6 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -64,11 +62,11 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.EditIcons
+import robotran.ui.worldedit.FieldPanel
 import robotran.ui.worldedit.Remark
 import robotran.ui.worldedit.RowHeading
 import robotran.ui.worldedit.TextRow
 import robotran.ui.worldedit.WordButton
-import robotran.ui.worldedit.Wrong
 import robotran.workshop.event.RobotEditEvent
 import robotran.world.ReadyRobots
 import robotran.world.RobotLimits
@@ -127,16 +125,10 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
 @Composable
 internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> Unit, modifier: Modifier = Modifier) {
     val chosen = scope.editing.chosen
+    val language = LocalLanguage.current
+    val errors = scope.editing.errors.filter { tab == RobotTab.CHOSEN && scope.robot.elementOf(it) == chosen }
     key(tab, if (tab == RobotTab.CHOSEN) chosen else null) {
-        Column(
-            modifier
-                .fillMaxSize()
-                .testTag("robot-panel")
-                .background(LocalRobotranColours.current.pane)
-                .verticalScroll(rememberScrollState())
-                .padding(12.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
+        FieldPanel("robot-panel", errors.map { it.sentence(language) }, "robot-chosen-trouble", modifier) {
             when (tab) {
                 RobotTab.CHOSEN -> if (chosen == null) {
                     Remark(stringResource(Res.string.robot_choose_first))
@@ -154,7 +146,6 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
 
 @Composable
 private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
-    val language = LocalLanguage.current
     Text(
         robotElementText(scope.robot, chosen),
         Modifier.testTag("robot-chosen-name").semantics { heading() },
@@ -162,9 +153,6 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
         fontSize = TextSizes.LEAD,
         fontWeight = FontWeight.SemiBold,
     )
-    for (error in scope.editing.errors.filter { scope.robot.elementOf(it) == chosen }) {
-        Wrong(error.sentence(language), Modifier.testTag("robot-chosen-trouble"))
-    }
     RobotElementActions(scope, chosen)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     RobotElementFields(scope, chosen)

@@ -52,7 +52,7 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
     val elsewhere = seekingStatusText(run, status)
     val wrong = elsewhere == null && isWrong(status)
     Text(
-        elsewhere ?: statusText(status),
+        elsewhere ?: withRobot(run, status, statusText(status)),
         // While seeking, the timeline itself announces the position.
         modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
         color = if (wrong) colours.error else colours.onPane,
@@ -62,6 +62,14 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
         maxLines = lines,
         overflow = TextOverflow.Ellipsis,
     )
+}
+
+/** [words] with the name of the robot that they are about, if there are several. */
+private fun withRobot(run: RunPaneState, status: WorkshopStatus, words: String): String {
+    val isOfRobot = status is WorkshopStatus.Running || status is WorkshopStatus.Paused ||
+        status is WorkshopStatus.Ended || status is WorkshopStatus.Failed || status == WorkshopStatus.Off
+    val robot = run.world.robots.takeIf { it.size > 1 && isOfRobot }?.getOrNull(run.watched) ?: return words
+    return "${robot.name}: $words"
 }
 
 private fun isWrong(status: WorkshopStatus): Boolean =

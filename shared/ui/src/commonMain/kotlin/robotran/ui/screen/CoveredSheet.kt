@@ -15,6 +15,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
@@ -180,13 +181,16 @@ private fun isOutcomeAbove(state: WorkshopState): Boolean {
     return (place?.y ?: state.session.robot.pose.y) > state.world.paper.height / 2
 }
 
-/** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
-private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp =
-    if (maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat()) {
-        0.dp
-    } else {
-        SHEET_BUTTON_STEP * sheetButtonColumns(world, hasZoomButtons(maxWidth, maxHeight), maxHeight) + 8.dp
-    }
+/**
+ * The width left for the sheet's own buttons, if they are beside the paper. They stay uncovered unless the words of a
+ * card would be broken.
+ */
+@Composable
+private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp {
+    if (maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat()) return 0.dp
+    val width = SHEET_BUTTON_STEP * sheetButtonColumns(world, hasZoomButtons(maxWidth, maxHeight), maxHeight) + 8.dp
+    return if (maxWidth - width >= MIN_CARD * LocalDensity.current.fontScale) width else 0.dp
+}
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
@@ -211,6 +215,9 @@ private fun ClosableHint(run: RunPaneState, onWholeBrick: (() -> Unit)?, modifie
 /** The height of a row of the sheet's buttons. */
 private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp
+
+/** At the default font size, for words of ten letters. */
+private val MIN_CARD = 190.dp
 
 /** A sheet on a phone is narrower than that, or lower. */
 private val SMALL = 480.dp

@@ -26,6 +26,7 @@ import robotran.ui.resources.theme_high_contrast
 import robotran.ui.resources.theme_high_contrast_dark
 import robotran.ui.resources.theme_light
 import robotran.ui.resources.theme_system
+import robotran.ui.theme.LocalLessMotion
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
@@ -76,7 +77,7 @@ internal fun SettingsPage(
             SwitchRow(stringResource(Res.string.settings_sound), settings.soundOn, "sound-setting") {
                 change(settings.copy(soundOn = it))
             }
-            SwitchRow(stringResource(Res.string.settings_less_motion), settings.lessMotion, "less-motion") {
+            SwitchRow(stringResource(Res.string.settings_less_motion), LocalLessMotion.current, "less-motion") {
                 change(settings.copy(lessMotion = it))
             }
             if (asksForSite) SiteField(settings.site, siteRequested) { change(settings.copy(site = it)) }

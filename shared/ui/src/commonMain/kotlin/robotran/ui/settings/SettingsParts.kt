@@ -17,6 +17,10 @@ import androidx.compose.material3.Switch
 import androidx.compose.material3.SwitchDefaults
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -67,7 +71,10 @@ internal fun <T> ChoiceOfOne(
     }
 }
 
-/** A slider for a size in [range]; [words] is its text. */
+/**
+ * A slider for a size in [range]; [words] is its text. A finger chooses the size when it is lifted: the page would grow
+ * under it, and the slider with it.
+ */
 @Composable
 internal fun SizeSlider(
     title: String,
@@ -79,15 +86,21 @@ internal fun SizeSlider(
     onChange: (Float) -> Unit,
 ) {
     val colours = LocalRobotranColours.current
+    var held by remember { mutableStateOf<Float?>(null) }
+    val shown = held ?: value
     Column {
         Heading(title)
         Row(verticalAlignment = Alignment.CenterVertically) {
             Slider(
-                value,
-                onChange,
+                shown,
+                { held = it },
                 Modifier.weight(1f).testTag(tag).focusRing().semantics {
                     contentDescription = title
-                    stateDescription = words(value)
+                    stateDescription = words(shown)
+                },
+                onValueChangeFinished = {
+                    held?.let(onChange)
+                    held = null
                 },
                 valueRange = range,
                 steps = steps,
@@ -100,7 +113,7 @@ internal fun SizeSlider(
                 ),
             )
             Text(
-                words(value),
+                words(shown),
                 Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
                 color = colours.onPane,
                 fontSize = TextSizes.BODY,

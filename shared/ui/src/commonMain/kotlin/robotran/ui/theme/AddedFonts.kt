@@ -27,4 +27,4 @@ internal fun AppDialog(
     onDismissRequest: () -> Unit,
     properties: DialogProperties = DialogProperties(),
     content: @Composable () -> Unit,
-) = Dialog(onDismissRequest, properties) { WithAddedFonts(content) }
+) = Dialog(onDismissRequest, properties) { WithAddedFonts { FocusWindow { content() } } }

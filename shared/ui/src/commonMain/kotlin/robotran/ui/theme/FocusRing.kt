@@ -1,49 +1,70 @@
 package robotran.ui.theme
 
-import androidx.compose.runtime.Composable
-import androidx.compose.runtime.getValue
-import androidx.compose.runtime.mutableStateOf
-import androidx.compose.runtime.remember
-import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.drawWithContent
-import androidx.compose.ui.focus.onFocusChanged
-import androidx.compose.ui.geometry.CornerRadius
-import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.focus.FocusEventModifierNode
+import androidx.compose.ui.focus.FocusState
+import androidx.compose.ui.layout.LayoutCoordinates
+import androidx.compose.ui.node.CompositionLocalConsumerModifierNode
+import androidx.compose.ui.node.GlobalPositionAwareModifierNode
+import androidx.compose.ui.node.ModifierNodeElement
+import androidx.compose.ui.node.currentValueOf
+import androidx.compose.ui.platform.InspectorInfo
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** A ring around the focused element, blue on white for contrast with paper, desk and brick. */
-@Composable
-fun Modifier.focusRing(cornerRadius: Dp = 12.dp, isInside: Boolean = false): Modifier {
-    var focused by remember { mutableStateOf(false) }
-    val colour = LocalRobotranColours.current.focus
-    return onFocusChanged { focused = it.hasFocus }
-        .drawWithContent {
-            drawContent()
-            if (focused) drawRing(colour, cornerRadius, if (isInside) INSIDE else 0.dp)
-        }
+/**
+ * A ring around the focused element while keys are in use, see [areKeysInUse]. It is drawn over everything in the
+ * window, so that nothing cuts it off.
+ *
+ * @param isInside whether the ring is within the bounds, for a pane beside other panes.
+ */
+fun Modifier.focusRing(cornerRadius: Dp = 12.dp, isInside: Boolean = false): Modifier =
+    this then FocusRingElement(cornerRadius, isInside)
+
+private data class FocusRingElement(val cornerRadius: Dp, val isInside: Boolean) :
+    ModifierNodeElement<FocusRingNode>() {
+    override fun create() = FocusRingNode(cornerRadius, isInside)
+
+    override fun update(node: FocusRingNode) {
+        node.cornerRadius = cornerRadius
+        node.isInside = isInside
+    }
+
+    override fun InspectorInfo.inspectableProperties() {
+        name = "focusRing"
+        properties["cornerRadius"] = cornerRadius
+        properties["isInside"] = isInside
+    }
 }
 
-private fun DrawScope.drawRing(colour: Color, cornerRadius: Dp, inset: Dp) {
-    ring(Color.White, 1.dp - inset, 2.dp, cornerRadius)
-    ring(colour, 3.dp - inset, 3.dp, cornerRadius)
-}
+internal class FocusRingNode(var cornerRadius: Dp, var isInside: Boolean) :
+    Modifier.Node(),
+    FocusEventModifierNode,
+    GlobalPositionAwareModifierNode,
+    CompositionLocalConsumerModifierNode {
+    private var rings: FocusRings? = null
 
-private fun DrawScope.ring(colour: Color, outset: Dp, width: Dp, cornerRadius: Dp) {
-    val out = outset.toPx()
-    drawRoundRect(
-        color = colour,
-        topLeft = Offset(-out, -out),
-        size = Size(size.width + 2 * out, size.height + 2 * out),
-        cornerRadius = CornerRadius(cornerRadius.toPx() + out),
-        style = Stroke(width.toPx()),
-    )
-}
+    var coordinates: LayoutCoordinates? = null
+        private set
 
-/** Moves the ring within the bounds. */
-private val INSIDE = 5.dp
+    override fun onFocusEvent(focusState: FocusState) {
+        if (focusState.hasFocus == (rings != null)) return
+        leave()
+        if (focusState.hasFocus) rings = currentValueOf(LocalFocusRings)?.also { it.add(this) }
+    }
+
+    override fun onGloballyPositioned(coordinates: LayoutCoordinates) {
+        this.coordinates = coordinates
+        rings?.moved()
+    }
+
+    override fun onDetach() {
+        leave()
+        coordinates = null
+    }
+
+    private fun leave() {
+        rings?.remove(this)
+        rings = null
+    }
+}

@@ -15,11 +15,16 @@ import robotran.workshop.state.Settings
 /** Whether animations are reduced. */
 val LocalLessMotion = staticCompositionLocalOf { false }
 
-/** The app's theme, calm greys with one accent colour: light, [dark] or from [settings]. */
+/**
+ * The app's theme, calm greys with one accent colour: light, [dark] or from [settings].
+ *
+ * @param lessMotion see [LocalLessMotion].
+ */
 @Composable
 fun RobotranTheme(
     dark: Boolean = isSystemInDarkTheme(),
     settings: Settings = Settings(),
+    lessMotion: Boolean = settings.lessMotion == true,
     content: @Composable () -> Unit,
 ) {
     val colours = coloursOf(settings.theme, dark)
@@ -45,10 +50,10 @@ fun RobotranTheme(
     val density = LocalDensity.current
     CompositionLocalProvider(
         LocalRobotranColours provides colours,
-        LocalLessMotion provides settings.lessMotion,
+        LocalLessMotion provides lessMotion,
         LocalDensity provides Density(density.density, density.fontScale * settings.textScale),
     ) {
-        MaterialTheme(colorScheme = scheme, content = content)
+        MaterialTheme(colorScheme = scheme) { FocusWindow { content() } }
     }
 }
 

@@ -157,7 +157,7 @@ private fun ColumnScope.FoldedAssignment(
     canHandIn: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) = Scrolling {
-    HintCards(assignment.hints, learning.isInBlocks)
+    HintCards(assignment.hints.asReversed(), learning.isInBlocks)
     Goals(goals)
     if (canHandIn) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
     HandedInLine(assignment)
@@ -181,7 +181,7 @@ private fun ColumnScope.WholeAssignment(
     // With large text they would leave no room.
     val areButtonsFixed = hasRoom && LocalDensity.current.fontScale <= LARGE
     Scrolling {
-        HintCards(assignment.hints, learning.isInBlocks)
+        HintCards(assignment.hints.asReversed(), learning.isInBlocks)
         assignment.handIn?.let { HandInLine(it) }
         assignment.feedback?.let { FeedbackCard(it) }
         TaskText(world)

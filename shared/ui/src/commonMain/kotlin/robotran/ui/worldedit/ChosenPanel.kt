@@ -67,9 +67,6 @@ internal fun ChosenPanel(making: EditorScope) {
         fontSize = TextSizes.LEAD,
         fontWeight = FontWeight.SemiBold,
     )
-    for (error in editing.errors.filter { it.thing in editing.selection }) {
-        Wrong(validationErrorText(editing.world, error), Modifier.testTag("chosen-trouble"))
-    }
     Actions(making)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     val piece = only?.let { editing.world.piece(it) }

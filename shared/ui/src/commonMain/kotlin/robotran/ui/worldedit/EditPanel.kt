@@ -8,14 +8,12 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -99,16 +97,11 @@ internal fun EditPanel(
     newTitle: String,
     modifier: Modifier = Modifier,
 ) {
+    val editing = making.editing
+    val errors = editing.errors.filter { tab == EditTab.CHOSEN && it.thing in editing.selection }
+        .map { validationErrorText(editing.world, it) }
     key(tab, if (tab == EditTab.CHOSEN) making.editing.selection else null) {
-        Column(
-            modifier
-                .fillMaxSize()
-                .testTag("edit-panel")
-                .background(LocalRobotranColours.current.pane)
-                .verticalScroll(rememberScrollState())
-                .padding(12.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
+        FieldPanel("edit-panel", errors, "chosen-trouble", modifier) {
             when (tab) {
                 EditTab.CHOSEN -> ChosenPanel(making)
                 EditTab.THINGS -> ElementsPanel(making) { onTab(EditTab.CHOSEN) }

@@ -29,8 +29,8 @@ internal class EditView {
     /** The line being drawn, in pixels of the pane. */
     var line by mutableStateOf<List<Offset>>(emptyList())
 
-    /** The position of an item dragged from the palette, in pixels of the screen. */
-    var carried by mutableStateOf<Offset?>(null)
+    /** The item that is dragged from the palette. */
+    var carried by mutableStateOf<CarriedItem?>(null)
 
     /** The bounds of the pane in its own pixels. */
     val pane: Rect get() = Rect(Offset.Zero, window.size)

@@ -127,6 +127,7 @@ private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem
         onPut()
     }
     val world = rememberUpdatedState(making.world)
+    val colour = rememberUpdatedState(ink)
     SignWord(
         word,
         "palette-${item.name.lowercase()}",
@@ -135,12 +136,15 @@ private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem
             .width(itemWidth())
             .onGloballyPositioned { corner = it.positionInRoot() }
             .pointerInput(view) {
-                carryOut(upright, { view.carried = it?.plus(corner) }) { place ->
+                val carry = { at: Offset? ->
+                    view.carried = at?.let { CarriedItem(it + corner) { drawPaletteItem(item, colour.value) } }
+                }
+                carryOut(upright, carry) { place ->
                     val inPane = place + corner - view.window.topLeft
                     if (inPane in view.pane) put.value(view.transform(world.value.paper).toCentimetres(inPane))
                 }
             },
-    ) { Canvas(Modifier.size(28.dp)) { drawPaletteItem(item, ink) } }
+    ) { Canvas(Modifier.size(PALETTE_SIGN)) { drawPaletteItem(item, ink) } }
 }
 
 @Composable

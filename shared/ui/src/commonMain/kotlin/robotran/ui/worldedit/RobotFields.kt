@@ -46,7 +46,9 @@ import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
 import robotran.world.messages.sentence
+import robotran.world.pluggedSensors
 import robotran.world.robot.robotErrors
+import robotran.world.withPlugged
 import robotran.worldediting.EditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
@@ -120,8 +122,10 @@ private fun NxtParts(description: RobotDescription) {
     }
 }
 
-/** The ready robot that [description] was made from; null for one of its own. */
-private fun readyOf(description: RobotDescription): RobotDescription? = ReadyRobots.all[description.base]
+/** The ready robot that [description] is, with whatever is on its ports; null for one that was built. */
+private fun readyOf(description: RobotDescription): RobotDescription? = ReadyRobots.all[description.base]?.takeIf {
+    it == description || it.withPlugged(description.pluggedSensors) == description
+}
 
 /** Two sensors can share a port. */
 @Composable

@@ -1,8 +1,6 @@
 package robotran.ui.worldedit
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.border
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -11,11 +9,8 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.heightIn
-import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.shape.CircleShape
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
@@ -36,7 +31,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
@@ -47,13 +41,11 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
-import kotlin.math.roundToInt
 
 /** The world editor, which replaces the workshop: palette, sheet, and properties of the elements. */
 @Composable
@@ -114,7 +106,7 @@ internal fun WorldEditPane(
                 else -> Below(making, view, newTitle, put, height, sheet)
             }
         }
-        view.carried?.let { Carried(it - corner) }
+        view.carried?.let { CarriedSign(it, corner) }
     }
 }
 
@@ -204,19 +196,6 @@ private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab)
     }
 }
 
-/** An item dragged from the palette. */
-@Composable
-private fun Carried(place: Offset) {
-    val radius = with(LocalDensity.current) { CARRIED.toPx() / 2 }
-    Box(
-        Modifier
-            .offset { IntOffset((place.x - radius).roundToInt(), (place.y - radius).roundToInt()) }
-            .size(CARRIED)
-            .background(RobotranColours.CASING.copy(alpha = 0.8f), CircleShape)
-            .border(2.dp, LocalRobotranColours.current.focus, CircleShape),
-    )
-}
-
 private fun panelWidth(scale: Float): Dp = PANEL_WIDTH * (1 + (scale - 1) / 2)
 
 private val PANEL_WIDTH = 340.dp
@@ -225,4 +204,3 @@ private val WORDS_WIDTH = 900.dp
 private val TWO_COLUMNS = 1200.dp
 private const val PANEL_SHARE = 0.42f
 private const val PANEL_SHARE_UPRIGHT = 0.36f
-private val CARRIED = 44.dp

@@ -1,13 +1,19 @@
 package robotran.ui.learning
 
+import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
 import androidx.compose.ui.test.assert
 import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.isFocused
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.pressKey
 import robotran.learning.Lessons
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
@@ -55,6 +61,19 @@ class LessonMapPageTest {
         onNodeWithTag("map-page").assertDoesNotExist()
         assertEquals("star", workshop.state.learning.tutorial?.current?.name)
         assertEquals(Lessons.named("star")?.program?.text, workshop.state.programText)
+    }
+
+    @Test
+    fun `the Tab key goes from lesson to lesson, also where the path goes back`() = onTablet { workshop ->
+        workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+        pass(300)
+        val first = Lessons.strands.first().lessons.map { "lesson-${it.name}" }
+        val reached = (1..first.size + 3).mapNotNull {
+            onRoot().performKeyInput { pressKey(Key.Tab) }
+            pass(50)
+            onNode(isFocused()).fetchSemanticsNode().config.getOrNull(SemanticsProperties.TestTag)
+        }
+        assertEquals(first, reached.filter { it in first })
     }
 
     @Test

@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.ui.program.blocks.scrollTo
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
@@ -86,6 +87,20 @@ class TutorialFootTest {
             assertWhole("hint", "the hint")
             assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
         }
+
+    @Test
+    fun `with each hint, the button for the next one stays in sight`() {
+        for ((width, height) in listOf(412 to 915, 1180 to 820, 1366 to 768)) {
+            onStep(width, height) {
+                for (number in 1..3) {
+                    scrollTo("hint-wanted")
+                    press("hint-wanted")
+                    pass(1_000)
+                    for (tag in listOf("hint", "hint-wanted")) assertWhole(tag, "$width x $height, hint $number")
+                }
+            }
+        }
+    }
 
     @Test
     fun `over another world a folded tutorial is a way back to its step, and can be put away`() {

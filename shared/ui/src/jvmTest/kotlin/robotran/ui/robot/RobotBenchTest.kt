@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.KeyInjectionScope
@@ -71,6 +72,15 @@ class RobotBenchTest {
     }
 
     @Test
+    fun `a mistake moves no button of the panel`() = onBench {
+        make(RobotEdit.Choose(RobotElement.Part(2)))
+        val before = placeOf("robot-turn-left")
+        make(RobotEdit.SetPort(1))
+        assertTrue(isThere("robot-chosen-trouble"))
+        assertEquals(before, placeOf("robot-turn-left"))
+    }
+
+    @Test
     fun `a sensor is dragged and turned by its handle`() = onBench {
         drag(place(8.0, 0.0), place(8.0, 3.0))
         val moved = robot.things[2] as SensorPart
@@ -78,6 +88,19 @@ class RobotBenchTest {
         val handle = handle(0)
         drag(handle, place(8.0, 3.0) + Offset(-200f, 0f))
         assertEquals(Facing.Ahead(90.0), (robot.things[2] as SensorPart).facing)
+    }
+
+    @Test
+    fun `a robot that was rebuilt is no ready one any more`() {
+        for (isRebuilt in listOf(false, true)) {
+            onBench {
+                if (isRebuilt) tap("robot-item-colour")
+                tap("robot-done")
+                select(ElementRef(ElementKind.ROBOT, 0))
+                val chosen = (0..<ReadyRobots.all.size).filter { isChosen("robot-kind-$it") }
+                assertEquals(if (isRebuilt) emptyList() else listOf(SUMO), chosen)
+            }
+        }
     }
 
     @Test
@@ -195,6 +218,17 @@ class RobotBenchTest {
 
         fun isThere(tag: String) = screen.isThere(tag)
 
+        fun isChosen(tag: String) =
+            screen.onNodeWithTag(tag).fetchSemanticsNode().config.getOrNull(SemanticsProperties.Selected) == true
+
+        fun select(element: ElementRef) {
+            workshop.handle(WorldEditEvent.EditorOpened)
+            workshop.handle(WorldEditEvent.Edited(Edit.Select(element)))
+            screen.pass(300)
+        }
+
+        fun placeOf(tag: String) = screen.onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
+
         fun make(vararg edits: RobotEdit) {
             edits.forEach { workshop.handle(RobotEditEvent.Edited(it)) }
             screen.pass(200)
@@ -226,5 +260,6 @@ class RobotBenchTest {
 
     private companion object {
         const val STEPS = 8
+        val SUMO = ReadyRobots.all.values.indexOf(ReadyRobots.SUMO)
     }
 }

@@ -10,6 +10,8 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.openWorkshop
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Platform
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Settings
 import kotlin.test.Test
@@ -34,6 +36,14 @@ class LessMotionTest {
         solve()
     }
 
+    @Test
+    fun `what the system is told counts until the pupil chooses`() {
+        val welcome: Workshop.() -> Unit = { handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+        val told = MemoryPlatform(prefersLessMotion = true)
+        assertFalse(moves(Settings(), welcome, told), "It moves although the system is told not to.")
+        assertTrue(moves(Settings(lessMotion = false), welcome, told), "It does not move although the pupil wants it.")
+    }
+
     private fun Workshop.solve() {
         handle(LearningEvent.TutorialStarted)
         handle(ProgramEvent.ProgramEdited(checkNotNull(state.learning.tutorial).current.solution.text))
@@ -47,8 +57,12 @@ class LessMotionTest {
     }
 
     /** Whether one of a few pictures from the first second and a half differs from the others. */
-    private fun moves(settings: Settings, prepare: Workshop.() -> Unit): Boolean {
-        val workshop = runBlocking { openWorkshop() }
+    private fun moves(
+        settings: Settings,
+        prepare: Workshop.() -> Unit,
+        platform: Platform = MemoryPlatform(),
+    ): Boolean {
+        val workshop = runBlocking { openWorkshop(platform = platform) }
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         workshop.prepare()
         val pictures = onEventThread {

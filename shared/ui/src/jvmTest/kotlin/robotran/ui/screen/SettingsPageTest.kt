@@ -9,6 +9,7 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import robotran.language.Language
 import kotlin.test.Test
@@ -38,6 +39,20 @@ class SettingsPageTest {
         assertTrue(workshop.state.settingsShown)
         escape()
         assertFalse(workshop.state.settingsShown)
+    }
+
+    @Test
+    fun `the size of texts follows a finger to the end, and is chosen when it is lifted`() = onScreen(411, 1500) { workshop ->
+        openSettings()
+        onNodeWithTag("text-size").performTouchInput {
+            down(centerLeft)
+            for (step in 1..10) moveTo(percentOffset(step / 10f, 0.5f))
+        }
+        pass(300)
+        assertEquals(1f, workshop.state.settings.textScale)
+        onNodeWithTag("text-size").performTouchInput { up() }
+        pass(300)
+        assertEquals(2f, workshop.state.settings.textScale)
     }
 
     private fun ComposeUiTest.openSettings() {

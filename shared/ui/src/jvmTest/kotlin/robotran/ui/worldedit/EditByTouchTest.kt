@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.pixelsOf
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.LearningPage
@@ -78,6 +79,21 @@ class EditByTouchTest {
             },
             "it is at ${world.lamps[0].place}",
         )
+    }
+
+    @Test
+    fun `what is dragged from the palette is seen under the finger`() = onEditor {
+        screen.onNodeWithTag("palette-lamp").performTouchInput {
+            down(center)
+            for (step in 1..10) moveBy(Offset(30f, 0f))
+        }
+        screen.pass(100)
+        val carried = screen.pixelsOf("carried")
+        val middle = (carried.width / 3..carried.width * 2 / 3).flatMap { x ->
+            (carried.height / 3..carried.height * 2 / 3).map { y -> carried[x, y] }
+        }
+        assertTrue(middle.distinct().size > 1, "It is only a ring.")
+        screen.onNodeWithTag("palette-lamp").performTouchInput { up() }
     }
 
     @Test

@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.ordinaryText
 import robotran.assignments.packaging.ScormVersion
@@ -273,15 +274,31 @@ internal class AssignmentAuthor(
 
     private suspend fun addPicture() {
         val file = platform.files.open(listOf(FileKind.PNG, FileKind.JPEG, FileKind.LONG_JPEG)).firstOrNull() ?: return
+        if (hasAllPictures()) return tell(PictureError.TOO_MANY)
+        val fitted = withContext(platform.background) { fitPicture(file.bytes, platform.photoReader) }
+        // Meanwhile the teacher may have left, or gone on writing.
         val assignment = state?.assignment ?: return
-        when (val result = withPicture(assignment, file.name, file.bytes)) {
-            is PictureResult.Added -> change(result.assignment)
-            is PictureResult.Refused -> tell(result.error)
+        when {
+            fitted is FittedPicture.Refused -> {
+                tell(fitted.error)
+            }
+
+            hasAllPictures() -> {
+                tell(PictureError.TOO_MANY)
+            }
+
+            fitted is FittedPicture.Fits -> {
+                change(withPicture(assignment, file.name, fitted.bytes))
+                state = state?.copy(pictureMadeSmaller = fitted.madeSmaller)
+            }
         }
     }
 
+    private fun hasAllPictures(): Boolean =
+        state?.let { it.assignment.pictures.size >= AssignmentLimits.MAXIMUM_PICTURES } == true
+
     private fun tell(error: PictureError) {
-        state = state?.copy(pictureError = error)
+        state = state?.copy(pictureError = error, pictureMadeSmaller = null)
     }
 
     private fun check(on: Boolean) {

@@ -1,6 +1,5 @@
 package robotran.workshop.assignment
 
-import robotran.assignments.doing.canBeShown
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
 import robotran.assignments.doing.ordinaryText
@@ -14,7 +13,6 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.writeProject
 import robotran.workshop.state.MissingPart
-import robotran.workshop.state.PictureError
 import robotran.workshop.state.StartProgram
 import robotran.world.WorldLimits
 import kotlin.io.encoding.Base64
@@ -86,30 +84,15 @@ internal fun startPrograms(open: List<ProjectProgram>, assignment: Assignment): 
         StartProgram(program.name, start != null, isChanged = start != null && textsOf(start) != textsOf(program))
     }
 
-/** [assignment] with the picture in [bytes] and its mark at the end of the text, or why that is impossible. */
-internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray): PictureResult {
-    if (assignment.pictures.size >=
-        AssignmentLimits.MAXIMUM_PICTURES
-    ) {
-        return PictureResult.Refused(PictureError.TOO_MANY)
-    }
-    if (!canBeShown(bytes)) return PictureResult.Refused(PictureError.NOT_A_PICTURE)
-    val data = Base64.encode(bytes)
-    if (data.length > AssignmentLimits.MAXIMUM_PICTURE_CHARACTERS) return PictureResult.Refused(PictureError.TOO_LARGE)
+/** [assignment] with the picture in [bytes], of the file [file], and its mark at the end of the text. */
+internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray): Assignment {
     val plain = file.substringBeforeLast('.').filter { it.isLetterOrDigit() || it in " -_" }.trim()
         .take(MAX_PICTURE_NAME).ifEmpty { "picture" }
     val names = assignment.pictures.map { it.name }
     val name = generateSequence(1) { it + 1 }.map { if (it == 1) plain else "$plain $it" }.first { it !in names }
     val text = "${assignment.text.trimEnd()}\n\n![$name]($name)\n".trimStart()
-    return PictureResult.Added(
-        assignment.copy(pictures = assignment.pictures + AssignmentPicture(name, data), text = text),
-    )
-}
-
-internal sealed interface PictureResult {
-    data class Added(val assignment: Assignment) : PictureResult
-
-    data class Refused(val error: PictureError) : PictureResult
+    val picture = AssignmentPicture(name, Base64.encode(bytes))
+    return assignment.copy(pictures = assignment.pictures + picture, text = text)
 }
 
 private const val STAMP_DIGITS = 8

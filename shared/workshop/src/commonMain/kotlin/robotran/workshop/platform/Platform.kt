@@ -49,8 +49,17 @@ interface Platform {
     /** Whether the pupil works with fingers and has no keyboard, so that programs are shown in blocks first. */
     val isForFingers: Boolean get() = false
 
+    /**
+     * Whether the user has told the system to move less on the screen. It may change at any time, and Compose observes
+     * it.
+     */
+    val prefersLessMotion: Boolean get() = false
+
     /** Renders the pictures that are saved. */
     val pictures: WorldPictures
+
+    /** Reads the photos that are made smaller for an assignment. */
+    val photoReader: PhotoReader get() = NoPhotoReader
 
     /** Records videos, where the platform can. */
     val videos: VideoRecorder get() = NoVideoRecorder
@@ -94,4 +103,6 @@ class MemoryPlatform(
     override val qrScanner: QrScanner? = null,
     override val openingMarks: OpeningMarks = NoOpeningMarks,
     override val showsRecentFiles: Boolean = false,
+    override val prefersLessMotion: Boolean = false,
+    override val photoReader: PhotoReader = NoPhotoReader,
 ) : Platform

@@ -18,10 +18,12 @@ import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.SessionInput
+import robotran.simulation.StopReason
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
 import robotran.simulation.startInputs
 import robotran.simulation.state.GoalShortfall
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.ProgramsStateHolder
@@ -65,6 +67,7 @@ class RunStateHolder(
     private val drawer = DrawerStateHolder(platform, scope, notices, navigator) { programs.state.program.name }
     private val stopLocation = StopLocation(programs)
     private var pendingStart: PendingStart? = null
+    private var seenStop: StopReason? = null
 
     private val tries = TryRecorder(run)
     private val escape = LoneEscape()
@@ -100,7 +103,7 @@ class RunStateHolder(
             is RunEvent.SpeedChosen -> choose(event.speed)
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
-            is RunEvent.RobotWatched -> watch(event.robot)
+            is RunEvent.RobotWatched -> choose(event.robot)
             RunEvent.RecordingPlayed -> playRecording()
             is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
             is RunEvent.ButtonPressed -> press(event.button)
@@ -279,8 +282,18 @@ class RunStateHolder(
         state = state.copy(speed = speed)
     }
 
-    private fun watch(robot: Int) {
-        if (robot !in run.world.robots.indices) return
+    private fun choose(robot: Int) {
+        val chosen = run.world.robots.getOrNull(robot) ?: return
+        programs.handle(ProgramEvent.RobotChosen(chosen.name))
+    }
+
+    /** The brick, the status and the debugger are those of the robot whose program is shown. */
+    private fun watchShownRobot() {
+        val stopped = (player.stop as? StopReason.Breakpoint)?.takeIf { it !== seenStop }
+        seenStop = player.stop
+        if (stopped != null) choose(stopped.robot)
+        val robot = run.world.robots.indexOfFirst { it.name == programs.state.shownRobot }
+        if (robot < 0 || robot == player.watched) return
         run.watch(robot)
         drawer.startNewRun()
         state = state.copy(watched = robot)
@@ -361,6 +374,7 @@ class RunStateHolder(
     }
 
     private fun show() {
+        watchShownRobot()
         run.update()
         if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name)
         drawer.update(player)
@@ -377,7 +391,6 @@ class RunStateHolder(
             outcome = player.outcome,
             drawer = drawer.state,
             immediate = run.world.robots.indices.map(run::immediateProgram),
-            told = player.immediateRobot ?: 0,
             awake = isAwake(),
         )
     }

@@ -53,6 +53,9 @@ internal class WatchedRun(
     private var lastSession = player.session
     private var futures = 0
 
+    /** The breakpoints by the index of the robot. */
+    private var lines = emptyMap<Int, Set<Breakpoint>>()
+
     init {
         listen()
     }
@@ -118,12 +121,21 @@ internal class WatchedRun(
         }
         if (player.branchCount != futures) notices.show(Notice.NewBranch)
         futures = player.branchCount
-        val immediate = immediateProgram(player.watched)
-        when {
-            immediate != null -> player.breakpoints = programs.breakpointsOf(immediate)
+        lines = world.robots.indices.associateWith { breakpoints(it) ?: lines[it].orEmpty() }
+        player.breakpoints = lines.getValue(player.watched)
+        player.otherBreakpoints = lines.filter { (robot, its) -> robot != player.watched && its.isNotEmpty() }
+    }
+
+    /** Of the program that [robot] runs; null for as before. */
+    private fun breakpoints(robot: Int): Set<Breakpoint>? {
+        val immediate = immediateProgram(robot)
+        return when {
+            immediate != null -> programs.breakpointsOf(immediate)
 
             // The lines of a changed program differ from those of the running one.
-            !isChanged -> player.breakpoints = breakpoints()
+            isChanged -> null
+
+            else -> programs.breakpoints(world.robots[robot].name, player.state.robots[robot].brick.selectedSlot)
         }
     }
 
@@ -162,7 +174,4 @@ internal class WatchedRun(
         setup = RunSetup(world, programs.loads(world, firstSlots), physics, preferences.language)
         return RunPlayer(setup, inputs)
     }
-
-    private fun breakpoints(): Set<Breakpoint> =
-        programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)
 }

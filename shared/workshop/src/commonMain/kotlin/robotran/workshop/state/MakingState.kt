@@ -12,6 +12,7 @@ import robotran.projects.Assignment
  * @property canTakeSolution whether taking the programs as they are now would change the solution.
  * @property missing what the assignment lacks; it can be used nevertheless.
  * @property check the run of the solution; null before it.
+ * @property pictureMadeSmaller the size of the picture added last, if it was made smaller.
  * @property link the link for pupils; null while it is not shown.
  * @property savedAs the name of the last file; null before it.
  * @property canPack whether there is a web site at hand to make packages for learning platforms of.
@@ -34,6 +35,7 @@ data class MakingState(
     val missing: List<MissingPart>,
     val check: SolutionCheck? = null,
     val pictureError: PictureError? = null,
+    val pictureMadeSmaller: PictureSize? = null,
     val link: PupilLink? = null,
     val savedAs: String? = null,
     val saveError: String? = null,
@@ -69,7 +71,10 @@ data class SolutionProgram(
 enum class MissingPart { TASK, GOALS, SOLUTION, START_IS_SOLUTION, SOLUTION_NOT_ALLOWED }
 
 /** Why a picture cannot be used. */
-enum class PictureError { TOO_LARGE, NOT_A_PICTURE, TOO_MANY }
+enum class PictureError { TOO_LARGE, NOT_A_PICTURE, TOO_MANY, HEIC }
+
+/** In pixels. */
+data class PictureSize(val width: Int, val height: Int)
 
 /** What running the solution with all seeds and variations says. */
 @Immutable

@@ -28,13 +28,11 @@ import robotran.world.World
  * @property length the known length of the run, in milliseconds.
  * @property marks the events of the run, including those after [time].
  * @property calls the times of the ROM calls of the [watched] robot, including those after [time].
- * @property watched the index of the robot shown in the debugger.
+ * @property watched the index of the chosen robot: its program, brick, status and variables are shown.
  * @property hasRecording whether the project has recorded inputs.
  * @property settings how programs run.
  * @property outcome the goals at the end of the known run, also while an earlier time is shown.
  * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
- * @property told the index of the robot that the run bar tells of: the one that got a program to run at once last, or
- * the first one.
  */
 @Immutable
 data class RunPaneState(
@@ -56,7 +54,6 @@ data class RunPaneState(
     val settings: ProjectSettings = ProjectSettings(),
     val drawer: DrawerState = DrawerState(),
     val immediate: List<ImmediateProgram?> = emptyList(),
-    val told: Int = 0,
     val outcome: RunOutcome = RunOutcome(),
 ) {
     /** What was missing for the goals, as far as the run is known. */

@@ -14,7 +14,7 @@ import robotran.projects.ProgramView
  * @property programView how Robolang programs are shown first: as chosen last.
  * @property isIn3D whether worlds are shown in perspective: as chosen last.
  * @property cameraKind from where they are then seen: as chosen last.
- * @property lessMotion whether animations are reduced.
+ * @property lessMotion whether animations are reduced; null for as the system is told.
  * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
@@ -27,7 +27,7 @@ data class Settings(
     val codeSize: Float = DEFAULT_CODE_SIZE,
     val soundOn: Boolean = true,
     val programView: ProgramView = ProgramView.TEXT,
-    val lessMotion: Boolean = false,
+    val lessMotion: Boolean? = null,
     val isIn3D: Boolean = false,
     val cameraKind: CameraKind = CameraKind.ORBIT,
     val site: String = "",

@@ -2,7 +2,6 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
-import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.programs.ProgramDiagnostic
 import robotran.simulation.Breakpoint
@@ -102,7 +101,7 @@ data class WorkshopState(
         )
 
     val status: WorkshopStatus
-        get() = runStatus(brickTold.run).takeIf {
+        get() = runStatus(run.brick.run).takeIf {
             running && !(diagnostics.isNotEmpty() && run.isPaused && run.isSolved)
         }
             ?: draftError(world)?.let(WorkshopStatus::RobotImpossible)
@@ -113,9 +112,9 @@ data class WorkshopState(
             ?: WorkshopStatus.NoCompiler.takeIf { programs.compileStatus == CompileStatus.NO_COMPILER }
             ?: WorkshopStatus.CompilerFailed.takeIf { programs.compileStatus == CompileStatus.COMPILER_FAILED }
             ?: WorkshopStatus.Compiling.takeIf { programs.compileStatus == CompileStatus.COMPILING }
-            ?: WorkshopStatus.Off.takeIf { !brickTold.poweredOn }
+            ?: WorkshopStatus.Off.takeIf { !run.brick.poweredOn }
             ?: WorkshopStatus.Changed.takeIf { changed && !hasImmediateFailed }
-            ?: runStatus(brickTold.run)
+            ?: runStatus(run.brick.run)
 
     private fun runStatus(now: RunState): WorkshopStatus = when (now) {
         RunState.Idle -> {
@@ -155,17 +154,14 @@ data class WorkshopState(
 
     /** The name of a robot that has left the paper, if possible of the one that the status is about; null if none has. */
     private val strayed: String?
-        get() = run.strayed.minByOrNull { if (it.robot == run.told) -1 else it.robot }?.let {
+        get() = run.strayed.minByOrNull { if (it.robot == run.watched) -1 else it.robot }?.let {
             run.world.robots[it.robot].name
         }
 
-    /** The brick that the status is about. */
-    private val brickTold: BrickState get() = session.robots[run.told].brick
-
     /** Whether the status is about a program that was sent to run at once. It is no attempt at the goals. */
-    private val isImmediate: Boolean get() = brickTold.isImmediate
+    private val isImmediate: Boolean get() = run.brick.isImmediate
 
-    private val hasImmediateFailed: Boolean get() = isImmediate && brickTold.run is RunState.Failed
+    private val hasImmediateFailed: Boolean get() = isImmediate && run.brick.run is RunState.Failed
 
     /** Such a program may have lines that the shown one does not have. */
     private fun lineOf(line: Int): Int = if (isImmediate) 0 else line

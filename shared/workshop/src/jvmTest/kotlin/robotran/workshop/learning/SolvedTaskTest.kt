@@ -76,7 +76,7 @@ class SolvedTaskTest {
             workshop.handle(SettingsEvent.SettingsChanged(settings))
             speaker.tones.clear()
             workshop.solve(solution)
-            val hasTune = settings.soundOn && !settings.lessMotion
+            val hasTune = settings.soundOn && settings.lessMotion == false
             assertEquals(if (hasTune) 4 else 0, speaker.tones.size, "$settings")
         }
     }

@@ -275,6 +275,28 @@ class RunStateHolderTest {
         assertEquals(1, run.watched)
     }
 
+    @Test
+    fun `brick, status and program are those of one robot, and a breakpoint of another one brings that one`() {
+        val first = BuiltInWorlds.plain.robots.first()
+        val other = first.copy(start = Pose(20.0, 55.0, 0.0), name = "other", program = "forward 50\nbeep")
+        val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
+        val mine = ProjectRobot(first.name, listOf(PupilProgram("way.robo", WAY).asProject()))
+        workshop.openProject(Project(world, listOf(mine)))
+        workshop.handle(ProgramEvent.BreakpointToggled(4))
+        workshop.handle(ProgramEvent.RobotChosen("other"))
+        assertEquals(1, run.watched)
+        did(RunEvent.RunPressed)
+        frames(500)
+        assertEquals(WorkshopStatus.Running(1), workshop.state.status)
+        frames(6_000)
+        assertEquals(WorkshopStatus.Paused(4), workshop.state.status)
+        assertEquals(first.name to 0, workshop.state.programs.shownRobot to run.watched)
+        assertEquals(4, workshop.state.shownProgramRun.runningLine)
+        did(RunEvent.RobotWatched(1))
+        assertEquals("other", workshop.state.programs.shownRobot)
+        assertEquals(WorkshopStatus.Paused(1), workshop.state.status)
+    }
+
     private companion object {
         const val FRAME = 16
         const val WAY = "var side = 5\nforward 30\nvar rounds = 0\nrounds = rounds + 1\nforward side\nbeep\nshow rounds"

@@ -16,20 +16,24 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
 import robotran.projects.Assignment
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.AssignmentText
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
+import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.MarkedText
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.make_picture
+import robotran.ui.resources.make_picture_heic
 import robotran.ui.resources.make_picture_large
 import robotran.ui.resources.make_picture_many
 import robotran.ui.resources.make_picture_none
 import robotran.ui.resources.make_picture_remove
+import robotran.ui.resources.make_picture_smaller
 import robotran.ui.resources.make_preview
 import robotran.ui.resources.make_task
 import robotran.ui.resources.make_text
@@ -88,6 +92,12 @@ private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: 
             bad = true,
         )
     }
+    state.pictureMadeSmaller?.let { (width, height) ->
+        Explanation(
+            stringResource(Res.string.make_picture_smaller, grouped(width), grouped(height)),
+            Modifier.testTag("make-picture-smaller").semantics { liveRegion = LiveRegionMode.Polite },
+        )
+    }
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         SecondButton(stringResource(Res.string.make_picture), "make-picture", {
             onEvent(AssignmentEvent.PictureRequested)
@@ -122,4 +132,18 @@ private val PictureError.sentence: StringResource
         PictureError.TOO_LARGE -> Res.string.make_picture_large
         PictureError.NOT_A_PICTURE -> Res.string.make_picture_none
         PictureError.TOO_MANY -> Res.string.make_picture_many
+        PictureError.HEIC -> Res.string.make_picture_heic
     }
+
+/** [number] with a sign between thousands; in Spanish, four digits have none. */
+@Composable
+private fun grouped(number: Int): String = when (LocalLanguage.current) {
+    Language.ENGLISH -> grouped(number, ",")
+    Language.GERMAN -> grouped(number, ".")
+    Language.SPANISH -> "$number"
+}
+
+private fun grouped(number: Int, sign: String): String =
+    "$number".reversed().chunked(THOUSAND_DIGITS).joinToString(sign).reversed()
+
+private const val THOUSAND_DIGITS = 3

@@ -36,6 +36,7 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
+import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.unit.dp
@@ -55,7 +56,6 @@ import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.DoNowButton
-import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_blocks_none
 import robotran.ui.resources.blocks_none_found
@@ -67,6 +67,7 @@ import robotran.ui.resources.blocks_search
 import robotran.ui.resources.blocks_show_all
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.ui.theme.areKeysInUse
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.placeForNew
@@ -96,11 +97,11 @@ internal fun PaletteSheet(
     val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
     val list = remember { FocusRequester() }
     val isOver = room.sheets == SheetPlace.OVER
-    val keys = LocalKeysInUse.current
+    val input = LocalInputModeManager.current
     val take = { block: PaletteBlock ->
         scope.onEvent(BlockEvent.Taken(block))
         // A finger often takes several blocks; the keyboard goes on at the new one.
-        if (keys.isNow) onClose()
+        if (input.areKeysInUse) onClose()
     }
     // While a block is carried out of it, the sheet stays, because its touches come from there.
     val place = modifier

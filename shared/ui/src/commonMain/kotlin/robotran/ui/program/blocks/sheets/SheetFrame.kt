@@ -36,6 +36,7 @@ import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.platform.LocalFocusManager
+import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
@@ -47,12 +48,12 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_sheet_close
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
+import robotran.ui.theme.areKeysInUse
 
 /**
  * A sheet over the blocks. If it was opened by a key, its first button has the focus unless something else takes it;
@@ -70,14 +71,14 @@ internal fun SheetFrame(
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    val keys = LocalKeysInUse.current
+    val input = LocalInputModeManager.current
     val manager = LocalFocusManager.current
     val inside = remember { FocusRequester() }
     val pressed = remember { mutableSetOf<Key>() }
     var hasFocus by remember { mutableStateOf(false) }
     BackGesture(onBack = onClose)
     LaunchedEffect(Unit) {
-        if (!keys.isNow) return@LaunchedEffect
+        if (!input.areKeysInUse) return@LaunchedEffect
         // What is inside has its place only after layout, and may take the focus itself.
         withFrameNanos { }
         if (!hasFocus) inside.requestFocus()

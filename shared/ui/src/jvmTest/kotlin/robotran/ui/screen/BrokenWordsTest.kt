@@ -1,0 +1,85 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.semantics.getOrNull
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.text.TextLayoutResult
+import kotlinx.coroutines.runBlocking
+import robotran.language.Language
+import robotran.learning.Lessons
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** With the largest text on a phone, no word is broken that would fit into the width of the screen. */
+@OptIn(ExperimentalTestApi::class)
+class BrokenWordsTest {
+    @Test
+    fun `in a lesson`() = inEachLanguage { workshop ->
+        for (index in Lessons.all.indices step 9) {
+            workshop.handle(LearningEvent.StepChosen(index))
+            pass(300)
+            assertNoBrokenWords("lesson $index")
+        }
+    }
+
+    @Test
+    fun `beside the sheet, after a try that failed`() = inEachLanguage { workshop ->
+        workshop.handle(ProgramEvent.ProgramEdited("forward 10\nturn right 90\nforward 25\n"))
+        workshop.handle(LearningEvent.TutorialFolded(true))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(20_000)
+        pass(600)
+        assertNoBrokenWords("the verdict")
+    }
+
+    private fun inEachLanguage(check: ComposeUiTest.(Workshop) -> Unit) {
+        for (language in Language.entries) {
+            val workshop = runBlocking { openWorkshop() }
+            val settings = Settings(textScale = 2f, lessMotion = true, language = language)
+            workshop.handle(SettingsEvent.SettingsChanged(settings))
+            workshop.handle(LearningEvent.TutorialStarted)
+            onScreenOf(workshop, WIDTH, HEIGHT) {
+                pass(300)
+                check(workshop)
+            }
+        }
+    }
+
+    private fun ComposeUiTest.assertNoBrokenWords(told: String) {
+        val hasText = SemanticsMatcher.keyIsDefined(SemanticsActions.GetTextLayoutResult)
+        val broken = onAllNodes(hasText, useUnmergedTree = true).fetchSemanticsNodes().flatMap { node ->
+            val layouts = mutableListOf<TextLayoutResult>()
+            node.config.getOrNull(SemanticsActions.GetTextLayoutResult)?.action?.invoke(layouts)
+            layouts.flatMap { it.brokenWords() }
+        }
+        assertEquals(emptyList(), broken, told)
+    }
+
+    private fun TextLayoutResult.brokenWords(): List<String> {
+        val text = layoutInput.text.text
+        return (0..<lineCount - 1).map { getLineEnd(it) }
+            .filter { it in 1..<text.length && text[it - 1].isLetterOrDigit() && text[it].isLetterOrDigit() }
+            .map { end ->
+                val first = text.substring(0, end).takeLastWhile { it.isLetterOrDigit() }
+                first + "/" + text.substring(end).takeWhile { it.isLetterOrDigit() }
+            }
+            .filter { it.length < LONGEST }
+    }
+
+    private companion object {
+        const val WIDTH = 412
+        const val HEIGHT = 915
+
+        /** With the stroke between its parts; longer words may not fit into the width. */
+        const val LONGEST = 19
+    }
+}
