@@ -2,8 +2,10 @@ package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.Diagnosis
 import robotran.javacompiler.diagnose.Diamonds
+import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.diagnose.JavaSeverity
 import robotran.javacompiler.diagnose.MissingMembers
+import robotran.javacompiler.diagnose.PastedCharacters
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
@@ -39,7 +41,9 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
         val compilation = compile(texts, library, gaps, target)
         val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
         val diagnostics = diagnosis.diagnostics()
-        val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
+        val errors = withPastedCharacters(texts, diagnostics.filter { it.severity == JavaSeverity.ERROR }) { plain ->
+            Diagnosis(plain, library, compile(plain, library, gaps, target), messages, gaps, target).diagnostics()
+        }
         return if (errors.isEmpty()) {
             CompilationResult.Compiled(
                 compilation.classes,
@@ -49,6 +53,29 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
             )
         } else {
             CompilationResult.Rejected(errors)
+        }
+    }
+
+    /**
+     * [errors], or if [texts] have characters that no keyboard writes, a mistake for each line with them and what else
+     * [diagnosed] finds in the texts without them.
+     */
+    private fun withPastedCharacters(
+        texts: List<JavaSource>,
+        errors: List<JavaDiagnostic>,
+        diagnosed: (List<JavaSource>) -> List<JavaDiagnostic>,
+    ): List<JavaDiagnostic> {
+        if (errors.isEmpty()) return errors
+        val pasted = texts.associate { text ->
+            val lines = errors.filter { it.path == text.path }.map { it.range.line }
+            text.path to PastedCharacters(text, lines.toSet())
+        }
+        if (pasted.values.all { it.lines.isEmpty() }) return errors
+        val others = diagnosed(pasted.values.map { it.plain() }).filter {
+            it.severity == JavaSeverity.ERROR && it.range.line !in pasted.getValue(it.path).lines
+        }.groupBy { it.path }
+        return pasted.flatMap { (path, characters) ->
+            (characters.diagnostics(messages) + others[path].orEmpty()).sortedBy { it.range.line }
         }
     }
 
