@@ -11,16 +11,21 @@ import robotran.brick.program.ThreadActivity
  * belongs to the step.
  *
  * @param isPaused whether the run was stopped before that statement, so that it does not query it again.
+ * @param chosen the number of the thread that steps, however long it waits; null for the current one.
  */
 internal class Stepping(
     val run: DebuggableRun,
     private val breakpoints: Set<Breakpoint>,
     private val step: StepKind? = null,
     isPaused: Boolean = false,
+    chosen: Int? = null,
 ) : StatementWatch {
-    private val thread = run.threads.find { it.isCurrent }
+    private val threads = run.threads
+    private val isChosen = threads.any { it.number == chosen }
+    private val thread = threads.find { if (isChosen) it.number == chosen else it.isCurrent }
     private val depth = thread?.callStack.orEmpty().size - 1
-    private var asksOfOwnStatement = step != null && run.isBeforeStatement && !isPaused
+    private var asksOfOwnStatement =
+        step != null && thread != null && run.isBeforeStatement(thread.number) && !(isPaused && thread.isCurrent)
 
     val canStop: Boolean get() = step != null || breakpoints.isNotEmpty()
 
@@ -54,7 +59,7 @@ internal class Stepping(
     private fun isStepGivenUp(): Boolean {
         if (step == null) return false
         val activity = thread?.let { run.activityOf(it.number) }
-        return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
+        return activity == null || (step == StepKind.INTO && !isChosen && activity != ThreadActivity.RUNNABLE)
     }
 
     /** A program of one file does not name its file. */

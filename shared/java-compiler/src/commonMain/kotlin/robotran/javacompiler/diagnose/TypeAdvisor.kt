@@ -99,7 +99,8 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         val (_, method, needed, given) = problem.arguments.map(::shortened)
         val message = messages.wrongArguments(method, needed, given)
         val call = problem.end + source.codeBehind(problem.end).substringBefore(')').length
-        val comma = decimalCommaIn(source, problem.end, call)?.takeIf { commasIn(given) == commasIn(needed) + 1 }
+        val comma = decimalCommaIn(source, problem.end, call)
+            ?.takeIf { needed.isNotEmpty() && commasIn(given) == commasIn(needed) + 1 }
         return when {
             comma != null -> {
                 val type = if (',' in needed) "" else needed

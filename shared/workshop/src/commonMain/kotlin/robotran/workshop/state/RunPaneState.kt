@@ -2,6 +2,7 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
+import robotran.brick.program.CallFrame
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.projects.ProjectSettings
@@ -31,6 +32,7 @@ import robotran.world.World
  * @property watched the index of the robot shown in the debugger.
  * @property hasRecording whether the project has recorded inputs.
  * @property settings how programs run.
+ * @property frame the selected frame of the [watched] robot's program, whose line is shown; null for the current line.
  * @property outcome the goals at the end of the known run, also while an earlier time is shown.
  * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
  * @property told the index of the robot that the run bar tells of: the one that got a program to run at once last, or
@@ -55,6 +57,7 @@ data class RunPaneState(
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),
     val drawer: DrawerState = DrawerState(),
+    val frame: CallFrame? = null,
     val immediate: List<ImmediateProgram?> = emptyList(),
     val told: Int = 0,
     val outcome: RunOutcome = RunOutcome(),
