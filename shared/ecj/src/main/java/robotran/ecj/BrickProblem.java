@@ -36,5 +36,17 @@ public final class BrickProblem {
     /** A class or member that a brick's class library lacks. Argument: its key, see {@link EcjCompiler#addGap}. */
     public static final int LIBRARY_GAP = -14;
 
+    /** The compiler would need too long. Argument: the name of the method, class or file. */
+    public static final int TOO_MUCH_WORK = -15;
+
+    /** A {@code finally} whose copies would be too many, since it contains others or many ways lead out of its try. */
+    public static final int FINALLY_COPIED_TOO_OFTEN = -16;
+
+    /** Argument: the max imports of a file. */
+    public static final int TOO_MANY_IMPORTS = -17;
+
+    /** Argument: the max classes of a program. */
+    public static final int TOO_MANY_CLASSES = -18;
+
     private BrickProblem() {}
 }

@@ -27,13 +27,21 @@ public enum BrickTarget {
         return this == LEJOS_RCX;
     }
 
+    /**
+     * Whether the code of a {@code finally} is copied to each end of its {@code try}, as class files of version 50 need
+     * it; those of older versions have it once, as a subroutine.
+     */
+    boolean copiesFinally() {
+        return this == LEJOS_NXJ;
+    }
+
     /** Adds the settings of the language and the class files. */
     void addTo(Map<String, String> settings) {
         settings.put(CompilerOptions.OPTION_Source, language);
         settings.put(CompilerOptions.OPTION_Compliance, language);
         settings.put(CompilerOptions.OPTION_TargetPlatform, classFiles);
-        if (this == LEJOS_NXJ) {
-            // Class files of version 50 may not contain subroutines; ECJ's command line sets this by itself.
+        if (copiesFinally()) {
+            // ECJ's command line sets this by itself.
             settings.put(CompilerOptions.OPTION_InlineJsr, CompilerOptions.ENABLED);
         }
     }

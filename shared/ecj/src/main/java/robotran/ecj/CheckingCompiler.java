@@ -2,7 +2,9 @@ package robotran.ecj;
 
 import java.io.OutputStream;
 import java.io.PrintWriter;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.eclipse.jdt.internal.compiler.CompilationResult;
 import org.eclipse.jdt.internal.compiler.Compiler;
@@ -20,6 +22,7 @@ final class CheckingCompiler extends Compiler {
     private final boolean hasRules;
     private final Set<String> gaps;
     private final List<EcjProblem> problems;
+    private final Map<String, MemberNames> memberNames = new HashMap<>();
     private boolean crashed;
 
     /**
@@ -46,13 +49,22 @@ final class CheckingCompiler extends Compiler {
         return crashed;
     }
 
+    /** What the classes have whose members the source {@code path} names wrongly. */
+    MemberNames memberNames(String path) {
+        return memberNames.getOrDefault(path, new MemberNames());
+    }
+
     @Override
     public void process(CompilationUnitDeclaration unit, int place) {
         super.process(unit, place);
+        String path = new String(unit.getFileName());
+        if (unit.compilationResult.hasErrors()) {
+            memberNames.put(path, memberNamesOf(unit));
+        }
         if (unit.compilationResult.hasSyntaxError) {
             return; // After a syntax error, the tree contains guesses.
         }
-        BrickReport report = new BrickReport(new String(unit.getFileName()));
+        BrickReport report = new BrickReport(path);
         if (hasRules) {
             unit.traverse(new BrickRules(report), unit.scope);
             unit.traverse(new LockRules(report), unit.scope);
@@ -63,10 +75,24 @@ final class CheckingCompiler extends Compiler {
         problems.addAll(report.problems());
     }
 
+    private static MemberNames memberNamesOf(CompilationUnitDeclaration unit) {
+        MemberNames names = new MemberNames();
+        try {
+            names.visit(unit);
+        } catch (RuntimeException incompleteTree) {
+            // Its mistakes are told with fewer names.
+        }
+        return names;
+    }
+
     @Override
     protected void handleInternalException(
             Throwable failure, CompilationUnitDeclaration unit, CompilationResult result) {
         crashed = true;
+        if (unit != null && unit.compilationResult.hasErrors()) {
+            // A program with many mistakes can be too much work; it is better to tell them.
+            requestor.acceptResult(unit.compilationResult);
+        }
     }
 
     private static PrintWriter silence() {

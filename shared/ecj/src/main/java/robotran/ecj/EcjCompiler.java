@@ -39,6 +39,13 @@ public final class EcjCompiler {
             CompilerOptions.OPTION_LocalVariableAttribute,
             CompilerOptions.OPTION_SourceFileAttribute);
 
+    /** The problems with names that a class does not have, or with its constructors. */
+    private static final List<Integer> NAMES_OF_MEMBERS = Arrays.asList(
+            IProblem.UndefinedMethod,
+            IProblem.UndefinedField,
+            IProblem.UndefinedConstructor,
+            IProblem.NotVisibleConstructor);
+
     private final Library library;
     private final BrickTarget target;
     private final List<ICompilationUnit> sources = new ArrayList<>();
@@ -47,7 +54,9 @@ public final class EcjCompiler {
     private final List<String> mainClasses = new ArrayList<>();
     private final Map<String, String> texts = new HashMap<>();
     private final Set<String> gaps = new HashSet<>();
+    private CheckingCompiler compiler;
     private int characters;
+    private int typeCount;
 
     /** @param library the class library of {@code target} */
     public EcjCompiler(Library library, BrickTarget target) {
@@ -59,13 +68,14 @@ public final class EcjCompiler {
     public void addSource(String path, String text) {
         characters = Math.min(characters, SOURCE_CHARACTERS) + Math.min(text.length(), SOURCE_CHARACTERS + 1);
         if (characters > SOURCE_CHARACTERS || sources.size() == SOURCES) {
-            report(
-                path, BrickProblem.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
+            problems.add(
+                EcjProblem.of(path, BrickProblem.SOURCE_TOO_LONG, 0, 0, Integer.toString(SOURCE_CHARACTERS)));
             return;
         }
-        int tooDeep = SourceBounds.tooDeep(text);
-        if (tooDeep >= 0) {
-            report(path, BrickProblem.NESTED_TOO_DEEPLY, tooDeep, Collections.emptyList());
+        SourceBounds bounds = new SourceBounds(path, text, typeCount, target.copiesFinally());
+        typeCount = bounds.typeCount();
+        if (bounds.problem() != null) {
+            problems.add(bounds.problem());
             return;
         }
         texts.put(path, text);
@@ -87,17 +97,31 @@ public final class EcjCompiler {
     public EcjResult compile() {
         boolean crashed = false;
         if (problems.isEmpty()) {
+            WorkBudget.begin();
             try {
-                CheckingCompiler compiler =
-                    new CheckingCompiler(
+                compiler = new CheckingCompiler(
                         library.environment(), options(), target.hasRules(), this::take, gaps, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {
                 crashed = true;
+            } finally {
+                WorkBudget.end();
+            }
+            if (WorkBudget.exceeded() && !hasErrors()) {
+                problems.add(WorkBudget.problem(new String(sources.get(0).getFileName())));
             }
         }
         return new EcjResult(classes, mainClasses, problems, crashed);
+    }
+
+    private boolean hasErrors() {
+        for (EcjProblem problem : problems) {
+            if (problem.error()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void take(CompilationResult result) {
@@ -120,10 +144,6 @@ public final class EcjCompiler {
         }
     }
 
-    private void report(String path, int number, int start, List<String> arguments) {
-        problems.add(new EcjProblem(path, number, true, false, start, start, "", arguments, Collections.emptyList()));
-    }
-
     private EcjProblem described(CategorizedProblem problem) {
         String path = new String(problem.getOriginatingFileName());
         List<String> arguments = problem.getArguments() == null
@@ -137,15 +157,19 @@ public final class EcjCompiler {
                 problem.getSourceEnd() + 1,
                 problem.getMessage(),
                 arguments,
-                members(problem, arguments, texts.getOrDefault(path, "")));
+                members(path, problem, arguments));
     }
 
-    private List<String> members(CategorizedProblem problem, List<String> arguments, String text) {
+    private List<String> members(String path, CategorizedProblem problem, List<String> arguments) {
+        List<String> known = compiler.memberNames(path).at(problem.getSourceStart());
+        if (known != null && NAMES_OF_MEMBERS.contains(problem.getID())) {
+            return known;
+        }
         if (problem.getID() == IProblem.UndefinedMethod) {
             return library.memberNames(withoutTypeArguments(arguments.get(0)));
         }
         if (problem.getID() == IProblem.UndefinedField) {
-            return library.memberNames(nameBefore(text, problem.getSourceStart()));
+            return library.memberNames(nameBefore(texts.getOrDefault(path, ""), problem.getSourceStart()));
         }
         return Collections.emptyList();
     }

@@ -1,5 +1,7 @@
 package robotran.ecj;
 
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 
 /** A problem that the compiler or {@link BrickRules} found. The message for the pupil is made elsewhere. */
@@ -33,6 +35,12 @@ public final class EcjProblem {
         this.message = message;
         this.arguments = arguments;
         this.members = members;
+    }
+
+    /** An error that ECJ itself does not know, of a kind in {@link BrickProblem}. */
+    static EcjProblem of(String path, int number, int start, int end, String... arguments) {
+        return new EcjProblem(
+            path, number, true, false, start, end, "", Arrays.asList(arguments), Collections.emptyList());
     }
 
     /** The path of the source. */

@@ -2,8 +2,10 @@ package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.Diagnosis
 import robotran.javacompiler.diagnose.Diamonds
+import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.diagnose.JavaSeverity
 import robotran.javacompiler.diagnose.MissingMembers
+import robotran.javacompiler.diagnose.PastedCharacters
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
@@ -53,14 +55,35 @@ internal inline fun compilation(
 ): CompilationResult {
     val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
     val gaps = MissingMembers(missing)
-    val first = ecj(texts, gaps.keys)
-    val diamonds = if (target == BrickTarget.LEJOS_NXJ && first.problems.any { it.isError }) Diamonds(texts) else null
-    val compilation = if (diamonds == null || diamonds.isEmpty) {
-        first
-    } else {
-        withDiamonds(first, diamonds, ecj(diamonds.blanked(), gaps.keys))
+    val compilation = compiled(texts, target) { ecj(it, gaps.keys) }
+    val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
+    val diagnostics = diagnosis.diagnostics()
+    val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
+    if (errors.isEmpty()) {
+        return CompilationResult.Compiled(
+            compilation.classes,
+            diagnostics,
+            compilation.mainClasses,
+            diagnosis.missingMain(),
+        )
     }
-    return told(compilation, Diagnosis(texts, library, compilation, messages, gaps, target))
+    val pasted = pastedCharacters(texts, errors) ?: return CompilationResult.Rejected(errors)
+    val plain = pasted.values.map { it.plain() }
+    val plainCompilation = compiled(plain, target) { ecj(it, gaps.keys) }
+    val others = Diagnosis(plain, library, plainCompilation, messages, gaps, target).diagnostics()
+    return CompilationResult.Rejected(withPastedCharacters(pasted, others, messages))
+}
+
+/** What [ecj] makes of [texts], with mistakes beside empty diamonds. */
+internal inline fun compiled(
+    texts: List<JavaSource>,
+    target: BrickTarget,
+    ecj: (texts: List<JavaSource>) -> EcjCompilation,
+): EcjCompilation {
+    val first = ecj(texts)
+    if (target != BrickTarget.LEJOS_NXJ || first.problems.none { it.isError }) return first
+    val diamonds = Diamonds(texts)
+    return if (diamonds.isEmpty) first else withDiamonds(first, diamonds, ecj(diamonds.blanked()))
 }
 
 /** The problems of [first], which tells little beside a diamond, and of [second], which did not see the [diamonds]. */
@@ -76,18 +99,24 @@ internal fun withDiamonds(first: EcjCompilation, diamonds: Diamonds, second: Ecj
     )
 }
 
-internal fun told(compilation: EcjCompilation, diagnosis: Diagnosis): CompilationResult {
-    val diagnostics = diagnosis.diagnostics()
-    val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
-    return if (errors.isEmpty()) {
-        CompilationResult.Compiled(
-            compilation.classes,
-            diagnostics,
-            compilation.mainClasses,
-            diagnosis.missingMain(),
-        )
-    } else {
-        CompilationResult.Rejected(errors)
+/** The characters that no keyboard writes in the lines of [errors], by path; null if there are none. */
+internal fun pastedCharacters(texts: List<JavaSource>, errors: List<JavaDiagnostic>): Map<String, PastedCharacters>? =
+    texts.associate { text ->
+        val lines = errors.filter { it.path == text.path }.map { it.range.line }
+        text.path to PastedCharacters(text, lines.toSet())
+    }.takeIf { pasted -> pasted.values.any { it.lines.isNotEmpty() } }
+
+/** A mistake for each line with [pasted] characters, and the errors among [others], of the texts without them. */
+internal fun withPastedCharacters(
+    pasted: Map<String, PastedCharacters>,
+    others: List<JavaDiagnostic>,
+    messages: JavaMessages,
+): List<JavaDiagnostic> {
+    val kept = others.filter {
+        it.severity == JavaSeverity.ERROR && it.range.line !in pasted.getValue(it.path).lines
+    }.groupBy { it.path }
+    return pasted.flatMap { (path, characters) ->
+        (characters.diagnostics(messages) + kept[path].orEmpty()).sortedBy { it.range.line }
     }
 }
 

@@ -23,6 +23,13 @@ internal class JvmEcj : Ecj {
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
+    ): EcjCompilation = synchronized(LOCK) { compileAlone(sources, library, gaps, target) }
+
+    private fun compileAlone(
+        sources: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: Set<String>,
+        target: BrickTarget,
     ): EcjCompilation {
         val known = loaded[target]?.takeIf { it.classFiles === library }
             ?: LoadedLibrary(library).also { loaded[target] = it }
@@ -44,5 +51,10 @@ internal class JvmEcj : Ecj {
             )
         }
         return EcjCompilation(result.classes(), result.mainClasses(), problems, completed = !result.crashed())
+    }
+
+    private companion object {
+        /** ECJ counts its work in one place, so it compiles one program at a time. */
+        val LOCK = Any()
     }
 }

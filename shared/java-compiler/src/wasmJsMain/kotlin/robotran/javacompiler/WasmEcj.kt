@@ -26,7 +26,12 @@ private class WasmEcj(private val module: EcjModule) : Ecj {
         read(library, target)
         gaps.forEach { module.addGap(it) }
         sources.forEach { module.addSource(it.path, it.text) }
-        val completed = module.compile()
+        val completed = try {
+            module.compile()
+        } catch (overflow: Throwable) {
+            // The module's own handlers do not see the overflow of its stack.
+            return EcjCompilation(emptyMap(), emptyList(), emptyList(), completed = false)
+        }
         val names = List(module.classCount()) { module.className(it) }
         val classes = names.withIndex().associate { (index, name) -> name to byteArray(module.classFile(index)) }
         val mainClasses = names.filterIndexed { index, _ -> module.classHasMain(index) }

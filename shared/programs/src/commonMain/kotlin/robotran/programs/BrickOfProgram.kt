@@ -21,7 +21,8 @@ fun brickOf(files: List<SourceFile>): BrickKind? = brickMentionIn(files)?.kind
 /** The first mention of the brick that a program of [files] is for; null as for [brickOf]. */
 fun brickMentionIn(files: List<SourceFile>): BrickMention? {
     val mentions = files.flatMap { mentionsIn(it) }
-    return mentions.firstOrNull()?.takeIf { mentions.all { other -> other.kind == it.kind } }
+    val first = mentions.firstOrNull()?.takeIf { mentions.all { other -> other.kind == it.kind } }
+    return first?.let { BrickMention(it.kind, it.file, it.range()) }
 }
 
 /** The kind of brick that this program is for; null if it does not tell. */
@@ -40,11 +41,16 @@ private fun brickOfClasses(classFiles: Collection<ByteArray>): BrickKind? = PACK
 private fun ByteArray.contains(part: ByteArray): Boolean =
     (0..size - part.size).any { place -> part.indices.all { this[place + it] == part[it] } }
 
-private fun mentionsIn(file: SourceFile): List<BrickMention> {
+/** A mention whose line is not counted yet: a program may have tens of thousands. */
+private class NameInCode(val file: String, private val code: String, private val name: MatchResult) {
+    val kind = PACKAGES.getValue(name.groupValues[1])
+
+    fun range() = rangeOf(code, name.range)
+}
+
+private fun mentionsIn(file: SourceFile): List<NameInCode> {
     val code = withoutCommentsAndTexts(file.text)
-    return BRICK_NAME.findAll(code).mapNotNull { name ->
-        PACKAGES[name.groupValues[1]]?.let { BrickMention(it, file.name, rangeOf(code, name.range)) }
-    }.toList()
+    return BRICK_NAME.findAll(code).map { NameInCode(file.name, code, it) }.toList()
 }
 
 private fun rangeOf(code: String, name: IntRange): SourceRange {

@@ -54,6 +54,11 @@ class BrickOfProgramTest {
     }
 
     @Test
+    fun `a brick that is named a hundred thousand times is told`() {
+        assertEquals(BrickKind.NXT, brickOf("import lejos.nxt.Motor;\n".repeat(100_000)))
+    }
+
+    @Test
     fun `the first mention has a place`() {
         val files = listOf(
             SourceFile("A.java", "class A {}"),

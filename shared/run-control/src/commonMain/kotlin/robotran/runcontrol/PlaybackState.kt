@@ -14,8 +14,12 @@ sealed interface PlaybackState {
      */
     data class Playing(val until: Breakpoint? = null) : PlaybackState
 
-    /** Time passes until a step of the program ends. */
-    data class Stepping(val kind: StepKind) : PlaybackState
+    /**
+     * Time passes until a step of the program ends.
+     *
+     * @property thread the number of the thread that steps; null for the current one.
+     */
+    data class Stepping(val kind: StepKind, val thread: Int? = null) : PlaybackState
 
     /**
      * Moving to another time, at max speed.

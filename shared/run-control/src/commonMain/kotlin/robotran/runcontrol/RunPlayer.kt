@@ -158,10 +158,14 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         move(PlaybackState.Paused)
     }
 
-    /** Steps the program, at [speed]; without a program, pauses. */
-    fun step(kind: StepKind) {
+    /**
+     * Steps the program, at [speed]; without a program, pauses.
+     *
+     * @param thread the number of the thread that steps; null for the current one.
+     */
+    fun step(kind: StepKind, thread: Int? = null) {
         isStepBegun = false
-        move(PlaybackState.Stepping(kind))
+        move(PlaybackState.Stepping(kind, thread))
     }
 
     /** Seeks to [time], clamped to 0..[length], and pauses there. */
@@ -253,7 +257,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     private fun step(now: PlaybackState.Stepping, milliseconds: Int) {
         go(milliseconds) { part ->
-            take.step(now.kind, isStepBegun, part, breakpoints, otherBreakpoints).also { isStepBegun = true }
+            take.step(now, isStepBegun, part, breakpoints, otherBreakpoints).also { isStepBegun = true }
         }
     }
 

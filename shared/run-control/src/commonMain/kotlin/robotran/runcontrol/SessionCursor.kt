@@ -1,6 +1,5 @@
 package robotran.runcontrol
 
-import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.Session
@@ -57,7 +56,7 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
 
     /** Starts or continues a step, for at most [milliseconds]; null if it takes longer. */
     fun step(
-        kind: StepKind,
+        step: PlaybackState.Stepping,
         isBegun: Boolean,
         milliseconds: Int,
         breakpoints: Set<Breakpoint>,
@@ -65,7 +64,12 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
     ): StopReason? {
         session.breakpoints = breakpoints
         session.otherBreakpoints = others
-        val reason = if (isBegun) session.continueStep(milliseconds) else session.stepStatement(kind, milliseconds)
+        val reason =
+            if (isBegun) {
+                session.continueStep(milliseconds)
+            } else {
+                session.stepStatement(step.kind, milliseconds, step.thread)
+            }
         return reason.takeIf { it != StopReason.TimeUp }
     }
 

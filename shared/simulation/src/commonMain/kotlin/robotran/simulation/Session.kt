@@ -126,11 +126,17 @@ class Session(
     }
 
     /**
-     * Steps the program and advances time until the step ends, at most [milliseconds]. The step belongs to the current
-     * thread; other threads do not end it, unless the current thread can no longer reach its end.
+     * Steps the program and advances time until the step ends, at most [milliseconds]. The step belongs to one thread;
+     * other threads do not end it, unless that thread can no longer reach its end.
+     *
+     * @param thread the number of the thread that steps, even if it waits; null for the current one.
      */
-    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.MAX_STEP_MILLISECONDS): StopReason {
-        step = brick.debuggableRun?.let { Stepping(watched, it, breakpoints, kind, brick.isPaused) }
+    fun stepStatement(
+        kind: StepKind,
+        milliseconds: Int = SimulationLimits.MAX_STEP_MILLISECONDS,
+        thread: Int? = null,
+    ): StopReason {
+        step = brick.debuggableRun?.let { Stepping(watched, it, breakpoints, kind, brick.isPaused, thread) }
         return continueStep(milliseconds)
     }
 

@@ -12,6 +12,7 @@ import robotran.brick.program.ThreadActivity
  *
  * @param robot the index of the robot that runs it.
  * @param isPaused whether the run was stopped before that statement, so that it does not query it again.
+ * @param chosen the number of the thread that steps, however long it waits; null for the current one.
  */
 internal class Stepping(
     private val robot: Int,
@@ -19,10 +20,14 @@ internal class Stepping(
     private val breakpoints: Set<Breakpoint>,
     private val step: StepKind? = null,
     isPaused: Boolean = false,
+    chosen: Int? = null,
 ) : StatementWatch {
-    private val thread = run.threads.find { it.isCurrent }
+    private val threads = run.threads
+    private val isChosen = threads.any { it.number == chosen }
+    private val thread = threads.find { if (isChosen) it.number == chosen else it.isCurrent }
     private val depth = thread?.callStack.orEmpty().size - 1
-    private var asksOfOwnStatement = step != null && run.isBeforeStatement && !isPaused
+    private var asksOfOwnStatement =
+        step != null && thread != null && run.isBeforeStatement(thread.number) && !(isPaused && thread.isCurrent)
 
     val canStop: Boolean get() = step != null || breakpoints.isNotEmpty()
 
@@ -56,7 +61,7 @@ internal class Stepping(
     private fun isStepGivenUp(): Boolean {
         if (step == null) return false
         val activity = thread?.let { run.activityOf(it.number) }
-        return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
+        return activity == null || (step == StepKind.INTO && !isChosen && activity != ThreadActivity.RUNNABLE)
     }
 
     /** A program of one file does not name its file. */

@@ -91,6 +91,26 @@ class ThreadSteppingTest {
     }
 
     @Test
+    fun `a step of a chosen thread waits for it, whatever the others do`() = runTest {
+        val session = started()
+        session.runTo(8)
+        session.breakpoints = emptySet()
+        val main = session.threads.single { it.name == "main" }.number
+        for ((kind, line) in listOf(StepKind.INTO to 22, StepKind.INTO to 13, StepKind.OUT to 23)) {
+            assertEquals(StopReason.StepDone, session.stepStatement(kind, thread = main))
+            assertEquals(line, session.threads.single { it.number == main }.callStack.first().sourceLine)
+        }
+    }
+
+    @Test
+    fun `the first step from a while goes into its loop`() = runTest {
+        val session = started()
+        session.runTo(7)
+        session.breakpoints = emptySet()
+        assertEquals(listOf(8, 7, 8), session.lines(StepKind.OVER, StepKind.OVER, StepKind.OVER))
+    }
+
+    @Test
     fun `a breakpoint stops any thread and all can be looked into`() = runTest {
         val session = started()
         session.runTo(8)

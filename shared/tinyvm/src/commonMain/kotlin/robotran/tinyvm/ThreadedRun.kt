@@ -74,6 +74,9 @@ internal abstract class ThreadedRun(
 
     override val isBeforeStatement: Boolean get() = inspector.isBeforeStatement(focus)
 
+    override fun isBeforeStatement(thread: Int): Boolean =
+        inspector.isBeforeStatement(machine.scheduler.threads.find { it.number == thread })
+
     /** The thread that the debugger shows: the current one if it is alive, otherwise the first. */
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive }
         ?: machine.scheduler.threads.firstOrNull()

@@ -40,6 +40,10 @@ interface DebuggableRun : ProgramRun {
     /** Whether the run is before a statement rather than in the middle of one. */
     val isBeforeStatement: Boolean
 
+    /** The same for the thread with this number; false if it is not alive. */
+    fun isBeforeStatement(thread: Int): Boolean =
+        isBeforeStatement && threads.any { it.isCurrent && it.number == thread }
+
     /** Called once before each statement, unless null. */
     var watch: StatementWatch?
 

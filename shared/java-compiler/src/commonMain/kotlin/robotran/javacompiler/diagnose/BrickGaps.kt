@@ -11,6 +11,9 @@ internal interface BrickGaps {
     /** What to use instead of [method], called without a class or an object; null if nothing is known. */
     fun insteadOfCall(method: String): String?
 
+    /** [name] with the class before it, if that has a constant of this name; null if none has. */
+    fun qualified(name: String): String?
+
     companion object {
         fun of(target: BrickTarget, messages: JavaMessages): BrickGaps = when (target) {
             BrickTarget.LEJOS_RCX -> RcxGaps(messages)
@@ -23,10 +26,23 @@ private class RcxGaps(private val messages: JavaMessages) : BrickGaps {
     override fun instead(name: String, owner: String?) = absent(name, owner)?.let(messages::absent)
 
     override fun insteadOfCall(method: String) = absentCall(method)?.let(messages::absent)
+
+    override fun qualified(name: String) = RCX_CONSTANTS[name]?.let { "$it.$name" }
 }
+
+private val RCX_CONSTANTS = constants("Sensor" to "S1 S2 S3", "Motor" to "A B C", "Button" to "RUN VIEW PRGM")
+
+private val NXT_CONSTANTS =
+    constants("SensorPort" to "S1 S2 S3 S4", "Motor" to "A B C", "Button" to "ENTER LEFT RIGHT ESCAPE")
+
+/** The classes of constants, by their names. */
+private fun constants(vararg classes: Pair<String, String>): Map<String, String> =
+    classes.flatMap { (owner, names) -> names.split(' ').map { it to owner } }.toMap()
 
 private class NxjGaps(private val messages: JavaMessages) : BrickGaps {
     override fun instead(name: String, owner: String?) = nxjRemedy(name, owner)?.let(messages::insteadInNxj)
 
     override fun insteadOfCall(method: String) = nxjRemedyOfCall(method)?.let(messages::insteadInNxj)
+
+    override fun qualified(name: String) = NXT_CONSTANTS[name]?.let { "$it.$name" }
 }

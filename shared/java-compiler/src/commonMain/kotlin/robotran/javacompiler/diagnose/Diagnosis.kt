@@ -29,7 +29,7 @@ internal class Diagnosis(
 ) {
     private val sources = sources.map(::SourceText)
     private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MAX_PROBLEMS).groupBy { it.path }
-        .mapValues { (_, problems) -> withoutMethodReferences(problems) }
+        .mapValues { (path, problems) -> cleared(problems, this.sources.first { it.path == path }) }
     private val suggestions = NameSuggestions(undeclaredNames(), messages)
     private val libraryNames = LibraryNames(library)
     private val lejos = LejosAdvisor(missing, messages)
@@ -37,8 +37,10 @@ internal class Diagnosis(
     private val gaps = BrickGaps.of(target, messages)
     private val names = NameAdvisor(libraryNames, suggestions, gaps, messages)
     private val members = MemberAdvisor(libraryNames, suggestions, gaps, messages)
-    private val meaning = SemanticAdvisor(messages, boxes = target == BrickTarget.LEJOS_NXJ)
+    private val meaning = SemanticAdvisor(messages, libraryNames, boxes = target == BrickTarget.LEJOS_NXJ)
+    private val structure = StructureAdvisor(messages)
     private val syntax = SyntaxAdvisor(messages)
+    private val limits = LimitAdvisor(messages)
 
     /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */
     fun diagnostics(): List<JavaDiagnostic> {
@@ -51,6 +53,13 @@ internal class Diagnosis(
     /** The diagnostic for a missing main method; null if there is one. */
     fun missingMain(): JavaDiagnostic? =
         if (compilation.mainClasses.isEmpty()) MissingMainMethod(messages).missing(sources) else null
+
+    /** [problems] of [source] without some that ECJ only guesses, and with what it does not see. */
+    private fun cleared(problems: List<EcjProblem>, source: SourceText): List<EcjProblem> {
+        val own = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
+        val structure = if (own.isEmpty()) emptyList() else StructureMistakes(source).problems()
+        return structure + withoutLostLoopVariables(source, withoutMethodReferences(problems))
+    }
 
     private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
         byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
@@ -65,12 +74,14 @@ internal class Diagnosis(
     private fun hasErrors(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.ERROR }
 
     private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
-        val advice = lejos.advice(problem, source)
+        val advice = structure.advice(problem, source)
+            ?: lejos.advice(problem, source)
             ?: brick.advice(problem)
             ?: names.advice(problem, source)
             ?: members.advice(problem, source)
             ?: meaning.advice(problem, source)
             ?: syntax.advice(problem, source)
+            ?: limits.advice(problem)
             ?: ProblemExplanation(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
         val span = advice.at ?: SourceSpan(problem.start, problem.end)
         return JavaDiagnostic(

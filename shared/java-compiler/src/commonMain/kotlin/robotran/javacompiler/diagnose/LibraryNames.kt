@@ -15,6 +15,10 @@ internal class LibraryNames(library: Map<String, ByteArray>) {
         qualifiedNames.filter { '.' in it }.map { it.substringBeforeLast('.') }.distinct()
     }
 
+    /** The packages with a class [simpleName], with dots. */
+    fun homesOf(simpleName: String): List<String> =
+        qualifiedNames.filter { it.endsWith(".$simpleName") }.map { it.substringBeforeLast('.') }
+
     /** Returns the package of the class [simpleName], with dots; null if there is none or it needs no import. */
     fun packageOf(simpleName: String): String? {
         val name = qualifiedNames.firstOrNull { it.substringAfterLast('.') == simpleName && '.' in it }

@@ -51,6 +51,7 @@ internal class MemberAdvisor(
         val owner = source.qualifier(problem.start)
         val message = messages.unknownField(shortened(name), owner?.let(::shortened))
         if (name == LENGTH) return ProblemExplanation(message, messages.lengthOfTextOrArray())
+        methodWithoutBrackets(problem, source, name)?.let { return it }
         return member(problem, source, name, owner, message)
     }
 
@@ -62,7 +63,44 @@ internal class MemberAdvisor(
         if (isUnqualified) command(problem, source, name)?.let { return it }
         val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
         val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
-        return if (isOwn) ProblemExplanation(told.message, messages.writeMethod(shortened(name))) else told
+        if (!isOwn) return told
+        val parameters = parametersOf(problem.arguments.getOrElse(2) { "" })
+        return ProblemExplanation(told.message, messages.writeMethod(shortened(name), parameters))
+    }
+
+    /** Parameters of the types of a call, as they are declared. */
+    private fun parametersOf(types: String): String = types.split(", ").filter { it.isNotEmpty() && it != "null" }
+        .mapIndexed { index, type -> "${shortened(type)} ${'a' + index}" }.joinToString()
+
+    /** A method that is used like a field. */
+    private fun methodWithoutBrackets(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
+        val behind = source.codeBehind(problem.end)
+        val set = SET.find(behind)
+        return when {
+            "$name(1)" in problem.members && set != null -> {
+                val end = problem.end + set.value.length - 1
+                val value = source.words(problem.end, end).substringAfter('=').trim()
+                val call = "$name($value)"
+                val range = source.range(problem.start, end)
+                val message = messages.valueInBrackets(shortened(name), shortened(call))
+                ProblemExplanation(message, fix = JavaFix(range, call))
+            }
+
+            "$name(0)" in problem.members -> {
+                val compared = COMPARED.find(behind)
+                val end = problem.end + (compared?.value?.length ?: 0)
+                val call = if (compared == null) "$name()" else "$name() =="
+                ProblemExplanation(
+                    messages.callWithBrackets(shortened(name)),
+                    fix = JavaFix(source.range(problem.start, end), call),
+                )
+            }
+
+            problem.members.any { it.startsWith("$name(") } ->
+                ProblemExplanation(messages.callWithBrackets(shortened(name)))
+
+            else -> null
+        }
     }
 
     /** A misspelled keyword with a condition, such as `elseif` or `While`, looks like a method call. */
@@ -86,18 +124,18 @@ internal class MemberAdvisor(
     ): ProblemExplanation {
         val instead = owner?.let { gaps.instead(name, it) }
         if (instead != null) return ProblemExplanation(message, instead)
-        // The members of the program's own classes are unknown here, but their names are in the source.
-        return suggestions.suggested(
-            problem,
-            source,
-            message,
-            nearest(
-                name,
-                problem.members.ifEmpty {
-                    suggestions.namesIn(source)
-                },
-            ),
-        )
+        val candidates = candidatesFor(problem).ifEmpty { suggestions.namesIn(source) }
+        val likely = PREFIXES.firstNotNullOfOrNull { prefix ->
+            candidates.find { it.equals(prefix + name, ignoreCase = true) }
+        }
+        return suggestions.suggested(problem, source, message, likely ?: nearest(name, candidates))
+    }
+
+    /** The names of the members that may be meant; methods have the number of their parameters behind them. */
+    private fun candidatesFor(problem: EcjProblem): List<String> {
+        val isCall = problem.number == ProblemId.UNDEFINED_METHOD || problem.number == ProblemId.METHOD_NOT_VISIBLE
+        val isKnown = problem.members.any { it.endsWith(')') }
+        return problem.members.filter { !isKnown || it.endsWith(')') == isCall }.map { it.substringBefore('(') }
     }
 
     /** Explains the program's own private members. A private member of the library counts as missing: returns null. */
@@ -124,5 +162,14 @@ internal class MemberAdvisor(
 
     private companion object {
         const val LENGTH = "length"
+
+        /** How the names of methods begin that pupils leave away. */
+        val PREFIXES = listOf("get", "is", "set")
+
+        /** A value that is set, up to its semicolon. */
+        val SET = Regex("""^\s*=[^=;][^;]*;""")
+
+        /** A single `=` before a value that is compared. */
+        val COMPARED = Regex("""^\s*=(?=\s*(?:true|false|\d+)\s*\))""")
     }
 }

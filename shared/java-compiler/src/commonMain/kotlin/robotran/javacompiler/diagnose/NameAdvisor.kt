@@ -26,9 +26,20 @@ internal class NameAdvisor(
     }
 
     private fun name(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        constant(problem, source, name)?.let { return it }
         val isClass = name.firstOrNull()?.isUpperCase() == true
         val isLiteral = keywordInOtherCase(name) in LITERALS
         return if (isClass && !isLiteral) classAdvice(problem, source, name) else variableAdvice(problem, source, name)
+    }
+
+    /** A constant of the brick's classes without its class. A single letter may be anything, unless a dot follows. */
+    private fun constant(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
+        val full = gaps.qualified(name) ?: return null
+        if (name.length == 1 && source.codeAt(source.codeFrom(problem.end)) != '.') return null
+        val owner = full.substringBefore('.')
+        val isImported = library.homesOf(owner).any { source.imports(owner, it) }
+        val fix = JavaFix(source.range(problem.start, problem.end), full).takeIf { isImported }
+        return ProblemExplanation(messages.unknownVariable(name), messages.didYouMean(full), fix)
     }
 
     private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {

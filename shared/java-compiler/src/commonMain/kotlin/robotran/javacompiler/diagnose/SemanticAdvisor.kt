@@ -9,12 +9,18 @@ import robotran.javacompiler.messages.JavaMessages
  *
  * @param boxes whether Java makes objects of numbers by itself.
  */
-internal class SemanticAdvisor(private val messages: JavaMessages, boxes: Boolean) {
+internal class SemanticAdvisor(
+    private val messages: JavaMessages,
+    private val library: LibraryNames,
+    boxes: Boolean,
+) {
     private val types = TypeAdvisor(messages, boxes)
     private val classes = ClassAdvisor(messages)
+    private val constructors = ConstructorAdvisor(messages)
 
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? =
-        types.advice(problem, source) ?: classes.advice(problem, source) ?: variable(problem) ?: way(problem, source)
+        types.advice(problem, source) ?: classes.advice(problem, source) ?: constructors.advice(problem, source)
+            ?: variable(problem) ?: way(problem, source)
 
     private fun variable(problem: EcjProblem): ProblemExplanation? {
         fun argument(index: Int) = shortened(problem.arguments[index])
@@ -70,8 +76,18 @@ internal class SemanticAdvisor(private val messages: JavaMessages, boxes: Boolea
             ProblemExplanation(messages.neverThrown(shortened(problem.arguments[0])), messages.removeCatch())
         }
 
+        ProblemId.THROWS_MORE_THAN_OVERRIDDEN -> {
+            val exception = shortened(problem.arguments[0])
+            ProblemExplanation(
+                messages.announcesMore(exception, shortened(problem.arguments[1])),
+                messages.catchInside(exception),
+            )
+        }
+
         ProblemId.EMPTY_STATEMENT -> {
-            ProblemExplanation(messages.emptyStatement())
+            val isBeforeBlock = source.codeAt(source.codeFrom(problem.end)) == '{'
+            val fix = JavaFix(source.range(problem.start, problem.end), "")
+            ProblemExplanation(messages.emptyStatement(), fix = fix.takeIf { isBeforeBlock })
         }
 
         else -> {
@@ -83,11 +99,23 @@ internal class SemanticAdvisor(private val messages: JavaMessages, boxes: Boolea
         val owner = shortened(problem.arguments[0])
         val name = shortened(problem.arguments[1])
         val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
-        return if (onClass) {
-            ProblemExplanation(messages.objectNeeded(name, owner))
-        } else {
-            ProblemExplanation(messages.staticNeeded(name), messages.makeItStatic())
+        val message = messages.staticNeeded(name)
+        return when {
+            onClass -> ProblemExplanation(messages.objectNeeded(name, owner))
+            owner == OBJECT -> ofObject(problem, source, name, message)
+            // It is inherited from the library.
+            owner in library.simpleNames && owner != source.className ->
+                ProblemExplanation(message, messages.callOnNew(shortened(source.className), name))
+            else -> ProblemExplanation(message, messages.makeItStatic())
         }
+    }
+
+    private fun ofObject(problem: EcjProblem, source: SourceText, name: String, message: String): ProblemExplanation {
+        val isPause = name == "wait" && problem.arguments.getOrElse(2) { "" }.isNotEmpty()
+        if (!isPause) return ProblemExplanation(message, messages.callOnObject(name))
+        val isWord = source.words(problem.start, problem.end) == name
+        val fix = JavaFix(source.range(problem.start, problem.end), SLEEP).takeIf { isWord }
+        return ProblemExplanation(message, messages.sleepInstead(), fix)
     }
 
     private fun unhandled(problem: EcjProblem, source: SourceText): ProblemExplanation {
@@ -101,6 +129,8 @@ internal class SemanticAdvisor(private val messages: JavaMessages, boxes: Boolea
     }
 
     private companion object {
+        const val OBJECT = "Object"
+        const val SLEEP = "Thread.sleep"
         val STATEMENT_STARTS = setOf('{', '}', ';')
     }
 }

@@ -6,6 +6,10 @@ import robotran.javacompiler.ecj.JavaSource
 internal class SourceText(source: JavaSource) {
     val path = source.path
     private val text = source.text
+
+    /** The name that the file gives its public class. */
+    val className: String get() = path.substringAfterLast('/').removeSuffix(".java")
+
     private val lineStarts: List<Int> = listOf(0) + text.indices.filter(::endsLine).map { it + 1 }
 
     /** The source without comments and the contents of literals. */
@@ -56,6 +60,9 @@ internal class SourceText(source: JavaSource) {
         return next
     }
 
+    /** The code of the line of [offset] from there on. */
+    fun codeBehind(offset: Int): String = code.text.substring(offset.coerceAtMost(text.length), lineEnd(offset))
+
     /** The code of the line before [offset]. */
     fun lineBefore(offset: Int): String = code.text.substring(lineStarts[lineOf(offset)], offset)
 
@@ -73,6 +80,10 @@ internal class SourceText(source: JavaSource) {
         return code.unclosedStrings.firstOrNull { lineOf(it) == line }
     }
 
+    /** Whether the class [name] of the package [home] is imported. */
+    fun imports(name: String, home: String): Boolean =
+        listOf("*", name).any { Regex("""\bimport\s+${Regex.escape("$home.$it")}\s*;""").containsMatchIn(code.text) }
+
     /** A fix that inserts [line] where imports belong. */
     fun addLineAtTop(line: String): JavaFix {
         val offset = PACKAGE.find(code.text)?.range?.last?.plus(1) ?: 0
@@ -86,8 +97,9 @@ internal class SourceText(source: JavaSource) {
         text[offset] == '\n' || (text[offset] == '\r' && text.getOrNull(offset + 1) != '\n')
 
     private fun lineEnd(offset: Int): Int {
-        val end = text.indexOfAny(charArrayOf('\n', '\r'), offset)
-        return if (end < 0) text.length else end
+        val line = lineOf(offset)
+        val next = lineStarts.getOrNull(line + 1) ?: return text.length
+        return if (text[next - 1] == '\n' && text.getOrNull(next - 2) == '\r') next - 2 else next - 1
     }
 
     private companion object {

@@ -9,23 +9,38 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = source.words(problem.start, problem.end)
         val expected = problem.arguments.lastOrNull().orEmpty()
-        return unequal(word, problem, source)
+        return misspeltOperator(problem, source)
             ?: foreignWord(word, problem, source)
-            ?: misplaced(problem, source, expected)
+            ?: decimalComma(problem, source, expected)
             ?: condition(word, problem, source, expected)
             ?: noStatement(word, problem, source)
             ?: nameOrArray(word, problem, source, expected)
     }
 
-    /** ECJ reports the second sign only. */
-    private fun unequal(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
-        val both = SourceSpan(problem.start - 1, problem.end)
-        if (word != ">" || source.words(both.start, both.end) != UNEQUAL) return null
-        val right = javaEquivalent(UNEQUAL).orEmpty()
+    /** ECJ reports one of the signs only. */
+    private fun misspeltOperator(problem: EcjProblem, source: SourceText): ProblemExplanation? {
+        val before = source.lineBefore(problem.start).takeLastWhile { it in OPERATOR_SIGNS }
+        val behind = source.codeBehind(problem.start).takeWhile { it in OPERATOR_SIGNS }
+        if (behind.isEmpty()) return null
+        val written = before + behind
+        val right = javaEquivalent(written) ?: return null
+        val span = SourceSpan(problem.start - before.length, problem.start + behind.length)
         return ProblemExplanation(
-            messages.foreignWord(UNEQUAL, right),
-            fix = JavaFix(source.range(both), right),
-            at = both,
+            messages.foreignWord(written, right),
+            fix = JavaFix(source.range(span), right),
+            at = span,
+        )
+    }
+
+    /** ECJ takes `1,5` for two values. */
+    private fun decimalComma(problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
+        if (problem.number != ProblemId.INVALID_TOKEN || expected != "VariableDeclarator") return null
+        val comma = decimalCommaIn(source, problem.start, problem.start) ?: return null
+        val type = DECLARED_TYPE.find(source.lineBefore(comma.span.start))?.groupValues?.get(1)
+        return ProblemExplanation(
+            messages.decimalPoint(comma.pointed),
+            fix = comma.fixFor(type.orEmpty(), source),
+            at = comma.span,
         )
     }
 
@@ -40,29 +55,6 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             else -> null
         }
     }
-
-    private fun misplaced(problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
-        val isWhole =
-            problem.number == ProblemId.PARSING_ERROR_INSERT_BEFORE ||
-                problem.number == ProblemId.PARSING_ERROR_DELETE_SEVERAL
-        val isStatement = expected == "Identifier" || problem.arguments == listOf(";", ",")
-        return when (source.bracesBefore(problem.start)) {
-            0 -> if (isWhole) {
-                ProblemExplanation(
-                    messages.outsideClass(),
-                    messages.beginWithClass(className(source)),
-                )
-            } else {
-                null
-            }
-
-            1 -> if (isStatement) ProblemExplanation(messages.outsideMethod(), messages.moveIntoMethod()) else null
-
-            else -> null
-        }
-    }
-
-    private fun className(source: SourceText) = source.path.substringAfterLast('/').removeSuffix(".java")
 
     private fun condition(
         word: String,
@@ -146,9 +138,10 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     private fun Char.isJavaLetter() = isLetter() || this == '_'
 
     private companion object {
-        /** As other languages write it. */
-        const val UNEQUAL = "<>"
+        const val OPERATOR_SIGNS = "<>=!&|"
 
+        /** The type of a variable that is declared and set in one statement. */
+        val DECLARED_TYPE = Regex("""(\w+)\s+\w+\s*=\s*$""")
         val CONDITIONAL = setOf("if", "while", "for")
         val IN_FOR = Regex("""\bfor\s*\([^)]*$""")
     }

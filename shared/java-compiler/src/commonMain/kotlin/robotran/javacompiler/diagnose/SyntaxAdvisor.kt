@@ -32,6 +32,11 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
 
             ProblemId.PARSING_ERROR, ProblemId.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
 
+            ProblemId.UNTERMINATED_COMMENT -> ProblemExplanation(
+                messages.unclosedComment(),
+                at = SourceSpan(problem.start, problem.start + 2),
+            )
+
             ProblemId.UNTERMINATED_STRING -> ProblemExplanation(messages.unclosedString(), messages.closeString())
 
             ProblemId.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
@@ -40,10 +45,6 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
                 messages.notUnderstood(shortened(word)),
                 messages.arrayOfValues(),
             )
-
-            ProblemId.SOURCE_TOO_LONG -> ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
-
-            ProblemId.NESTED_TOO_DEEPLY -> ProblemExplanation(messages.nestedTooDeeply())
 
             else -> if (problem.isSyntax && word.isNotBlank()) {
                 ProblemExplanation(messages.notUnderstood(shortened(word)))

@@ -12,13 +12,25 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
 
         ProblemId.INVALID_OPERATOR -> operator(problem)
 
-        ProblemId.PARAMETER_MISMATCH -> arguments(problem)
+        ProblemId.PARAMETER_MISMATCH -> arguments(problem, source)
 
-        ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(
-            messages.numberTooLarge(shortened(source.words(problem.start, problem.end))),
-        )
+        ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> outOfRange(problem, source)
 
         else -> null
+    }
+
+    private fun outOfRange(problem: EcjProblem, source: SourceText): ProblemExplanation {
+        val number = source.words(problem.start, problem.end)
+        val decimal = number.trimStart('0').ifEmpty { "0" }
+        val isOctal = number.length > 1 && number.startsWith('0') && number.all { it.isDigit() }
+        return if (isOctal && decimal.length < MAX_INT_DIGITS) {
+            ProblemExplanation(
+                messages.noLeadingZero(decimal),
+                fix = JavaFix(source.range(problem.start, problem.end), decimal),
+            )
+        } else {
+            ProblemExplanation(messages.numberTooLarge(shortened(number)))
+        }
     }
 
     private fun mismatch(problem: EcjProblem, source: SourceText): ProblemExplanation {
@@ -83,10 +95,21 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
     }
 
     /** ECJ's arguments are the class, the method, the parameter types and the argument types. */
-    private fun arguments(problem: EcjProblem): ProblemExplanation {
+    private fun arguments(problem: EcjProblem, source: SourceText): ProblemExplanation {
         val (_, method, needed, given) = problem.arguments.map(::shortened)
         val message = messages.wrongArguments(method, needed, given)
+        val call = problem.end + source.codeBehind(problem.end).substringBefore(')').length
+        val comma = decimalCommaIn(source, problem.end, call)
+            ?.takeIf { needed.isNotEmpty() && commasIn(given) == commasIn(needed) + 1 }
         return when {
+            comma != null -> {
+                val type = if (',' in needed) "" else needed
+                ProblemExplanation(message, messages.decimalPoint(comma.pointed), comma.fixFor(type, source))
+            }
+
+            method in PAUSES && given in setOf("float", "double") ->
+                ProblemExplanation(message, messages.countsMilliseconds(), milliseconds(problem, source))
+
             given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
 
             isBoxing(given, needed) -> ProblemExplanation(
@@ -102,6 +125,18 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         }
     }
 
+    private fun commasIn(types: String) = types.count { it == ',' }
+
+    /** Seconds with a part behind the point, as whole milliseconds. */
+    private fun milliseconds(problem: EcjProblem, source: SourceText): JavaFix? {
+        val found = SECONDS.find(source.codeBehind(problem.end)) ?: return null
+        val (whole, part) = found.destructured
+        val number = (whole + part.padEnd(MILLISECOND_DIGITS, '0')).trimStart('0').ifEmpty { "0" }
+        val start = problem.end + found.value.indexOf(whole + "." + part)
+        return JavaFix(source.range(start, start + whole.length + 1 + part.length), number)
+            .takeIf { part.length <= MILLISECOND_DIGITS && whole.length <= MILLISECOND_DIGITS }
+    }
+
     private fun isBoxing(given: String, needed: String) =
         (given in SINGLE_VALUES && (needed == "Object" || needed in BOXES)) ||
             (given in BOXES && needed in SINGLE_VALUES)
@@ -112,6 +147,14 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         val NUMBERS = setOf("byte", "short", "char", "int", "long", "float", "double")
         val SINGLE_VALUES = NUMBERS + "boolean"
         val BOXES = setOf("Integer", "Float", "Boolean", "Long", "Double", "Byte", "Short", "Character")
+
+        /** A number with fewer digits is no larger than an `int` may be. */
+        const val MAX_INT_DIGITS = 10
+
+        /** Methods that wait for a number of milliseconds. */
+        val PAUSES = setOf("sleep", "msDelay")
+        const val MILLISECOND_DIGITS = 3
+        val SECONDS = Regex("""^\s*\(\s*(\d*)\.(\d+)\s*\)""")
         val DECIMAL_NUMBER = Regex("[0-9]*[.][0-9]+")
         val SINGLE_EQUALS_SIGN = Regex("(?<![=!<>+*/%&|^-])=(?!=)")
 

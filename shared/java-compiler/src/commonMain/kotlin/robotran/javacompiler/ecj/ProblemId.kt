@@ -1,8 +1,8 @@
 package robotran.javacompiler.ecj
 
 /**
- * The kinds of problems that have messages of their own. Negative numbers are those of `BrickProblem`, positive ones
- * those of ECJ's `IProblem` without their category.
+ * The kinds of problems that have messages of their own. Negative numbers are those of `BrickProblem`, and from -101 on
+ * our own; positive ones are those of ECJ's `IProblem` without their category.
  */
 internal object ProblemId {
     const val SWITCH = -1
@@ -19,6 +19,19 @@ internal object ProblemId {
     const val UNLOCKED_SUPER_CALL = -12
     const val TEXT_AND_NUMBER = -13
     const val LIBRARY_GAP = -14
+    const val TOO_MUCH_WORK = -15
+    const val FINALLY_COPIED_TOO_OFTEN = -16
+    const val TOO_MANY_IMPORTS = -17
+    const val TOO_MANY_CLASSES = -18
+
+    // What StructureMistakes finds.
+    const val OUTSIDE_CLASS = -101
+    const val OUTSIDE_METHOD = -102
+    const val METHOD_IN_METHOD = -103
+    const val WORD_IN_OTHER_CASE = -104
+    const val NAME_OF_SEVERAL_WORDS = -105
+    const val CONDITION_WITHOUT_BRACKETS = -106
+    const val RESERVED_NAME = -107
 
     const val UNDEFINED_TYPE = 2
     const val AMBIGUOUS_TYPE = 4
@@ -28,6 +41,9 @@ internal object ProblemId {
     const val REDEFINED_LOCAL = 55
     const val REDEFINED_ARGUMENT = 56
     const val FINAL_LOCAL_ASSIGNED = 58
+    const val METHOD_TOO_LONG = 63
+    const val STATIC_INITIALIZER_TOO_LONG = 64
+    const val CONSTRUCTOR_TOO_LONG = 69
     const val UNDEFINED_FIELD = 70
     const val FIELD_NOT_VISIBLE = 71
     const val NON_STATIC_FIELD = 74
@@ -41,6 +57,8 @@ internal object ProblemId {
     const val NO_MESSAGE_SEND_ON_BASE_TYPE = 114
     const val PARAMETER_MISMATCH = 115
     const val NO_MESSAGE_SEND_ON_ARRAY = 116
+    const val UNDEFINED_CONSTRUCTOR = 130
+    const val CONSTRUCTOR_NOT_VISIBLE = 131
     const val ARRAY_NEEDED = 150
     const val NUMERIC_VALUE_OUT_OF_RANGE = 154
     const val CLASS_IS_ABSTRACT = 157
@@ -65,6 +83,7 @@ internal object ProblemId {
     const val PARSING_ERROR_INSERT_TO_COMPLETE = 240
     const val INVALID_CHARACTER_CONSTANT = 253
     const val UNTERMINATED_STRING = 259
+    const val UNTERMINATED_COMMENT = 260
     const val BINARY_NUMBER = 267
     const val UNDERSCORES_IN_NUMBER = 269
     const val DUPLICATE_TYPE = 323
@@ -75,6 +94,7 @@ internal object ProblemId {
     const val ABSTRACT_METHOD = 363
     const val IMPORT_NOT_FOUND = 390
     const val METHOD_NOT_WRITTEN = 400
+    const val THROWS_MORE_THAN_OVERRIDDEN = 402
     const val REDUCED_VISIBILITY = 409
     const val TYPE_PARAMETERS = 590
     const val STATIC_IMPORT = 591

@@ -14,6 +14,23 @@ internal object EnglishJavaClassMessages : JavaClassMessages {
     override fun cannotInstantiate(name: String) =
         "Java cannot make a ${quoted(name)} with \"new\", because a part of it is still to be written."
 
+    override fun wrongConstructor(name: String, given: String) =
+        if (given.isEmpty()) {
+            "A ${quoted(name)} is not made of nothing."
+        } else {
+            "A ${quoted(name)} is not made of ($given)."
+        }
+
+    override fun makeItLike(ways: String) = "Make it like this: $ways"
+
+    override fun sayWherePluggedIn(example: String) = "Say where it is plugged in: $example"
+
+    override fun madeAlready(name: String) = "A program makes no ${quoted(name)} with \"new\"."
+
+    override fun useOneOf(constants: String) = "Use one that is there: $constants"
+
+    override fun callOnClass(name: String) = "Call its methods with the name of the class: $name."
+
     override fun extendThread() =
         "Write a class that \"extends Thread\" and has a method \"public void run()\", and make one of those. A " +
             "brick's Thread takes no Runnable."

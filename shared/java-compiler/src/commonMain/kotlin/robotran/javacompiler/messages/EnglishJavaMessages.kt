@@ -6,6 +6,7 @@ object EnglishJavaMessages :
     JavaNameMessages by EnglishJavaNameMessages,
     JavaSemanticMessages by EnglishJavaSemanticMessages,
     JavaClassMessages by EnglishJavaClassMessages,
+    JavaLimitMessages by EnglishJavaLimitMessages,
     UnsupportedOnBrickMessages by EnglishBrickMessages,
     LejosMessages by EnglishLejosMessages,
     NxjMessages by EnglishNxjMessages

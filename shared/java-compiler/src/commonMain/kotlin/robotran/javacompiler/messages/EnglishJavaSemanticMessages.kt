@@ -66,6 +66,23 @@ internal object EnglishJavaSemanticMessages : JavaSemanticMessages {
     override fun numberTooLarge(number: String) =
         "$number is too large. An \"int\" goes from -2147483648 to 2147483647."
 
+    override fun noLeadingZero(number: String) = "A whole number begins with no 0 in Java. Write $number."
+
+    override fun countsMilliseconds() = "It counts whole milliseconds: half a second is 500."
+
+    override fun sleepInstead() = "To let time pass, write Thread.sleep(500), which is half a second."
+
+    override fun callOnObject(name: String) = "Write before it which object it is for, as in: lock.$name()"
+
+    override fun callOnNew(className: String, name: String) =
+        "Make an object first, and call it there: new $className().$name()"
+
+    override fun announcesMore(exception: String, method: String) =
+        "This method takes the place of ${quoted(method)}, which announces no $exception. So it must not, either."
+
+    override fun catchInside(exception: String) =
+        "Take this \"throws\" away, and put what can cause it into try { ... } catch ($exception e) { }."
+
     override fun noEffect() = "This changes nothing."
 
     override fun emptyStatement() = "This \";\" is all that is done here. Take it away if a block comes next."

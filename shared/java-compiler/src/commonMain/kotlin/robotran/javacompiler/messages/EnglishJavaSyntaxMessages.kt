@@ -1,5 +1,7 @@
 package robotran.javacompiler.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 
 internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
@@ -27,6 +29,10 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun closeString() = "Put a quotation mark behind its last letter. A text cannot go on in the next line."
 
+    override fun pasted(character: PastedCharacter) = character.adviceIn(Language.ENGLISH)
+
+    override fun unclosedComment() = "This comment does not end. Write \"*/\" behind its last word."
+
     override fun wrongCharacter() =
         "Between single quotation marks stands exactly one character. A text has double ones."
 
@@ -48,6 +54,19 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun moveIntoMethod() = "Move it between the braces of a method, such as main."
 
     override fun outsideClass() = "This is in no class, and in Java everything is in one."
+
+    override fun moveIntoClass(className: String) =
+        "Move it between the braces of the class ${quoted(className)}."
+
+    override fun methodInMethod(name: String) =
+        "The method ${quoted(name)} is inside another method, which Java does not have."
+
+    override fun moveOutOfMethod() =
+        "Move it out, behind the \"}\" of that method, with its braces and what is in them."
+
+    override fun nameIsOneWord(name: String) = "The name of a class is one word: $name"
+
+    override fun decimalPoint(number: String) = "A decimal number has a point, not a comma: $number"
 
     override fun beginWithClass(className: String) =
         "Begin with: public class $className { public static void main(String[] args) { and end with: } }"
@@ -73,11 +92,6 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun tryAlone() = "This \"try\" has no \"catch\"."
 
     override fun addCatch() = "Write after its \"}\": catch (InterruptedException e) { }"
-
-    override fun sourceTooLong(limit: String) =
-        "A program can have at most $limit characters and 100 files. Nothing of it was read."
-
-    override fun nestedTooDeeply() = "Too much is inside each other here. Use a method or a variable for a part."
 
     override fun compilerFailed() =
         "The compiler gave up on this program. Take away what you changed last, and try again."

@@ -14,6 +14,23 @@ internal object GermanJavaClassMessages : JavaClassMessages {
     override fun cannotInstantiate(name: String) =
         "Java kann kein ${quoted(name)} mit \"new\" machen, weil ein Teil davon noch nicht geschrieben ist."
 
+    override fun wrongConstructor(name: String, given: String) =
+        if (given.isEmpty()) {
+            "Ein ${quoted(name)} wird nicht aus nichts gemacht."
+        } else {
+            "Ein ${quoted(name)} wird nicht aus ($given) gemacht."
+        }
+
+    override fun makeItLike(ways: String) = "Mach es so: $ways"
+
+    override fun sayWherePluggedIn(example: String) = "Sag, wo er angeschlossen ist: $example"
+
+    override fun madeAlready(name: String) = "Ein Programm macht kein ${quoted(name)} mit \"new\"."
+
+    override fun useOneOf(constants: String) = "Nimm eins, das es schon gibt: $constants"
+
+    override fun callOnClass(name: String) = "Ruf seine Methoden mit dem Namen der Klasse auf: $name."
+
     override fun extendThread() =
         "Schreib eine Klasse mit \"extends Thread\" und einer Methode \"public void run()\", und mach davon ein " +
             "Objekt. " +

@@ -6,6 +6,7 @@ object GermanJavaMessages :
     JavaNameMessages by GermanJavaNameMessages,
     JavaSemanticMessages by GermanJavaSemanticMessages,
     JavaClassMessages by GermanJavaClassMessages,
+    JavaLimitMessages by GermanJavaLimitMessages,
     UnsupportedOnBrickMessages by GermanBrickMessages,
     LejosMessages by GermanLejosMessages,
     NxjMessages by GermanNxjMessages

@@ -28,7 +28,11 @@ internal object GermanJavaNameMessages : JavaNameMessages {
 
     override fun declareIt(name: String) = "Leg sie vorher an, zum Beispiel mit \"int $name = 0;\"."
 
-    override fun writeMethod(name: String) = "Schreib die Methode: static void $name() { }"
+    override fun writeMethod(name: String, parameters: String) =
+        "Schreib die Methode: static void $name($parameters) { }"
+
+    override fun valueInBrackets(name: String, call: String) =
+        "${quoted(name)} ist eine Methode. Ihr Wert steht in Klammern: $call"
 
     override fun isPrivate(name: String, owner: String) =
         "${quoted(name)} ist privat: Nur ${quoted(owner)} selbst darf es benutzen."

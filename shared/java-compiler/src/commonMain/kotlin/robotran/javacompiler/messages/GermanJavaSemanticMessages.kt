@@ -71,6 +71,23 @@ internal object GermanJavaSemanticMessages : JavaSemanticMessages {
     override fun numberTooLarge(number: String) =
         "$number ist zu groß. Ein \"int\" geht von -2147483648 bis 2147483647."
 
+    override fun noLeadingZero(number: String) = "Eine ganze Zahl beginnt in Java nicht mit 0. Schreib $number."
+
+    override fun countsMilliseconds() = "Gezählt werden ganze Millisekunden: Eine halbe Sekunde ist 500."
+
+    override fun sleepInstead() = "Um zu warten, schreib Thread.sleep(500), das ist eine halbe Sekunde."
+
+    override fun callOnObject(name: String) = "Schreib davor, für welches Objekt, zum Beispiel: lock.$name()"
+
+    override fun callOnNew(className: String, name: String) =
+        "Mach zuerst ein Objekt, und ruf sie damit auf: new $className().$name()"
+
+    override fun announcesMore(exception: String, method: String) =
+        "Diese Methode ersetzt ${quoted(method)}, und die kündigt keine $exception an. Also darf sie es auch nicht."
+
+    override fun catchInside(exception: String) =
+        "Nimm dieses \"throws\" weg, und setz das, was dazu führen kann, in try { ... } catch ($exception e) { }."
+
     override fun noEffect() = "Das ändert nichts."
 
     override fun emptyStatement() =

@@ -1,5 +1,7 @@
 package robotran.javacompiler.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 
 internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
@@ -29,6 +31,10 @@ internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
         "Setz ein Anführungszeichen hinter seinen letzten Buchstaben. Ein Text kann nicht in der nächsten Zeile " +
             "weitergehen."
 
+    override fun pasted(character: PastedCharacter) = character.adviceIn(Language.GERMAN)
+
+    override fun unclosedComment() = "Dieser Kommentar hört nicht auf. Schreib \"*/\" hinter sein letztes Wort."
+
     override fun wrongCharacter() =
         "Zwischen einfachen Anführungszeichen steht genau ein Zeichen. Ein Text hat doppelte."
 
@@ -50,6 +56,19 @@ internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
     override fun moveIntoMethod() = "Schieb sie zwischen die geschweiften Klammern einer Methode, zum Beispiel main."
 
     override fun outsideClass() = "Das steht in keiner Klasse, und in Java steht alles in einer."
+
+    override fun moveIntoClass(className: String) =
+        "Schieb es zwischen die geschweiften Klammern der Klasse ${quoted(className)}."
+
+    override fun methodInMethod(name: String) =
+        "Die Methode ${quoted(name)} steht in einer anderen Methode, und das gibt es in Java nicht."
+
+    override fun moveOutOfMethod() =
+        "Schieb sie heraus, hinter das \"}\" dieser Methode, mit ihren geschweiften Klammern und allem darin."
+
+    override fun nameIsOneWord(name: String) = "Der Name einer Klasse ist ein einziges Wort: $name"
+
+    override fun decimalPoint(number: String) = "Eine Kommazahl hat in Java einen Punkt, kein Komma: $number"
 
     override fun beginWithClass(className: String) =
         "Beginn mit: public class $className { public static void main(String[] args) { und hör auf mit: } }"
@@ -77,12 +96,6 @@ internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
     override fun tryAlone() = "Dieses \"try\" hat kein \"catch\"."
 
     override fun addCatch() = "Schreib hinter sein \"}\": catch (InterruptedException e) { }"
-
-    override fun sourceTooLong(limit: String) =
-        "Ein Programm kann höchstens $limit Zeichen und 100 Dateien haben. Von diesem wurde nichts gelesen."
-
-    override fun nestedTooDeeply() =
-        "Hier steht zu viel ineinander. Nimm für einen Teil eine Methode oder eine Variable."
 
     override fun compilerFailed() =
         "Der Compiler ist mit diesem Programm nicht fertig geworden. Nimm deine letzte Änderung weg und versuch es " +

@@ -2,6 +2,7 @@ package robotran.javacompiler.messages
 
 import robotran.language.Language
 import robotran.language.choose
+import robotran.language.pasted.PastedCharacter
 
 /**
  * The messages of the Java compiler for pupils, one function per message. Each language has its own implementation.
@@ -12,6 +13,7 @@ interface JavaMessages :
     JavaNameMessages,
     JavaSemanticMessages,
     JavaClassMessages,
+    JavaLimitMessages,
     UnsupportedOnBrickMessages,
     LejosMessages,
     NxjMessages {
@@ -46,6 +48,12 @@ interface JavaSyntaxMessages {
 
     fun closeString(): String
 
+    /** [character] comes from a word processor or a web page. */
+    fun pasted(character: PastedCharacter): String
+
+    /** A comment that begins with `/*` and does not end. */
+    fun unclosedComment(): String
+
     fun wrongCharacter(): String
 
     /** [word] is a word of another language; in Java it is [javaWord]. */
@@ -66,6 +74,20 @@ interface JavaSyntaxMessages {
     fun moveIntoMethod(): String
 
     fun outsideClass(): String
+
+    /** Something is beside the class [className] that belongs into it. */
+    fun moveIntoClass(className: String): String
+
+    /** The method [name] is declared in the body of another. */
+    fun methodInMethod(name: String): String
+
+    fun moveOutOfMethod(): String
+
+    /** A class is named with several words, which are [name] together. */
+    fun nameIsOneWord(name: String): String
+
+    /** A number is written with a comma; with a point it is [number]. */
+    fun decimalPoint(number: String): String
 
     /** Shows the first lines of a program with the class [className]. */
     fun beginWithClass(className: String): String
@@ -91,11 +113,31 @@ interface JavaSyntaxMessages {
 
     fun addCatch(): String
 
+    fun compilerFailed(): String
+}
+
+/** The messages about programs that are too large for the compiler or for a class file. */
+interface JavaLimitMessages {
     fun sourceTooLong(limit: String): String
 
     fun nestedTooDeeply(): String
 
-    fun compilerFailed(): String
+    fun tooManyImports(limit: String): String
+
+    fun tooManyClasses(limit: String): String
+
+    /** A `finally` inside another, or with many ways out of its `try`: each gets a copy of it. */
+    fun finallyCopiedTooOften(): String
+
+    fun useMethodInFinally(): String
+
+    /** The compiler would need too long for [name], a method, class or file. */
+    fun tooMuchWork(name: String): String
+
+    fun putLessInside(): String
+
+    /** The instructions of a method, or of the values that a class begins with, do not fit into a class file. */
+    fun methodTooLong(): String
 }
 
 /** The messages about undeclared names. Suggestions are passed as they are declared. */
@@ -126,7 +168,11 @@ interface JavaNameMessages {
 
     fun declareIt(name: String): String
 
-    fun writeMethod(name: String): String
+    /** [parameters] are those that a call needs, such as `int a`. */
+    fun writeMethod(name: String, parameters: String): String
+
+    /** The method [name] is used like a variable that is set; [call] shows how to call it with that value. */
+    fun valueInBrackets(name: String, call: String): String
 
     /** [name] is private in the class [owner]. */
     fun isPrivate(name: String, owner: String): String

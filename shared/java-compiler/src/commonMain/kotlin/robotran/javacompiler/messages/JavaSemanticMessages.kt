@@ -53,6 +53,26 @@ interface JavaSemanticMessages {
 
     fun numberTooLarge(number: String): String
 
+    /** A whole number begins with 0, which makes it octal; [number] is the same without it. */
+    fun noLeadingZero(number: String): String
+
+    /** A method that waits gets a number with a part behind the point. */
+    fun countsMilliseconds(): String
+
+    /** `wait` is called to let time pass. */
+    fun sleepInstead(): String
+
+    /** `notify` or such is called in a static method: it needs an object. */
+    fun callOnObject(name: String): String
+
+    /** The inherited method [name] needs an object of [className]. */
+    fun callOnNew(className: String, name: String): String
+
+    /** A method announces [exception], and [method], which it replaces, does not. */
+    fun announcesMore(exception: String, method: String): String
+
+    fun catchInside(exception: String): String
+
     fun noEffect(): String
 
     fun emptyStatement(): String
@@ -70,6 +90,24 @@ interface JavaClassMessages {
 
     /** The class [name] cannot be instantiated with `new`. */
     fun cannotInstantiate(name: String): String
+
+    /** No constructor of [name] takes [given], types or nothing. */
+    fun wrongConstructor(name: String, given: String): String
+
+    /** [ways] are the constructors as a program calls them. */
+    fun makeItLike(ways: String): String
+
+    /** The class needs a port; [example] makes an object of it. */
+    fun sayWherePluggedIn(example: String): String
+
+    /** The class [name] makes its objects itself. */
+    fun madeAlready(name: String): String
+
+    /** [constants] are the objects, such as `Motor.A, Motor.B`. */
+    fun useOneOf(constants: String): String
+
+    /** There are no objects of the class [name]: its methods are static. */
+    fun callOnClass(name: String): String
 
     fun extendThread(): String
 

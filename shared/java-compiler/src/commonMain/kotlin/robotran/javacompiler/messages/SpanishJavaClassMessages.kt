@@ -14,6 +14,23 @@ internal object SpanishJavaClassMessages : JavaClassMessages {
     override fun cannotInstantiate(name: String) =
         "Java no puede crear un ${quoted(name)} con \"new\", porque le falta una parte por escribir."
 
+    override fun wrongConstructor(name: String, given: String) =
+        if (given.isEmpty()) {
+            "Un ${quoted(name)} no se crea sin nada."
+        } else {
+            "Un ${quoted(name)} no se crea con ($given)."
+        }
+
+    override fun makeItLike(ways: String) = "Créalo así: $ways"
+
+    override fun sayWherePluggedIn(example: String) = "Di dónde está conectado: $example"
+
+    override fun madeAlready(name: String) = "Un programa no crea ningún ${quoted(name)} con \"new\"."
+
+    override fun useOneOf(constants: String) = "Usa uno que ya existe: $constants"
+
+    override fun callOnClass(name: String) = "Llama a sus métodos con el nombre de la clase: $name."
+
     override fun extendThread() =
         "Escribe una clase que \"extends Thread\" y tenga un método \"public void run()\", y crea un objeto de ella. " +
             "En un ladrillo, Thread no recibe ningún Runnable."

@@ -6,6 +6,7 @@ object SpanishJavaMessages :
     JavaNameMessages by SpanishJavaNameMessages,
     JavaSemanticMessages by SpanishJavaSemanticMessages,
     JavaClassMessages by SpanishJavaClassMessages,
+    JavaLimitMessages by SpanishJavaLimitMessages,
     UnsupportedOnBrickMessages by SpanishBrickMessages,
     LejosMessages by SpanishLejosMessages,
     NxjMessages by SpanishNxjMessages

@@ -28,7 +28,11 @@ internal object SpanishJavaNameMessages : JavaNameMessages {
 
     override fun declareIt(name: String) = "Declárala antes, por ejemplo con \"int $name = 0;\"."
 
-    override fun writeMethod(name: String) = "Escribe el método: static void $name() { }"
+    override fun writeMethod(name: String, parameters: String) =
+        "Escribe el método: static void $name($parameters) { }"
+
+    override fun valueInBrackets(name: String, call: String) =
+        "${quoted(name)} es un método. Su valor va entre paréntesis: $call"
 
     override fun isPrivate(name: String, owner: String) =
         "${quoted(name)} es privado: solo puede usarlo la propia ${quoted(owner)}."

@@ -66,6 +66,23 @@ internal object SpanishJavaSemanticMessages : JavaSemanticMessages {
     override fun numberTooLarge(number: String) =
         "$number es demasiado grande. Un \"int\" va de -2147483648 a 2147483647."
 
+    override fun noLeadingZero(number: String) = "Un número entero no empieza por 0 en Java. Escribe $number."
+
+    override fun countsMilliseconds() = "Cuenta milisegundos enteros: medio segundo es 500."
+
+    override fun sleepInstead() = "Para esperar, escribe Thread.sleep(500), que es medio segundo."
+
+    override fun callOnObject(name: String) = "Escribe delante para qué objeto es, así: lock.$name()"
+
+    override fun callOnNew(className: String, name: String) =
+        "Crea primero un objeto y llámalo con él: new $className().$name()"
+
+    override fun announcesMore(exception: String, method: String) =
+        "Este método sustituye a ${quoted(method)}, que no anuncia ninguna $exception. Así que él tampoco puede."
+
+    override fun catchInside(exception: String) =
+        "Quita este \"throws\" y pon lo que puede causarla en try { ... } catch ($exception e) { }."
+
     override fun noEffect() = "Esto no cambia nada."
 
     override fun emptyStatement() = "Este \";\" es todo lo que se hace aquí. Quítalo si después viene un bloque."

@@ -1,5 +1,7 @@
 package robotran.javacompiler.messages
 
+import robotran.language.Language
+import robotran.language.pasted.PastedCharacter
 import robotran.language.quoted
 
 internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
@@ -27,6 +29,10 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun closeString() =
         "Pon unas comillas detrás de su última letra. Un texto no puede seguir en la línea siguiente."
 
+    override fun pasted(character: PastedCharacter) = character.adviceIn(Language.SPANISH)
+
+    override fun unclosedComment() = "Este comentario no termina. Escribe \"*/\" detrás de su última palabra."
+
     override fun wrongCharacter() =
         "Entre comillas simples va exactamente una letra o un signo. Un texto las lleva dobles."
 
@@ -49,6 +55,17 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun moveIntoMethod() = "Ponla entre las llaves de un método, como main."
 
     override fun outsideClass() = "Esto no está en ninguna clase, y en Java todo está en una."
+
+    override fun moveIntoClass(className: String) = "Ponlo entre las llaves de la clase ${quoted(className)}."
+
+    override fun methodInMethod(name: String) =
+        "El método ${quoted(name)} está dentro de otro método, y eso no existe en Java."
+
+    override fun moveOutOfMethod() = "Sácalo, detrás del \"}\" de ese método, con sus llaves y lo que hay en ellas."
+
+    override fun nameIsOneWord(name: String) = "El nombre de una clase es una sola palabra: $name"
+
+    override fun decimalPoint(number: String) = "Un número decimal lleva en Java un punto, no una coma: $number"
 
     override fun beginWithClass(className: String) =
         "Empieza con: public class $className { public static void main(String[] args) { y termina con: } }"
@@ -75,12 +92,6 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun tryAlone() = "Este \"try\" no tiene \"catch\"."
 
     override fun addCatch() = "Escribe después de su \"}\": catch (InterruptedException e) { }"
-
-    override fun sourceTooLong(limit: String) =
-        "Un programa puede tener como mucho $limit letras y signos y 100 archivos. No se ha leído nada de él."
-
-    override fun nestedTooDeeply() =
-        "Aquí hay demasiadas cosas unas dentro de otras. Usa un método o una variable para una parte."
 
     override fun compilerFailed() =
         "El compilador no ha podido con este programa. Quita lo último que has cambiado y prueba otra vez."

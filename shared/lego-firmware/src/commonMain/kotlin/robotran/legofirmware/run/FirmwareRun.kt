@@ -60,6 +60,9 @@ internal class FirmwareRun(private val machine: FirmwareMachine, code: ProgramCo
 
     override val isBeforeStatement: Boolean get() = focus?.let { machine.beginningOf(it) } != null
 
+    override fun isBeforeStatement(thread: Int): Boolean =
+        tasks.all.getOrNull(thread)?.takeIf { it.isAlive }?.let { machine.beginningOf(it) } != null
+
     /** One instruction is a step; at most one is executed in a millisecond. */
     override fun resume(steps: Int): ProgramStatus {
         machine.tick()

@@ -19,12 +19,12 @@ internal class Translator(
 
     fun translate(): MethodBody {
         val positions = IntArray(entry.bytes.size + 1)
-        val statements = if (method.owner.isOfProgram) entry.lines.lineStarts else emptySet()
+        val lineStarts = if (method.owner.isOfProgram) entry.lines.lineStarts else emptySet()
         for (place in entry.bytes.indices) {
             positions[place] = writer.size
             val instruction = code.reached[place] ?: continue
             writer.place = place
-            if (place in statements && code.depths[place] == 0) {
+            if (place in lineStarts && code.depths[place] == 0 && !leadsToItsLine(instruction, lineStarts)) {
                 writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
             }
             translate(instruction)
@@ -35,6 +35,16 @@ internal class Translator(
         val handlers = handlers(positions)
         val registers = registerCode(words, places, handlers)
         return MethodBody(words, handlers, places, entry.lines, entry.variables, registers, writer.switches)
+    }
+
+    /**
+     * Whether [instruction] only jumps to where its line begins once more, as that of a `while` does to its condition.
+     * It is no statement of its own: a step from it would stay in the line.
+     */
+    private fun leadsToItsLine(instruction: Instruction, lineStarts: Set<Int>): Boolean {
+        val target = instruction.operand
+        return instruction.opcode == Opcode.GOTO && target > instruction.place && target in lineStarts &&
+            entry.lines.lineAt(target) == entry.lines.lineAt(instruction.place)
     }
 
     private fun registerCode(words: IntArray, places: IntArray, handlers: IntArray): RegisterCode? {

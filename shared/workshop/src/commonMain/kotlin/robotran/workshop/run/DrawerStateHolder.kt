@@ -1,6 +1,7 @@
 package robotran.workshop.run
 
 import kotlinx.coroutines.CoroutineScope
+import robotran.brick.program.CallFrame
 import robotran.runcontrol.RunPlayer
 import robotran.workshop.event.RunEvent
 import robotran.workshop.platform.Platform
@@ -40,11 +41,17 @@ internal class DrawerStateHolder(
         }
     }
 
-    /** Called before the program of [player] continues, which invalidates the selected frame. */
-    fun willResume(player: RunPlayer) {
+    /** The thread whose frame is selected; null if none is. */
+    val chosenThread: Int? get() = updater.chosenThread
+
+    /** Called before the program of [player] continues, which deselects the frame; a step keeps its thread. */
+    fun willResume(player: RunPlayer, isStep: Boolean) {
         updater.variables.willResume(player.session)
-        updater.willResume()
+        updater.willResume(isStep)
     }
+
+    /** The selected frame of the program of [player]; null if none is, or no longer. */
+    fun chosenFrame(player: RunPlayer): CallFrame? = updater.chosenFrame(player)
 
     /** Called when a new run starts. */
     fun startNewRun() = updater.startNewRun()

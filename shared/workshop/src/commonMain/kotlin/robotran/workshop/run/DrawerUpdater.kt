@@ -1,6 +1,7 @@
 package robotran.workshop.run
 
 import robotran.brick.log.CallLogFilter
+import robotran.brick.program.CallFrame
 import robotran.legofirmware.run.FirmwareState
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
@@ -9,6 +10,7 @@ import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
 import robotran.runcontrol.VariableWatch
+import robotran.simulation.StopReason
 import robotran.workshop.state.DrawerState
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.LogState
@@ -20,8 +22,9 @@ internal class DrawerUpdater {
     val variables = VariableWatch()
     private var calls = FilteredRomCalls(CallLogFilter())
 
-    /** The selected thread and frame in its call stack, by index; null for the current position. */
+    /** The number of the selected thread and the index of a frame in its call stack; null for the current position. */
     private var chosen: Pair<Int, Int>? = null
+    private var isStepping = false
 
     /** Whether there is more to read while time is paused. */
     val isBusy: Boolean get() = !calls.isComplete
@@ -34,15 +37,33 @@ internal class DrawerUpdater {
         chosen = thread to frame
     }
 
-    /** Called when the program continues, which invalidates the selection. */
-    fun willResume() {
-        chosen = null
+    /** The selected thread, which steps. */
+    val chosenThread: Int? get() = chosen?.first
+
+    /** Called when the program continues, which invalidates the selection; a step keeps its thread. */
+    fun willResume(isStep: Boolean) {
+        chosen = chosen?.takeIf { isStep }?.copy(second = 0)
+        isStepping = isStep
     }
 
     /** Called when a new run starts. */
     fun startNewRun() {
         chosen = null
+        isStepping = false
         variables.forget()
+    }
+
+    /** The selected frame of the program of [player]; null if none is, or no longer. */
+    fun chosenFrame(player: RunPlayer): CallFrame? {
+        val (thread, frame) = chosen ?: return null
+        val threads = player.session.threads
+        val callStack = threads.find { it.number == thread }?.callStack.orEmpty()
+        // A breakpoint of another thread is where to look.
+        val isElsewhere = isStepping && player.stop is StopReason.Breakpoint &&
+            threads.none { it.isCurrent && it.number == thread }
+        if (player.playback == PlaybackState.Paused) isStepping = false
+        if (callStack.isEmpty() || isElsewhere) chosen = null
+        return if (isElsewhere) null else callStack.getOrNull(frame) ?: callStack.firstOrNull()
     }
 
     /** [drawer] with the current data of [player]. */

@@ -109,6 +109,7 @@ class RunStateHolder(
             is RunEvent.ButtonPressed -> press(event.button)
             is RunEvent.ButtonReleased -> release(event.button)
             is RunEvent.SessionTouched -> touch(event.input)
+            is RunEvent.FrameChosen -> choose(event)
             is RunEvent.OfDrawer -> drawer.handle(event)
         }
         idleDetector.disturb()
@@ -247,9 +248,8 @@ class RunStateHolder(
     }
 
     private fun step(kind: StepKind) = if (state.running) {
-        resume {
-            player.step(kind)
-        }
+        drawer.willResume(player, isStep = true)
+        player.step(kind, drawer.chosenThread)
     } else {
         start(programs.slotToRun, StartAction.StopBeforeFirstStatement)
     }
@@ -262,7 +262,7 @@ class RunStateHolder(
         if (state.running) resume { player.play(line) } else start(programs.slotToRun, StartAction.PlayTo(line))
 
     private fun resume(how: () -> Unit) {
-        drawer.willResume(player)
+        drawer.willResume(player, isStep = false)
         how()
     }
 
@@ -275,6 +275,11 @@ class RunStateHolder(
         run.silence()
         shortfall.moment?.let { player.seek(it.milliseconds) }
         navigator.show(Pane.WORLD)
+    }
+
+    private fun choose(frame: RunEvent.FrameChosen) {
+        drawer.handle(frame)
+        stopLocation.frameChosen()
     }
 
     private fun choose(speed: RunSpeed) {
@@ -376,7 +381,8 @@ class RunStateHolder(
     private fun show() {
         watchShownRobot()
         run.update()
-        if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name)
+        val frame = drawer.chosenFrame(player)
+        if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name, frame)
         drawer.update(player)
         state = state.copy(
             world = run.world,
@@ -390,6 +396,7 @@ class RunStateHolder(
             calls = player.callLine,
             outcome = player.outcome,
             drawer = drawer.state,
+            frame = frame,
             immediate = run.world.robots.indices.map(run::immediateProgram),
             awake = isAwake(),
         )

@@ -1,18 +1,26 @@
 package robotran.workshop.run
 
+import robotran.brick.program.CallFrame
 import robotran.brick.state.RunState
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.workshop.programs.ProgramsStateHolder
 
 /**
- * Shows the file in which the program of the watched robot has stopped, once per stop. The pupil may then switch to
- * another file.
+ * Shows the file in which the program of the watched robot has stopped, or that of the selected frame, once per stop
+ * and selection. The pupil may then switch to another file.
  */
 internal class StopLocation(private val programs: ProgramsStateHolder) {
     private var seen: Pair<Long, RunState>? = null
+    private var seenFrame: CallFrame? = null
 
-    fun update(player: RunPlayer, robot: String) {
+    /** Called when a frame was selected, even the one that is already. */
+    fun frameChosen() {
+        seen = null
+    }
+
+    /** @param frame the selected frame; null if none is. */
+    fun update(player: RunPlayer, robot: String, frame: CallFrame?) {
         val brick = player.state.robots[player.watched].brick
         val run = brick.run
         val stop = when {
@@ -20,9 +28,11 @@ internal class StopLocation(private val programs: ProgramsStateHolder) {
             run is RunState.Running && player.playback == PlaybackState.Paused -> player.time to run
             else -> null
         }
-        if (stop == seen) return
+        if (stop == seen && frame == seenFrame) return
         seen = stop
-        val file = (run as? RunState.Failed)?.failure?.sourceFile ?: (run as? RunState.Running)?.sourceFile
+        seenFrame = frame
+        val file = (run as? RunState.Failed)?.failure?.sourceFile ?: frame?.sourceFile
+            ?: (run as? RunState.Running)?.sourceFile
         if (stop != null && file != null) programs.showFile(robot, brick.selectedSlot, file)
     }
 }

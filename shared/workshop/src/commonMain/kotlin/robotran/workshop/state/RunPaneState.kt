@@ -2,6 +2,7 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
+import robotran.brick.program.CallFrame
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.projects.ProjectSettings
@@ -31,6 +32,7 @@ import robotran.world.World
  * @property watched the index of the chosen robot: its program, brick, status and variables are shown.
  * @property hasRecording whether the project has recorded inputs.
  * @property settings how programs run.
+ * @property frame the selected frame of the [watched] robot's program, whose line is shown; null for the current line.
  * @property outcome the goals at the end of the known run, also while an earlier time is shown.
  * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
  */
@@ -53,6 +55,7 @@ data class RunPaneState(
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),
     val drawer: DrawerState = DrawerState(),
+    val frame: CallFrame? = null,
     val immediate: List<ImmediateProgram?> = emptyList(),
     val outcome: RunOutcome = RunOutcome(),
 ) {

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.program.CallFrame
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.BrickState
@@ -34,9 +35,11 @@ data class ShownProgramRun(
             val now = robot.brick.run
             // A block of the palette that is tried is in no line of the program.
             val lines = programs.draft.lines.count
+            val frame = run.frame.takeIf { index == run.watched }
+            val line = (now as? RunState.Running)?.takeIf { run.lineIsLit }
+                ?.let { lineIn(file, frame ?: CallFrame("", it.sourceLine, it.sourceFile)) }
             return ShownProgramRun(
-                runningLine = (now as? RunState.Running)?.takeIf { run.lineIsLit }?.lineIn(file)?.takeIf { it <= lines }
-                    ?: 0,
+                runningLine = line?.takeIf { it <= lines } ?: 0,
                 failure = (now as? RunState.Failed)?.failure?.takeIf { it.isIn(file) && it.sourceLine <= lines },
                 remarks = robot.remarks.filter { immediate == null || it.sourceLine <= lines },
                 missingSensors = robot.missingSensors,
@@ -55,7 +58,8 @@ data class ShownProgramRun(
             !run.changed && brick.selectedSlot == programs.shownProgram
         }
 
-        private fun RunState.Running.lineIn(file: String): Int? = sourceLine.takeIf { (sourceFile ?: file) == file }
+        private fun lineIn(file: String, frame: CallFrame): Int? =
+            frame.sourceLine.takeIf { (frame.sourceFile ?: file) == file }
 
         private fun ProgramFailure.isIn(file: String) = sourceLine > 0 && (sourceFile ?: file) == file
     }

@@ -10,13 +10,14 @@ import org.objectweb.asm.Type
 /**
  * Adapts ECJ's class files to run in memory, on one thread, on untrusted sources and as WebAssembly. It removes
  * monitors, waits and methods that need reflection or files, limits constant strings to the class file maximum, makes
- * divisions and floating-point numbers the same on all platforms, and adds large steps as a brick can.
+ * divisions and floating-point numbers the same on all platforms, adds large steps as a brick can, and counts the work
+ * of compiling.
  */
 internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
 
     /** The methods that should have been rewritten but were not found. */
-    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT + FILE_READING + STEPS - seen
+    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT + FILE_READING + STEPS + PLACES - seen
 
     fun rewrite(classFile: ByteArray): ByteArray {
         val reader = ClassReader(classFile)
@@ -54,11 +55,17 @@ internal class EcjRewriter {
 
                 FILE_READING -> ByteWiseReadVisitor(target)
 
-                STEPS -> ByteStepVisitor(PlatformCallVisitor(target))
+                STEPS -> counted(ByteStepVisitor(PlatformCallVisitor(target)))
 
-                else -> PlatformCallVisitor(if (className == CONSTANTS) SafeDivisionVisitor(target) else target)
+                else -> {
+                    val safe = if (className == CONSTANTS) SafeDivisionVisitor(target) else target
+                    val called = PlatformCallVisitor(safe)
+                    if (name == CLASS_INITIALIZER) called else counted(called, isPlace = method in PLACES)
+                }
             }
         }
+
+        private fun counted(target: MethodVisitor, isPlace: Boolean = false) = WorkBudgetVisitor(target, isPlace)
     }
 
     private companion object {
@@ -77,5 +84,20 @@ internal class EcjRewriter {
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
         const val FILE_READING = "$COMPILER/util/Util.getInputStreamAsByteArray"
         const val STEPS = "$COMPILER/ast/SingleNameReference.generateCompoundAssignment"
+
+        /** Runs once for all compilations. */
+        const val CLASS_INITIALIZER = "<clinit>"
+
+        /** What the compiler does with one method or class of a source. */
+        val PLACES = setOf(
+            "$COMPILER/ast/AbstractMethodDeclaration.resolve",
+            "$COMPILER/ast/MethodDeclaration.analyseCode",
+            "$COMPILER/ast/ConstructorDeclaration.analyseCode",
+            "$COMPILER/ast/AbstractMethodDeclaration.generateCode",
+            "$COMPILER/ast/ConstructorDeclaration.generateCode",
+            "$COMPILER/ast/TypeDeclaration.resolve",
+            "$COMPILER/ast/TypeDeclaration.analyseCode",
+            "$COMPILER/ast/TypeDeclaration.generateCode",
+        )
     }
 }

@@ -3,6 +3,7 @@ package robotran.build.ecj
 import org.objectweb.asm.ClassReader
 import org.objectweb.asm.ClassVisitor
 import org.objectweb.asm.ClassWriter
+import org.objectweb.asm.Label
 import org.objectweb.asm.MethodVisitor
 import org.objectweb.asm.Opcodes
 import java.io.InputStream
@@ -121,6 +122,32 @@ class EcjRewriterTest {
     }
 
     @Test
+    fun `the calls, the rounds of a loop and what is copied are counted`() {
+        val rewritten = rewriter.rewrite(
+            classWith("Some", "work", "()V") {
+                val round = Label()
+                it.visitLabel(round)
+                it.visitFrame(Opcodes.F_SAME, 0, null, 0, null)
+                it.visitInsn(Opcodes.ICONST_2)
+                it.visitIntInsn(Opcodes.NEWARRAY, Opcodes.T_INT)
+                it.visitInsn(Opcodes.POP)
+                it.visitJumpInsn(Opcodes.GOTO, round)
+            },
+        )
+        assertEquals(listOf("step", "allocate", "step"), calls(rewritten))
+    }
+
+    @Test
+    fun `the method that is compiled is noted`() {
+        val rewritten = rewriter.rewrite(
+            classWith("org/eclipse/jdt/internal/compiler/ast/TypeDeclaration", "resolve", "()V") {
+                it.visitInsn(Opcodes.RETURN)
+            },
+        )
+        assertEquals(listOf("step", "enter"), calls(rewritten))
+    }
+
+    @Test
     fun `methods that another version of ECJ no longer has are noticed`() {
         assertContains(rewriter.missing, "org/eclipse/jdt/internal/compiler/impl/StringConstant.fromValue")
     }
@@ -149,11 +176,38 @@ class EcjRewriterTest {
 
     private fun instructions(classFile: ByteArray): List<Int> {
         val found = mutableListOf<Int>()
-        val collector = object : MethodVisitor(Opcodes.ASM9) {
-            override fun visitInsn(opcode: Int) {
-                found += opcode
-            }
-        }
+        visitMethods(
+            classFile,
+            object : MethodVisitor(Opcodes.ASM9) {
+                override fun visitInsn(opcode: Int) {
+                    found += opcode
+                }
+            },
+        )
+        return found
+    }
+
+    /** The names of the methods that the methods of [classFile] call. */
+    private fun calls(classFile: ByteArray): List<String> {
+        val found = mutableListOf<String>()
+        visitMethods(
+            classFile,
+            object : MethodVisitor(Opcodes.ASM9) {
+                override fun visitMethodInsn(
+                    opcode: Int,
+                    owner: String,
+                    name: String,
+                    descriptor: String,
+                    isInterface: Boolean,
+                ) {
+                    found += name
+                }
+            },
+        )
+        return found
+    }
+
+    private fun visitMethods(classFile: ByteArray, collector: MethodVisitor) {
         val visitor = object : ClassVisitor(Opcodes.ASM9) {
             override fun visitMethod(
                 access: Int,
@@ -164,6 +218,5 @@ class EcjRewriterTest {
             ) = collector
         }
         ClassReader(classFile).accept(visitor, 0)
-        return found
     }
 }

@@ -1,0 +1,141 @@
+package robotran.javacompiler
+
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+
+/** What pupils wrote, and what helps them. */
+class JavaAdviceTest {
+    private fun withNxtFix(statements: String, diagnostic: JavaDiagnostic) =
+        withFix(nxtProgram(statements), assertNotNull(diagnostic.fix, statements))
+            .substringAfter("Exception {\n").removeSuffix("\n}\n}\n")
+
+    private suspend fun fixedForNxt(statements: String) = withNxtFix(statements, nxtDiagnostic(statements))
+
+    @Test
+    fun `wait in main becomes a sleep, and notify needs an object`() = runTest {
+        assertContains(assertNotNull(diagnostic("wait(500);").hint), "Thread.sleep(500)")
+        assertEquals("Thread.sleep(500);", fixedStatements("wait(500);"))
+        assertEquals("Thread.sleep(500);", fixedForNxt("wait(500);"))
+        assertContains(assertNotNull(diagnostic("notify();").hint), "lock.notify()")
+        assertContains(assertNotNull(nxtDiagnostic("notifyAll();").hint), "lock.notifyAll()")
+    }
+
+    @Test
+    fun `a method that is inherited needs an object of the class`() = runTest {
+        val text = "public class Robot extends Thread {\npublic static void main(String[] args) {\nstart();\n}\n}"
+        assertContains(assertNotNull(diagnostics(text).single().hint), "new Robot().start()")
+        val own = "public class Robot {\nvoid go() { }\npublic static void main(String[] args) {\ngo();\n}\n}"
+        assertContains(assertNotNull(diagnostics(own).single().hint), "Write \"static\"")
+    }
+
+    @Test
+    fun `a method without its brackets gets them`() = runTest {
+        assertEquals(
+            "TouchSensor t = new TouchSensor(SensorPort.S1); if (t.isPressed()) Motor.A.stop();",
+            fixedForNxt("TouchSensor t = new TouchSensor(SensorPort.S1); if (t.isPressed) Motor.A.stop();"),
+        )
+        assertEquals("if (!Motor.A.isMoving()) Motor.A.stop();", fixedForNxt("if (!Motor.A.isMoving) Motor.A.stop();"))
+        assertEquals("if (Motor.A.isMoving() == true) { }", fixedForNxt("if (Motor.A.isMoving = true) { }"))
+        assertEquals("Motor.A.setSpeed(300);", fixedForNxt("Motor.A.setSpeed = 300;"))
+        assertContains(nxtDiagnostic("Motor.A.setSpeed = 300;").message, "is a method")
+        assertEquals(
+            "if (Sensor.S1.readBooleanValue()) Motor.A.stop();",
+            fixedStatements("if (Sensor.S1.readBooleanValue) Motor.A.stop();"),
+        )
+    }
+
+    @Test
+    fun `constants of a brick are told with their class`() = runTest {
+        assertEquals("new TouchSensor(SensorPort.S1);", fixedForNxt("new TouchSensor(S1);"))
+        assertEquals("Motor.A.forward();", fixedForNxt("A.forward();"))
+        assertEquals("if (Sensor.S1.readBooleanValue()) { }", fixedStatements("if (S1.readBooleanValue()) { }"))
+        assertEquals("Button.VIEW.isPressed();", fixedStatements("VIEW.isPressed();"))
+        val without = diagnostics("class Robot { void f() { S1.activate(); } }").first()
+        assertContains(assertNotNull(without.hint), "Sensor.S1")
+        assertNull(without.fix, "another import would be missing then")
+    }
+
+    @Test
+    fun `what is made in another way is told how`() = runTest {
+        assertContains(assertNotNull(nxtDiagnostic("new TouchSensor();").hint), "new TouchSensor(SensorPort.S1)")
+        assertEquals("new UltrasonicSensor(SensorPort.S4);", fixedForNxt("new UltrasonicSensor(4);"))
+        assertContains(assertNotNull(nxtDiagnostic("Motor m = new Motor();").hint), "Motor.A, Motor.B, Motor.C")
+        assertContains(assertNotNull(nxtDiagnostic("new NXTMotor();").hint), "MotorPort.A")
+        val text = "class Robot {\nRobot(int speed, String name) { }\nObject o = new Robot();\n}"
+        assertContains(assertNotNull(diagnostics(text).single().hint), "new Robot(int, String)")
+    }
+
+    @Test
+    fun `a method of the class is never named by its class`() = runTest {
+        val text = "public class Drive {\npublic static void main(String[] args) {\ndrive(20, \"x\");\n}\n}"
+        val diagnostic = diagnostics(text).last()
+        assertContains(assertNotNull(diagnostic.hint), "static void drive(int a, String b) { }")
+        assertNull(diagnostic.fix)
+    }
+
+    @Test
+    fun `a method whose first word is missing is found`() = runTest {
+        val sonar = "UltrasonicSensor u = new UltrasonicSensor(SensorPort.S4);"
+        assertEquals("$sonar int d = u.getDistance();", fixedForNxt("$sonar int d = u.distance();"))
+        assertEquals(
+            "TouchSensor t = new TouchSensor(SensorPort.S1); if (t.isPressed()) { }",
+            fixedForNxt("TouchSensor t = new TouchSensor(SensorPort.S1); if (t.pressed()) { }"),
+        )
+    }
+
+    @Test
+    fun `a number that begins with 0 loses it`() = runTest {
+        assertEquals("int x = 9;", fixedStatements("int x = 09;"))
+        assertContains(diagnostic("int x = 3000000000;").message, "too large")
+        assertContains(diagnostic("int x = 0999999999999;").message, "too large")
+    }
+
+    @Test
+    fun `a decimal comma becomes a point`() = runTest {
+        assertEquals("float f = 1.5f;", fixedStatements("float f = 1,5;"))
+        assertEquals("double d = 3.14;", fixedStatements("double d = 3,14;"))
+        assertContains(assertNotNull(diagnostic("Thread.sleep(1,5);").hint), "a point, not a comma: 1.5")
+        assertNull(diagnostic("Thread.sleep(1,5);").fix, "milliseconds are whole")
+        assertContains(assertNotNull(nxtDiagnostic("Motor.A.setSpeed(2,5);").hint), "2.5")
+        assertContains(diagnostic("int x = 1,5;").message, "1.5")
+        compiled(program("int[] x = {1,5};"))
+    }
+
+    @Test
+    fun `seconds become milliseconds`() = runTest {
+        assertContains(assertNotNull(diagnostic("Thread.sleep(0.5);").hint), "milliseconds")
+        assertEquals("Thread.sleep(500);", fixedStatements("Thread.sleep(0.5);"))
+        assertEquals("Thread.sleep(1250);", fixedStatements("Thread.sleep(1.25);"))
+        assertEquals("Delay.msDelay(200);", fixedForNxt("Delay.msDelay(.2);"))
+    }
+
+    @Test
+    fun `a loop that a semicolon cuts short is told at the semicolon`() = runTest {
+        val statements = "for (int i = 0; i < 5; i++); { LCD.showNumber(i); }"
+        assertContains(diagnostic(statements).message, "is all that is done here")
+        assertEquals("for (int i = 0; i < 5; i++) { LCD.showNumber(i); }", fixedStatements(statements))
+        assertContains(diagnostic("for (int i = 0; i < 5; i++) { }\nLCD.showNumber(i);").message, "no variable \"i\"")
+    }
+
+    @Test
+    fun `a comment that does not end is told where it begins`() = runTest {
+        val diagnostic = diagnostics(program("/* open comment\nMotor.A.stop();")).single()
+        assertEquals(4, diagnostic.range.line)
+        assertContains(diagnostic.message, "does not end")
+    }
+
+    @Test
+    fun `a method announces no more than the one that it replaces`() = runTest {
+        val text = "public class Robot extends Thread {\n" +
+            "public void run() throws InterruptedException {\nThread.sleep(100);\n}\n}"
+        for (diagnostic in listOf(diagnostics(text).single(), nxtDiagnosticOf(text))) {
+            assertContains(diagnostic.message, "Thread.run()")
+            assertContains(assertNotNull(diagnostic.hint), "catch (InterruptedException e)")
+        }
+    }
+}

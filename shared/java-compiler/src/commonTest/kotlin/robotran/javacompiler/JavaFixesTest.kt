@@ -1,0 +1,83 @@
+package robotran.javacompiler
+
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** A fix that is offered leaves a program with fewer mistakes and none that is new. */
+class JavaFixesTest {
+    private val statements = listOf(
+        "wait(500);",
+        "int x = 09;",
+        "float f = 1,5;",
+        "double d = 3,14;",
+        "int i = 1,5;",
+        "Thread.sleep(0.5);",
+        "Thread.sleep(1,5);",
+        "int x = 5.5;",
+        "for (int i = 0; i < 5; i++); { int k = i; }",
+        "int i = 0; while (i < 3); { i++; }",
+        "int i = 0; if i > 2 { }",
+        "while true { }",
+        "int class = 5;",
+        "int x = 1; if (x =< 2) { }",
+        "boolean b = 1 \u2264 2 && 2 \u2260 3;",
+        "String s = \u201Ehi\u201C;",
+        "int x = 1\nint y = 2;",
+        "int x = (3;",
+        "String s = 'hello';",
+        "boolean b = True;",
+        "boolean b = true and false;",
+        "int speed = 1; sped = 2;",
+        "drive(20);",
+        "/* open\nint x = 1;",
+        "int x = 1; x == 3;",
+        "if (2 > 1) then { }",
+    )
+    private val ofRcx =
+        listOf("Motor.A.foward();", "S1.activate();", "if (Sensor.S1.readBooleanValue) { }", "LCD.clear;")
+    private val ofNxt = listOf(
+        "Motor.A.setSpeed = 300;",
+        "if (!Motor.A.isMoving) { }",
+        "if (Motor.A.isMoving = true) { }",
+        "new TouchSensor(S1);",
+        "new TouchSensor();",
+        "new UltrasonicSensor(4);",
+        "new Motor();",
+        "new UltrasonicSensor(SensorPort.S1).distance();",
+        "Motor.A.setSpeed(2,5);",
+        "Motor.A.rotate(\u221290);",
+    )
+    private val sources = listOf(
+        "Public Class Robot {\n}\n",
+        "public class My Robot {\n}\n",
+        "void drive() { }\npublic class Robot { }\n",
+        "public class Robot {\nint x = 1;\nx = 2;\n}\n",
+        "public class Robot {\nvoid a() {\nvoid b() { }\n}\n}\n",
+        "public class Robot extends Thread {\npublic void run() throws InterruptedException { }\n}\n",
+    )
+
+    @Test
+    fun `each fix for an RCX leaves fewer mistakes`() = runTest {
+        for (text in (statements + ofRcx).map(::program) + sources) check(text) { errorsOf(compile(it)) }
+    }
+
+    @Test
+    fun `each fix for an NXT leaves fewer mistakes`() = runTest {
+        for (text in (statements + ofNxt).map(::nxtProgram) + sources) check(text) { errorsOf(compileForNxt(it)) }
+    }
+
+    private fun errorsOf(result: CompilationResult): List<JavaDiagnostic> =
+        (result as? CompilationResult.Rejected)?.diagnostics.orEmpty()
+
+    private suspend fun check(text: String, errors: suspend (String) -> List<JavaDiagnostic>) {
+        val before = errors(text)
+        assertTrue(before.isNotEmpty(), text)
+        for (fix in before.mapNotNull { it.fix }) {
+            val fixed = withFix(text, fix)
+            val after = errors(fixed)
+            assertTrue(after.size < before.size, "$fixed\n${after.joinToString("\n") { it.message }}")
+        }
+    }
+}
