@@ -193,7 +193,7 @@ internal fun NameLines(row: HandInRow, task: String = "") {
 private fun RunsCell(row: HandInRow, plan: GradingPlan) =
     Column(Modifier.width(scaled(RUNS_WIDTH)), Arrangement.spacedBy(Space.TINY)) {
         val graded = row.results ?: return@Column
-        if (graded.runs.size > 1) RunMarks(graded, plan)
+        if (graded.runs.size > 1) RunMarks(graded, plan, hasNames = false)
         Text(
             shortRunsText(graded),
             color = LocalRobotranColours.current.onPane,

@@ -64,10 +64,14 @@ internal fun HandInsSummary(state: HandInsState, onEvent: (HandInsEvent) -> Unit
         ) {
             // The good news first, as in a heading; the table has those who need help first.
             for ((verdict, count) in state.counts.entries.sortedBy { SUMMARY_ORDER.indexOf(it.key) }) {
-                VerdictMark(verdict, Modifier.semantics(mergeDescendants = true) { }, count)
+                VerdictMark(
+                    verdict,
+                    Modifier.align(Alignment.CenterVertically).semantics(mergeDescendants = true) { },
+                    count,
+                )
             }
+            if (state.rows.size > 1) Order(state.order) { onEvent(HandInsEvent.OrderChosen(it)) }
         }
-        if (state.rows.size > 1) Order(state.order) { onEvent(HandInsEvent.OrderChosen(it)) }
     }
 
 @Composable

@@ -33,20 +33,28 @@ import robotran.ui.theme.TextSizes
  * A mark for each run, a row for each world with its name, and a column for each seed: a tick on a filled square where
  * all goals were met, a cross where they were not. What the row of the table says is the same, so it needs no
  * accessibility text.
+ *
+ * @param hasNames false in a table of many rows, where worlds only stand apart.
  */
 @Composable
-internal fun RunMarks(graded: GradedHandIn.Graded, plan: GradingPlan, modifier: Modifier = Modifier) =
-    BoxWithConstraints(modifier) {
-        val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
-        val cell = (if (plan.seeds.count() > FEW) SMALL_CELL else CELL) * scale
-        val columns = (maxWidth / cell).toInt().coerceIn(1, MAX_COLUMNS)
-        Column(verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
-            for (world in plan.worlds) {
-                WorldName(worldName(world.name), plan.seeds)
+internal fun RunMarks(
+    graded: GradedHandIn.Graded,
+    plan: GradingPlan,
+    modifier: Modifier = Modifier,
+    hasNames: Boolean = true,
+) = BoxWithConstraints(modifier) {
+    val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+    val cell = (if (plan.seeds.count() > FEW) SMALL_CELL else CELL) * scale
+    val columns = (maxWidth / cell).toInt().coerceIn(1, MAX_COLUMNS)
+    Column(verticalArrangement = Arrangement.spacedBy(if (hasNames) Space.HAIR else Space.TINY)) {
+        for (world in plan.worlds) {
+            if (hasNames) WorldName(worldName(world.name), plan.seeds)
+            Column(verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
                 graded.runsIn(world.name).chunked(columns).forEach { MarksRow(it, cell) }
             }
         }
     }
+}
 
 /** The world of a row, and the seeds of its columns. */
 @Composable
