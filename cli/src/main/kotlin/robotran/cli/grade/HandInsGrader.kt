@@ -76,6 +76,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
                 console.complain(reason.orEmpty())
                 return null
             }
+            read.remarks.forEach(console::complain)
             val programs = read.programs.map { program ->
                 ProjectProgram.of(program.source) ?: run {
                     console.complain(messages.compiled(program.path))

@@ -6,6 +6,7 @@ import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.projects.Project
+import robotran.projects.isLink
 import robotran.world.LightFacing
 
 /**
@@ -38,13 +39,19 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
     val project = names.singleOrNull()?.takeIf(::isProject)
     if (project != null) {
         return when (val read = readProjectFile(project, console, linkName)) {
-            is ReadProject.Read -> handInOf(read.project, if (project.endsWith(PROJECT)) project else linkName, console)
+            is ReadProject.Read -> handInOf(read.project, if (isLink(project)) linkName else project, console)
             is ReadProject.Rejected -> SubmissionResult.Rejected(read.reason)
         }
     }
     return when (val files = readProgramFiles(names, console.messages)) {
-        is ProgramFiles.Read -> SubmissionResult.Read(Submission(files.programs))
-        is ProgramFiles.Rejected -> SubmissionResult.Rejected(files.reason)
+        is ProgramFiles.Read -> {
+            files.remarks.forEach(console::complain)
+            SubmissionResult.Read(Submission(files.programs))
+        }
+
+        is ProgramFiles.Rejected -> {
+            SubmissionResult.Rejected(files.reason)
+        }
     }
 }
 

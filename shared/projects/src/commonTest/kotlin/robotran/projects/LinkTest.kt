@@ -98,7 +98,10 @@ class LinkTest {
             refusal(link),
         )
         val swapped = refusal(linkTo(FULL_PROJECT).replace("#p=", "#w="))
-        assertTrue(swapped.startsWith("What the link holds cannot be used. This is not a Robotran world"), swapped)
+        assertTrue(
+            swapped.startsWith("What the link holds cannot be used. Line 1: This is not a Robotran world"),
+            swapped,
+        )
     }
 
     @Test
@@ -185,8 +188,8 @@ class LinkTest {
     }
 
     @Test
-    fun `all kinds of links are found in a text, without what is around them`() {
+    fun `all kinds of links are found in a text, without what is around them`() = runTest {
         val text = "Hi (https://example.org/#p=aX_1-b), #w=aQ. And #c=aR\n#h=aS! #x=aT #p="
-        assertEquals(listOf("#p=aX_1-b", "#w=aQ", "#c=aR", "#h=aS"), linksIn(text))
+        assertEquals(listOf("#p=aX_1-b", "#w=aQ", "#c=aR", "#h=aS"), linksIn(text).map { it.link })
     }
 }

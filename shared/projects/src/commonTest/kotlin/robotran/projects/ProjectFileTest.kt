@@ -149,18 +149,12 @@ class ProjectFileTest {
         )
         assertEquals("Line 1: version is missing.", refusal("{\"format\": \"robotran-project\"}"))
         assertEquals(
-            "This project was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
+            "Line 1: This project was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
             refusal("{\"format\": \"robotran-project\", \"version\": 2}"),
         )
         assertEquals(
-            "The file is not a text in UTF-8; an editor can save it as one.",
-            assertIs<ProjectFileResult.Rejected>(
-                readProject(
-                    ByteArray(9) {
-                        -1
-                    },
-                ),
-            ).message,
+            "The file is not a text.",
+            assertIs<ProjectFileResult.Rejected>(readProject(byteArrayOf(0, -1, 3))).message,
         )
     }
 

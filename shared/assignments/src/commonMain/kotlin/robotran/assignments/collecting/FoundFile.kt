@@ -1,5 +1,7 @@
 package robotran.assignments.collecting
 
+import robotran.documents.plainFileName
+
 /**
  * A file among the collected ones or in one of their zips.
  *
@@ -37,13 +39,16 @@ internal enum class FoundKind(vararg val extensions: String) {
     ZIP(".zip"),
 
     /** A project, a text with links, or both kinds renamed by a mail program. */
-    TEXT(".robotran", ".json", ".txt", ".url", ".webloc", ".html", ".htm", ".md"),
+    TEXT(".robotran", ".json", ".txt", ".url", ".webloc", ".html", ".htm", ".md", ".eml"),
     OTHER,
     ;
 
     companion object {
-        fun of(name: String): FoundKind =
-            entries.firstOrNull { kind -> kind.extensions.any { name.endsWith(it, ignoreCase = true) } } ?: OTHER
+        fun of(name: String): FoundKind {
+            val plain = plainFileName(name)
+            return entries.firstOrNull { kind -> kind.extensions.any { plain.endsWith(it, ignoreCase = true) } }
+                ?: OTHER
+        }
     }
 }
 
@@ -56,7 +61,7 @@ internal fun pathOf(path: String): List<String>? {
 }
 
 /** [name] without its extension, or whole if it has none. */
-internal fun stemOf(name: String): String = name.substringBeforeLast('.').ifEmpty { name }
+internal fun stemOf(name: String): String = plainFileName(name).substringBeforeLast('.').ifEmpty { name }
 
 /** Deeper folders are no hand-ins. */
 private const val MAXIMUM_PARTS = 50

@@ -1,6 +1,7 @@
 package robotran.assignments.collecting
 
 import robotran.documents.FileKind
+import robotran.language.decodeText
 
 /**
  * Files that belong together.
@@ -112,7 +113,7 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
     }
 
     private fun hasMain(file: FoundFile): Boolean = file.kind == FoundKind.JAVA &&
-        (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
+        (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in decodeText(it)?.text.orEmpty() } == true
 
     private companion object {
         /** One pupil may leave two, such as a program and a project. */

@@ -1,5 +1,7 @@
 package robotran.assignments.collecting
 
+import robotran.documents.plainFileName
+import robotran.language.decodeText
 import robotran.programs.nqcIncludes
 
 /** Which of the [files] of a folder programs in NQC include; they are part of these programs. */
@@ -7,7 +9,7 @@ internal class NqcFiles(private val files: List<FoundFile>) {
     private val names: Map<FoundFile, List<String>> = files.filter { it.kind == FoundKind.NQC }
         .associateWith { file ->
             val bytes = (file.content as? FoundContent.Bytes)?.bytes
-            nqcIncludes(bytes?.decodeToString().orEmpty()).map { it.substringAfterLast('/') }
+            nqcIncludes(bytes?.let(::decodeText)?.text.orEmpty()).map { it.substringAfterLast('/') }
         }
 
     /** Those that another one includes, unless both include each other. */
@@ -19,7 +21,7 @@ internal class NqcFiles(private val files: List<FoundFile>) {
         val waiting = ArrayDeque(listOf(file))
         while (waiting.isNotEmpty()) {
             val included = names[waiting.removeFirst()].orEmpty()
-            names.keys.filter { it.name in included }.filterTo(waiting) { found.add(it) }
+            names.keys.filter { plainFileName(it.name) in included }.filterTo(waiting) { found.add(it) }
         }
         return found.toList()
     }

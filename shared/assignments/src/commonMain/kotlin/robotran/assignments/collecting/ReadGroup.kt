@@ -2,7 +2,9 @@ package robotran.assignments.collecting
 
 import robotran.assignments.messages.CollectingMessages
 import robotran.brick.program.BrickProgram
-import robotran.documents.programText
+import robotran.documents.TextReading
+import robotran.documents.readText
+import robotran.documents.sentenceFor
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -37,7 +39,7 @@ internal class GroupReader(private val assignment: Project, private val language
     fun isNoHandIn(file: FoundFile): Boolean {
         val bytes = (file.content as? FoundContent.Bytes)?.bytes
         if (file.kind != FoundKind.TEXT || bytes == null || bytes.size > JsonLimits.MAXIMUM_BYTES) return false
-        val text = programText(file.name, bytes)?.takeIf(::isProject) ?: return false
+        val text = (readText(file.name, bytes) as? TextReading.Read)?.text?.takeIf(::isProject) ?: return false
         val project = (readProject(text, language) as? ProjectFileResult.Loaded)?.project ?: return false
         return project.feedback != null || given.isAssignment(project)
     }
@@ -46,6 +48,9 @@ internal class GroupReader(private val assignment: Project, private val language
         private val projects = mutableListOf<Candidate>()
         private val sources = mutableListOf<Pair<FoundFile, String>>()
         private val problems = mutableListOf<String>()
+
+        /** How programs were read although they are unusual. */
+        private val changes = mutableListOf<String>()
 
         /** The assignment itself, which is a hand-in only where nothing else is. */
         private val copies = mutableListOf<Candidate>()
@@ -58,18 +63,14 @@ internal class GroupReader(private val assignment: Project, private val language
                 is FoundContent.Bytes -> content.bytes
             }
             if (file.kind == FoundKind.RCX_IMAGE) return addImage(file, bytes)
-            val text = when {
-                bytes.size > JsonLimits.MAXIMUM_BYTES -> null
-                else -> programText(file.name, bytes)
+            if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
+                return problems.plusAssign(messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES))
             }
+            val reading = readText(file.name, bytes) as? TextReading.Read
+            val text = reading?.text
             when {
-                bytes.size > JsonLimits.MAXIMUM_BYTES -> {
-                    problems +=
-                        messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES)
-                }
-
                 text == null -> {
-                    problems += messages.notUtf8(file.name)
+                    problems += messages.notText(file.name)
                 }
 
                 file.kind == FoundKind.TEXT -> {
@@ -81,7 +82,8 @@ internal class GroupReader(private val assignment: Project, private val language
                 }
 
                 else -> {
-                    sources += file to text
+                    changes += reading.changes.map { sentenceFor(it, file.name, language) }
+                    sources += file.at(file.path.dropLast(1) + reading.name) to text
                 }
             }
         }
@@ -111,9 +113,7 @@ internal class GroupReader(private val assignment: Project, private val language
                 }
                 return
             }
-            val links = text.lineSequence().flatMapIndexed { line, words ->
-                linksIn(words).map { line + 1 to it }
-            }.take(CollectingLimits.MAXIMUM_LINKS).toList()
+            val links = linksIn(text).take(CollectingLimits.MAXIMUM_LINKS)
             for ((line, link) in links) addLink(file, link, line, isOnly = links.size == 1)
         }
 
@@ -171,7 +171,8 @@ internal class GroupReader(private val assignment: Project, private val language
                 Submission.Unusable(group.name, group.origin, reason)
             } else {
                 val robot = ProjectRobot(assignment.world.robots.first().name, programs)
-                Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs))
+                val unusual = changes.map(SubmissionRemark::ReadAllTheSame)
+                Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs) + unusual)
             }
             return candidate(submission, modified)
         }

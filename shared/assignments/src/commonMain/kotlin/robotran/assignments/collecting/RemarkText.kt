@@ -12,4 +12,5 @@ fun CollectingMessages.remark(remark: SubmissionRemark): String = when (remark) 
     is SubmissionRemark.LanguageNotAllowed -> languageNotAllowed(remark.program)
     is SubmissionRemark.WordsNotAllowed -> wordsNotAllowed(remark.words)
     is SubmissionRemark.OlderLeftOut -> olderLeftOut(remark.count)
+    is SubmissionRemark.ReadAllTheSame -> remark.sentence
 }

@@ -61,4 +61,7 @@ sealed interface SubmissionRemark {
 
     /** The same pupil has handed in [count] more, older ones, which do not count. */
     data class OlderLeftOut(val count: Int) : SubmissionRemark
+
+    /** A program is in an old encoding or has an unusual name, and was read; [sentence] says so. */
+    data class ReadAllTheSame(val sentence: String) : SubmissionRemark
 }

@@ -94,6 +94,7 @@ internal class FileOpener(
         navigator.leavePages()
         takeWork(opened)
         if (opened.courses.isNotEmpty()) openCourses(opened.courses)
+        notices.add(opened.remarks)
     }
 
     private suspend fun takeWork(opened: OpenFilesResult.Opened) {
@@ -196,6 +197,9 @@ internal class FileOpener(
                 FileKind.LASM,
                 FileKind.RCX_IMAGE,
                 FileKind.ZIP,
+                // Windows and mail programs put .txt behind the name of a program, and links come in mails.
+                FileKind.TEXT,
+                FileKind.MAIL,
             )
     }
 }
