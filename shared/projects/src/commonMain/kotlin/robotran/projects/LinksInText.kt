@@ -93,7 +93,7 @@ private enum class LinkStyle(val start: String, private val escapes: Regex? = nu
     DASHED("-23K-3[Dd]", Regex("-(2D|5F)", RegexOption.IGNORE_CASE)),
 
     /** By a filter that uses `*` for the `#`. */
-    STARRED("\\*K="),
+    STARRED("\\*K=(?:3D)?"),
     ;
 
     /** Whether its signs mean what they do only in the address of such a filter. */

@@ -67,9 +67,10 @@ class LinkTest {
     }
 
     @Test
-    fun `a link with anything behind it is refused`() = runTest {
-        listOf("A", "AAAA", "=", ".", " x", "ä", "%20").forEach {
-            assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it))
+    fun `a link with more of its own letters behind it is refused, what else follows is not part of it`() = runTest {
+        listOf("A", "AAAA").forEach { assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it)) }
+        listOf("=", ".", " x", "ä", "%20").forEach {
+            assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(linkTo(FULL_PROJECT) + it))
         }
     }
 
