@@ -13,11 +13,13 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.files.NQC
 import robotran.cli.files.TextFile
+import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
 import robotran.cli.files.writeFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangText
 import robotran.cli.messages.CommandMessages
+import robotran.documents.TextChange
 import robotran.nqc.edit.formatNqc
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
@@ -38,17 +40,17 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
     }
 
     private fun format(name: String): ExitCode {
-        val isNqc = name.endsWith(NQC)
+        val isNqc = isNamed(name, NQC)
         return when (val file = if (isNqc) readTextFile(name, sentences) else readRobolangText(name, spoken.language)) {
             is TextFile.Rejected -> refuse(file.reason)
-            is TextFile.Read -> if (isNqc) settle(name, file.text, formatNqc(file.text)) else format(name, file.text)
+            is TextFile.Read -> if (isNqc) settle(name, file, formatNqc(file.text)) else format(name, file)
         }
     }
 
-    private fun format(name: String, text: String): ExitCode =
-        when (val result = formatRobolang(text, RobolangMessages.of(spoken.language))) {
+    private fun format(name: String, file: TextFile.Read): ExitCode =
+        when (val result = formatRobolang(file.text, RobolangMessages.of(spoken.language))) {
             is FormatResult.Formatted -> {
-                settle(name, text, result.text)
+                settle(name, file, result.text)
             }
 
             is FormatResult.HasErrors -> {
@@ -57,13 +59,17 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
             }
         }
 
-    private fun settle(name: String, text: String, formatted: String): ExitCode {
-        if (text == formatted) return ExitCode.DONE
+    /** A program in another encoding becomes one in UTF-8, which others can read, too. */
+    private fun settle(name: String, file: TextFile.Read, formatted: String): ExitCode {
+        val encoding = file.changes.firstNotNullOfOrNull { (it as? TextChange.Decoded)?.encoding?.ownName }
+        if (file.text == formatted && encoding == null) return ExitCode.DONE
         if (onlyChecks) {
-            console.complain(sentences.notFormatted(name))
+            console.complain(encoding?.let { sentences.notInUtf8(name, it) } ?: sentences.notFormatted(name))
             return ExitCode.PROGRAM_FAILED
         }
-        return writeFile(name, formatted.encodeToByteArray(), sentences)?.let(::refuse) ?: ExitCode.DONE
+        writeFile(name, formatted.encodeToByteArray(), sentences)?.let { return refuse(it) }
+        encoding?.let { console.complain(sentences.nowInUtf8(name, it)) }
+        return ExitCode.DONE
     }
 
     private fun refuse(reason: String): ExitCode {

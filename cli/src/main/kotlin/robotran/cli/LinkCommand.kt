@@ -17,6 +17,7 @@ import robotran.cli.console.messages
 import robotran.cli.console.speaking
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
+import robotran.cli.files.isNamed
 import robotran.cli.files.nameOf
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
@@ -32,6 +33,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.linkOf
+import robotran.projects.localSite
 import robotran.projects.siteAddress
 
 /** `robotran link FILE..`: prints the URL fragment that opens the page with a world or a project. */
@@ -67,7 +69,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
 
     override fun run() {
         val single = files.singleOrNull()
-        val isWhole = single != null && (single.endsWith(WORLD) || isProject(single) || isCourse(single))
+        val isWhole = single != null && (isNamed(single, WORLD) || isProject(single) || isCourse(single))
         if (isWhole && world != null) throw UsageError("--world goes with programs only")
         val made =
             when {
@@ -77,7 +79,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
                     runBlocking { linkOf(it, spoken.language) }
                 }
 
-                single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let {
+                isNamed(single.orEmpty(), WORLD) -> readWorldFile(single.orEmpty(), console)?.let {
                     runBlocking { linkOf(it, spoken.language) }
                 }
 
@@ -93,6 +95,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
 
         is LinkCreation.Made -> {
             console.say(site.orEmpty() + made.fragment)
+            localSite(site.orEmpty())?.let { console.complain(console.messages.linksStayHere(it)) }
             ExitCode.DONE
         }
 
@@ -107,6 +110,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
         val programs =
             when (val read = readProgramFiles(files, console.messages)) {
                 is ProgramFiles.Read -> {
+                    read.remarks.forEach(console::complain)
                     read.programs.map { it to programOf(it) }
                 }
 

@@ -38,6 +38,19 @@ class LinkCommandTest : CommandTest() {
     }
 
     @Test
+    fun `a link to a site on this machine says that it works here only`() {
+        for (site in listOf("http://localhost:8282/", "http://127.0.0.1:8080/robotran/", "http://[::1]:80/")) {
+            console.complaints.clear()
+            assertEquals(0, link(square, "--site", site))
+            val begin = site.removePrefix("http://").substringBefore('/')
+            assertContains(console.complaints.single(), "Links that begin with $begin work on this machine only")
+        }
+        console.complaints.clear()
+        assertEquals(0, link(square, "--site", "https://localhost.school.example/"))
+        assertEquals(emptyList(), console.complaints)
+    }
+
+    @Test
     fun `a program becomes a project on the plain sheet that runs as the program does`() {
         assertEquals(0, link(square))
         val project = assertIs<LinkResult.OfProject>(opened()).project

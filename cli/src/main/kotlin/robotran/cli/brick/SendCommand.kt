@@ -59,7 +59,7 @@ internal class SendCommand(private val process: Console, private val towers: () 
 
     override fun run() {
         val programs = when (val read = readProgramFiles(files, console.messages)) {
-            is ProgramFiles.Read -> read.programs
+            is ProgramFiles.Read -> read.programs.also { read.remarks.forEach(console::complain) }
             is ProgramFiles.Rejected -> refuse(read.reason)
         }
         val forLego = programs.count { it.source is ProgramSource.ForLegoFirmware }

@@ -27,7 +27,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         "FILE",
         help =
             "programs in Robolang (.robo), NQC (.nqc) or assembly text (.lasm), the files of a Java program (.java), " +
-                "or compiled ones (.class, .jar, .rcx)",
+                "or compiled ones (.class, .jar, .rcx); also worlds (.world.json), robots (.robot.json), projects " +
+                "and assignments (.robotran) and courses (.course.json or its folder)",
     )
         .multiple(required = true)
     private val brick by brickOption()
@@ -39,7 +40,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
 
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Tells all mistakes of programs, without running them."
+    override fun help(context: Context) =
+        "Tells all mistakes of programs, worlds, robots, assignments and courses, without running them."
 
     override fun run() {
         val compiler =
@@ -50,6 +52,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     }
 
     private fun tell(name: String, file: CheckedFile) {
+        file.remarks.forEach { console.say(sentences.warning(it)) }
         when (file) {
             is CheckedFile.Robolang -> tell(name, file)
 
@@ -63,6 +66,12 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
                 name,
                 file.diagnostics.map { lineOf(file.program, it) },
                 file.warnings.map { lineOf(file.program, it) },
+            )
+
+            is CheckedFile.Described -> tell(
+                name,
+                listOfNotNull(file.mistake).map { "$name: ${it.message}" },
+                file.warnings.map { "$name: ${it.message}" },
             )
 
             is CheckedFile.Unreadable -> console.complain(file.reason)
@@ -101,6 +110,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
 
         is CheckedFile.Firmware -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+
+        is CheckedFile.Described -> if (file.mistake == null) ExitCode.DONE else ExitCode.PROGRAM_FAILED
 
         is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
     }

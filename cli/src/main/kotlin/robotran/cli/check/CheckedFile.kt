@@ -7,16 +7,18 @@ import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAR
 import robotran.cli.files.JAVA
 import robotran.cli.files.NamedProgram
-import robotran.cli.files.PROGRAM_ENDINGS
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
 import robotran.cli.files.isFolder
+import robotran.cli.files.isNamed
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.readTextFile
 import robotran.cli.input.RobolangFile
+import robotran.cli.input.isCourse
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
+import robotran.json.JsonWarning
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
@@ -33,7 +35,9 @@ internal sealed interface CheckedFile {
      *
      * @property translated why a brick cannot run the Java that it becomes; empty if that was not checked.
      */
-    data class Robolang(val file: RobolangFile, val translated: List<ProgramDiagnostic> = emptyList()) : CheckedFile
+    data class Robolang(val file: RobolangFile, val translated: List<ProgramDiagnostic> = emptyList()) : CheckedFile {
+        override val remarks: List<String> get() = file.remarks
+    }
 
     /**
      * One file of a Java program, or all class files of one.
@@ -44,6 +48,7 @@ internal sealed interface CheckedFile {
         val diagnostics: List<ProgramDiagnostic>,
         val warnings: List<ProgramDiagnostic>,
         val isCompiled: Boolean = false,
+        override val remarks: List<String> = emptyList(),
     ) : CheckedFile
 
     /** A program for LEGO's own firmware, with all files that it includes. */
@@ -51,15 +56,31 @@ internal sealed interface CheckedFile {
         val program: NamedProgram,
         val diagnostics: List<ProgramDiagnostic>,
         val warnings: List<ProgramDiagnostic>,
+        override val remarks: List<String> = emptyList(),
+    ) : CheckedFile
+
+    /**
+     * A world, a robot, a project or a course.
+     *
+     * @property mistake why it cannot be used, with its line; null if it can.
+     */
+    data class Described(
+        val mistake: JsonWarning?,
+        val warnings: List<JsonWarning>,
+        override val remarks: List<String> = emptyList(),
     ) : CheckedFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : CheckedFile
+
+    /** How the file was read although it is unusual, in sentences. */
+    val remarks: List<String> get() = emptyList()
 }
 
 /**
  * Checks the files [names] in order: each `.robo`, `.nqc`, `.lasm` and `.rcx` file, jar and folder of class files on its
- * own, all `.java` files together as one program, and so all `.class` files, for which the first one stands.
+ * own, all `.java` files together as one program, and so all `.class` files, for which the first one stands. Worlds,
+ * robots, projects and courses are known by their content.
  *
  * @param compiler has the settings of an RCX that Java is for.
  * @param brick that programs are for; null for the one that each names, otherwise an RCX.
@@ -71,23 +92,17 @@ internal fun checkFiles(
     brick: BrickKind?,
     translating: Boolean,
 ): List<Pair<String, CheckedFile>> {
-    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), compiler, brick)
-    val classes = names.filter { it.endsWith(CLASS) }.distinct()
+    val java = checkJava(names.filter { isNamed(it, JAVA) }.distinct(), compiler, brick)
+    val classes = names.filter { isNamed(it, CLASS) }.distinct()
     return (names - classes.drop(1).toSet()).map { name ->
         name to when {
             name in java -> java.getValue(name)
-
-            name.endsWith(ROBOLANG) -> checkRobolang(name, compiler, brick, translating)
-
+            isNamed(name, ROBOLANG) -> checkRobolang(name, compiler, brick, translating)
             name in classes -> checkClasses(classes, compiler, brick)
-
-            FIRMWARE_ENDINGS.any(name::endsWith) -> checkFirmware(name, compiler, brick)
-
-            name.endsWith(JAR) || isFolder(name) -> checkClasses(listOf(name), compiler, brick)
-
-            else -> CheckedFile.Unreadable(
-                CommandMessages.of(compiler.language).notToBeChecked(name, PROGRAM_ENDINGS),
-            )
+            FIRMWARE_ENDINGS.any { isNamed(name, it) } -> checkFirmware(name, compiler, brick)
+            isCourse(name) -> checkCourse(name, compiler.language)
+            isNamed(name, JAR) || isFolder(name) -> checkClasses(listOf(name), compiler, brick)
+            else -> checkDescription(name, compiler.language)
         }
     }
 }
@@ -120,6 +135,7 @@ private fun checkFirmware(name: String, compiler: ProgramCompiler, brick: BrickK
                 program,
                 (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(),
                 (result as? ProgramResult.Ready)?.warnings.orEmpty(),
+                files.remarks,
             )
         }
     }
@@ -164,7 +180,7 @@ private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?)
 private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
-    val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
+    val sources = read.mapNotNull { (_, file) -> (file as? TextFile.Read)?.let { SourceFile(it.name, it.text) } }
     if (sources.isEmpty()) {
         return read.mapValues { (_, file) ->
             CheckedFile.Unreadable((file as TextFile.Rejected).reason)
@@ -174,10 +190,15 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: Bri
     val result = runBlocking { compiler.forBrickOf(source, brick).read(source) }
     val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
-    return read.mapValues { (name, file) ->
+    return read.mapValues { (_, file) ->
         when (file) {
             is TextFile.Rejected -> CheckedFile.Unreadable(file.reason)
-            is TextFile.Read -> CheckedFile.Java(diagnostics[name].orEmpty(), warnings[name].orEmpty())
+
+            is TextFile.Read -> CheckedFile.Java(
+                diagnostics[file.name].orEmpty(),
+                warnings[file.name].orEmpty(),
+                remarks = file.remarks,
+            )
         }
     }
 }

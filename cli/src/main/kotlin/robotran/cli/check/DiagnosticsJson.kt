@@ -8,6 +8,7 @@ import kotlinx.serialization.json.put
 import robotran.cli.console.jsonOutput
 import robotran.cli.files.nameOf
 import robotran.cli.input.RobolangFile
+import robotran.json.JsonWarning
 import robotran.programs.ProgramDiagnostic
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.Severity
@@ -17,7 +18,7 @@ import robotran.robolang.diagnostic.SourceRange
  * The output of `robotran check --json`: a list with one object per file. Each object has `file` and either
  * `diagnostics` or, if the file cannot be read, `error`. A program that can run has only warnings. Lines and columns
  * start at 1; `endColumn` is exclusive. Only Robolang errors have a `code`. A diagnostic of a file that a program in NQC
- * includes has its `file`.
+ * includes has its `file`; one of a world, robot, project or course has a `path` and no column.
  */
 internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
     jsonOutput.encodeToString(JsonArray.serializer(), JsonArray(files.map { (name, file) -> json(name, file) }))
@@ -25,29 +26,38 @@ internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
 private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject {
     put("file", name)
     when (file) {
-        is CheckedFile.Robolang -> put(
-            "diagnostics",
-            JsonArray(diagnosticsOf(file.file).map(::json) + file.translated.map { json("mistake", it) }),
-        )
-
-        is CheckedFile.Java -> put(
-            "diagnostics",
-            JsonArray(
-                file.diagnostics.map {
-                    json("mistake", it)
-                } + file.warnings.map { json("warning", it) },
-            ),
-        )
-
-        is CheckedFile.Firmware -> put(
-            "diagnostics",
-            JsonArray(
-                file.diagnostics.map { json("mistake", it, name) } + file.warnings.map { json("warning", it, name) },
-            ),
-        )
-
         is CheckedFile.Unreadable -> put("error", file.reason)
+        else -> put("diagnostics", JsonArray(file.remarks.map { json("warning", JsonWarning(it)) } + told(name, file)))
     }
+}
+
+private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file) {
+    is CheckedFile.Robolang -> {
+        diagnosticsOf(file.file).map(::json) + file.translated.map { json("mistake", it) }
+    }
+
+    is CheckedFile.Java -> {
+        file.diagnostics.map { json("mistake", it) } + file.warnings.map { json("warning", it) }
+    }
+
+    is CheckedFile.Firmware -> {
+        file.diagnostics.map { json("mistake", it, name) } + file.warnings.map { json("warning", it, name) }
+    }
+
+    is CheckedFile.Described -> {
+        listOfNotNull(file.mistake).map { json("mistake", it) } + file.warnings.map { json("warning", it) }
+    }
+
+    is CheckedFile.Unreadable -> {
+        emptyList()
+    }
+}
+
+private fun json(severity: String, found: JsonWarning): JsonObject = buildJsonObject {
+    put("severity", severity)
+    found.line?.let { put("line", it) }
+    if (found.path.isNotEmpty()) put("path", found.path)
+    put("message", found.message)
 }
 
 private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> = when (file) {

@@ -1,5 +1,6 @@
 package robotran.cli.console
 
+import robotran.json.JsonWarning
 import robotran.language.Language
 
 /** The output of the command line. Tests pass one that records it. */
@@ -15,6 +16,12 @@ interface Console {
 
     /** Prints progress as is, without a line break. */
     fun mention(words: String)
+}
+
+/** Prints what people should know about the file [name], although it could be read. */
+internal fun Console.warn(name: String, remarks: List<String>, warnings: List<JsonWarning>) {
+    remarks.forEach(::complain)
+    warnings.forEach { complain(messages.warning("$name: ${it.message}")) }
 }
 
 /** Standard output and standard error of the process. */

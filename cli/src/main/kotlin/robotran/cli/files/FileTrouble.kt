@@ -2,7 +2,6 @@ package robotran.cli.files
 
 import robotran.cli.messages.FileMessages
 import java.io.IOException
-import java.nio.charset.CharacterCodingException
 import java.nio.file.AccessDeniedException
 import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
@@ -17,8 +16,6 @@ internal fun <T> reading(name: String, messages: FileMessages, refuse: (String) 
     refuse(messages.noFile(name))
 } catch (_: AccessDeniedException) {
     refuse(messages.notAllowed(name))
-} catch (_: CharacterCodingException) {
-    refuse(messages.notUtf8(name))
 } catch (_: ZipException) {
     refuse(messages.notAJar(name))
 } catch (problem: IOException) {

@@ -12,6 +12,7 @@ import kotlin.io.path.isRegularFile
 /** Reads the NQC program [name] with the files that it includes, which lie beside it or in folders there. */
 internal fun readNqc(name: String, messages: FileMessages): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
+    val remarks = mutableListOf<String>()
     val waiting = ArrayDeque(listOf(name))
     while (waiting.isNotEmpty() && files.size < ProjectLimits.MAXIMUM_FILES) {
         val next = waiting.removeFirst()
@@ -22,12 +23,13 @@ internal fun readNqc(name: String, messages: FileMessages): ReadProgram {
             }
 
             is TextFile.Read -> {
-                files[next] = SourceFile(next, file.text)
+                files[next] = SourceFile(file.name, file.text)
+                remarks += file.remarks
                 nqcIncludes(file.text).mapNotNullTo(waiting) { fileBeside(next, it) ?: fileBeside(name, it) }
             }
         }
     }
-    return ReadProgram.Read(ProgramSource.Nqc(nameOf(name), files.values.toList()))
+    return ReadProgram.Read(ProgramSource.Nqc(nameOf(files.getValue(name).name), files.values.toList()), remarks)
 }
 
 /** The path of [included], as [name] names it; null if there is no such file, which the compiler tells. */
@@ -37,7 +39,7 @@ private fun fileBeside(name: String, included: String): String? =
 
 internal fun readLasm(name: String, messages: FileMessages): ReadProgram =
     when (val file = readTextFile(name, messages)) {
-        is TextFile.Read -> ReadProgram.Read(ProgramSource.Lasm(nameOf(name), file.text))
+        is TextFile.Read -> ReadProgram.Read(ProgramSource.Lasm(nameOf(file.name), file.text), file.remarks)
         is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
     }
 

@@ -12,8 +12,11 @@ import kotlin.io.path.name
 
 /** The result of reading program files. */
 internal sealed interface ProgramFiles {
-    /** At least one program, at most as many as fit on a brick, ordered by the first file of each. */
-    data class Read(val programs: List<NamedProgram>) : ProgramFiles
+    /**
+     * @property programs at least one, at most as many as fit on a brick, ordered by the first file of each.
+     * @property remarks how their files were read although they are unusual, in sentences.
+     */
+    data class Read(val programs: List<NamedProgram>, val remarks: List<String> = emptyList()) : ProgramFiles
 
     /** The files cannot be used. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : ProgramFiles
@@ -33,31 +36,32 @@ internal data class NamedProgram(val path: String, val source: ProgramSource, va
  */
 internal fun readProgramFiles(names: List<String>, messages: FileMessages = EnglishCommandMessages): ProgramFiles {
     val groups = names.distinct().groupBy { name ->
-        FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name
+        FILES_OF_ONE_PROGRAM.firstOrNull { isNamed(name, it) } ?: name
     }.values
     if (groups.size > BrickProgram.MAX_PROGRAMS) {
         return ProgramFiles.Rejected(messages.tooManyPrograms(BrickProgram.MAX_PROGRAMS, groups.size))
     }
+    val remarks = mutableListOf<String>()
     val programs =
         groups.map { files ->
             when (val result = readProgram(files, messages)) {
-                is ReadProgram.Read -> NamedProgram(files.first(), result.source)
+                is ReadProgram.Read -> NamedProgram(files.first(), result.source).also { remarks += result.remarks }
                 is ReadProgram.Rejected -> return ProgramFiles.Rejected(result.reason)
             }
         }
-    return ProgramFiles.Read(programs)
+    return ProgramFiles.Read(programs, remarks)
 }
 
 private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
     val first = names.first()
     return when {
-        first.endsWith(ROBOLANG) -> compileRobolang(first, messages)
-        first.endsWith(NQC) -> readNqc(first, messages)
-        first.endsWith(LASM) -> readLasm(first, messages)
-        first.endsWith(RCX_IMAGE) -> readFirmwareImage(first, messages)
-        first.endsWith(JAVA) -> readJava(names, messages)
-        first.endsWith(CLASS) -> readClassFiles(names, messages)
-        first.endsWith(JAR) -> readJar(first, messages)
+        isNamed(first, ROBOLANG) -> compileRobolang(first, messages)
+        isNamed(first, NQC) -> readNqc(first, messages)
+        isNamed(first, LASM) -> readLasm(first, messages)
+        isNamed(first, RCX_IMAGE) -> readFirmwareImage(first, messages)
+        isNamed(first, JAVA) -> readJava(names, messages)
+        isNamed(first, CLASS) -> readClassFiles(names, messages)
+        isNamed(first, JAR) -> readJar(first, messages)
         isFolder(first) -> readClassFolder(first, messages)
         else -> ReadProgram.Rejected(messages.notAProgram(first, PROGRAM_ENDINGS))
     }
@@ -65,19 +69,20 @@ private fun readProgram(names: List<String>, messages: FileMessages): ReadProgra
 
 private fun compileRobolang(name: String, messages: FileMessages): ReadProgram =
     when (val file = readTextFile(name, messages)) {
-        is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
+        is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(file.name), file.text), file.remarks)
         is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
     }
 
 private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
+    val remarks = mutableListOf<String>()
     val files =
         names.map { name ->
             when (val file = readTextFile(name, messages)) {
-                is TextFile.Read -> SourceFile(name, file.text)
+                is TextFile.Read -> SourceFile(file.name, file.text).also { remarks += file.remarks }
                 is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
             }
         }
-    return ReadProgram.Read(ProgramSource.Java(nameOf(names.first()), files))
+    return ReadProgram.Read(ProgramSource.Java(nameOf(files.first().name), files), remarks)
 }
 
 /**
@@ -88,8 +93,8 @@ internal fun filesOfProgram(name: String): List<String> {
     val sources =
         if (isFolder(name)) {
             runCatching {
-                Path.of(name).listDirectoryEntries("*$JAVA")
-            }.getOrDefault(emptyList()).map { it.toString() }.sorted()
+                Path.of(name).listDirectoryEntries()
+            }.getOrDefault(emptyList()).map { it.toString() }.filter { isNamed(it, JAVA) }.sorted()
         } else {
             emptyList()
         }

@@ -2,10 +2,12 @@ package robotran.cli.files
 
 import robotran.cli.messages.EnglishCommandMessages
 import robotran.cli.messages.FileMessages
-import robotran.documents.programText
+import robotran.documents.TextChange
+import robotran.documents.TextReading
+import robotran.documents.plainFileName
+import robotran.documents.readText
+import robotran.documents.sentenceFor
 import java.io.IOException
-import java.nio.ByteBuffer
-import java.nio.charset.CharacterCodingException
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import kotlin.io.path.createParentDirectories
@@ -13,26 +15,40 @@ import kotlin.io.path.writeBytes
 
 /** The result of reading a text file. */
 internal sealed interface TextFile {
-    data class Read(val text: String) : TextFile
+    /**
+     * @property name the path, with the name of the file as Robotran names such files.
+     * @property remarks how it was read although it is unusual, in sentences.
+     */
+    data class Read(val text: String, val name: String, val changes: List<TextChange>, val remarks: List<String>) :
+        TextFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : TextFile
 }
 
-/** Reads the file [name], in UTF-8 or another encoding that [programText] knows, of at most [LARGEST_FILE_BYTES]. */
+/** Reads the file [name] of at most [LARGEST_FILE_BYTES], see [readText]. */
 internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandMessages): TextFile =
     reading(name, messages, TextFile::Rejected) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
             is FileContent.Rejected -> TextFile.Rejected(file.reason)
-            is FileContent.Read -> TextFile.Read(textOf(name, file.bytes))
+            is FileContent.Read -> textIn(name, file.bytes, messages)
         }
     }
 
-private fun textOf(name: String, bytes: ByteArray): String = try {
-    Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString()
-} catch (problem: CharacterCodingException) {
-    programText(name, bytes) ?: throw problem
-}
+private fun textIn(name: String, bytes: ByteArray, messages: FileMessages): TextFile =
+    when (val reading = readText(name, bytes)) {
+        TextReading.NotText -> TextFile.Rejected(messages.notText(name))
+
+        is TextReading.Read -> TextFile.Read(
+            reading.text,
+            reading.name,
+            reading.changes,
+            reading.changes.map { sentenceFor(it, name, messages.language) },
+        )
+    }
+
+/** Whether [name] ends in [ending] as [plainFileName] knows it: in any capitals, or with `.txt` behind it. */
+internal fun isNamed(name: String, ending: String): Boolean = plainFileName(name).endsWith(ending, ignoreCase = true)
 
 /** Writes [bytes] to the file [name]. Returns null on success, otherwise an error message that names the file. */
 internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {

@@ -54,6 +54,8 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         val names = request.programs.distinct()
         val shownNames = shownNames(names)
         val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
+        loadings.values.filterIsInstance<RobotProgramsResult.Loaded>().flatMap { it.remarks }.distinct()
+            .forEach(console::complain)
         loadings.values.filterIsInstance<RobotProgramsResult.Rejected>().flatMap {
             it.reasons
         }.forEach(console::complain)

@@ -11,10 +11,13 @@ import robotran.cli.files.JAVA
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.isClassFile
 import robotran.cli.files.isFolder
+import robotran.cli.files.isNamed
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.cli.input.PROJECT
 import robotran.cli.messages.CommandMessages
+import robotran.language.decodeText
+import robotran.projects.isHandInLink
 import robotran.projects.isLink
 import java.nio.file.Files
 import java.nio.file.Path
@@ -119,9 +122,9 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
  * that is no program. A folder with class files is a program, and so is one with Java files and no other work in it.
  */
 internal fun holdsSubmissions(name: String): Boolean = when {
-    isLink(name) -> HAND_IN_LINK in name
+    isLink(name) -> isHandInLink(name)
     isFolder(name) -> runCatching { isFolderOfSubmissions(Path.of(name)) }.getOrDefault(false)
-    else -> TEXTS.any { name.endsWith(it, ignoreCase = true) }
+    else -> TEXTS.any { isNamed(name, it) }
 }
 
 private fun isFolderOfSubmissions(folder: Path): Boolean {
@@ -131,14 +134,14 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
         walk.asSequence().filter { it.isRegularFile() && !isHidden(folder.relativize(it)) && isUseful(it.name) }
             .take(CollectingLimits.MAXIMUM_FILES).toList()
     }
-    val isJava = direct.any { it.endsWith(JAVA) } && !isOfSeveral(work) &&
-        work.all { it.parent == folder && (it.name.endsWith(JAVA) || it.name.endsWith(TEXT)) }
+    val isJava = direct.any { isNamed(it, JAVA) } && !isOfSeveral(work) &&
+        work.all { it.parent == folder && (isNamed(it.name, JAVA) || isNamed(it.name, TEXT)) }
     return work.isNotEmpty() && !isJava
 }
 
 /** Whether a learning platform has named the Java files [work], or more than one of them is a program. */
 private fun isOfSeveral(work: List<Path>): Boolean = work.any { isPlatformName(it.name) } ||
-    work.filter { it.name.endsWith(JAVA) }.count { hasMain(it.readBytes().decodeToString()) } > 1
+    work.filter { isNamed(it.name, JAVA) }.count { hasMain(decodeText(it.readBytes())?.text.orEmpty()) } > 1
 
 private fun isHidden(path: Path): Boolean = path.any { it.name.startsWith('.') && it.name.trim('.').isNotEmpty() }
 
@@ -147,10 +150,9 @@ private fun isUseful(file: String): Boolean =
         file.endsWith(it, ignoreCase = true)
     }
 
-private const val HAND_IN_LINK = "#h="
 private const val ZIP = ".zip"
 private const val TEXT = ".txt"
 
 /** What programs in NQC include. */
 private const val NQC_HEADER = ".nqh"
-private val TEXTS = listOf(ZIP, TEXT, ".url", ".webloc", ".html", ".htm")
+private val TEXTS = listOf(ZIP, TEXT, ".url", ".webloc", ".html", ".htm", ".eml")

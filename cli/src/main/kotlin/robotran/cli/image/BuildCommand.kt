@@ -17,6 +17,7 @@ import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.RCX_IMAGE
 import robotran.cli.files.ROBOLANG
+import robotran.cli.files.isNamed
 import robotran.cli.files.writeFile
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
@@ -59,8 +60,8 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     }
 
     /** A program in Robolang is for whichever firmware the name of the image tells. */
-    private fun isForFirmware(name: String): Boolean = FIRMWARE_ENDINGS.any(name::endsWith) ||
-        (name.endsWith(ROBOLANG) && output?.endsWith(RCX_IMAGE) == true)
+    private fun isForFirmware(name: String): Boolean = FIRMWARE_ENDINGS.any { isNamed(name, it) } ||
+        (isNamed(name, ROBOLANG) && output?.endsWith(RCX_IMAGE) == true)
 
     /** For leJOS. */
     private fun build(): ExitCode {

@@ -26,7 +26,11 @@ internal sealed interface ImageOfFiles {
 /** Builds one image of the programs in [files] for leJOS [version]. */
 internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles =
     when (val read = readProgramFiles(files, CommandMessages.of(language))) {
-        is ProgramFiles.Read -> buildImageOf(read.programs, language, version)
+        is ProgramFiles.Read -> when (val built = buildImageOf(read.programs, language, version)) {
+            is ImageOfFiles.Built -> ImageOfFiles.Built(built.image, read.remarks + built.warnings)
+            is ImageOfFiles.Failed -> ImageOfFiles.Failed(read.remarks + built.lines, built.code)
+        }
+
         is ProgramFiles.Rejected -> ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
     }
 

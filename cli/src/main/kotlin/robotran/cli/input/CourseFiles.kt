@@ -2,12 +2,15 @@ package robotran.cli.input
 
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.Console
-import robotran.cli.console.messages
+import robotran.cli.console.warn
 import robotran.cli.files.FileContent
 import robotran.cli.files.LARGEST_FILE_BYTES
+import robotran.cli.files.isNamed
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
+import robotran.cli.messages.CommandMessages
 import robotran.documents.COURSE_EXTENSION
+import robotran.language.Language
 import robotran.projects.Course
 import robotran.projects.CourseFileResult
 import robotran.projects.LinkResult
@@ -25,24 +28,47 @@ import kotlin.io.path.readBytes
 
 /** Whether [name] is a course file, a folder with a course in it, or a link to a course. */
 internal fun isCourse(name: String): Boolean =
-    isCourseLink(name) || name.endsWith(COURSE_EXTENSION) || listIn(name)?.exists() == true
+    isCourseLink(name) || isNamed(name, COURSE_EXTENSION) || listIn(name)?.exists() == true
+
+/** The result of reading a course file. */
+internal sealed interface CourseReading {
+    class Read(val result: CourseFileResult) : CourseReading
+
+    /** [reason] is a sentence that names the file. */
+    class Unreadable(val reason: String) : CourseReading
+}
+
+/** Reads the course file [name], or that in the folder [name], with the assignments beside it. */
+internal fun readCourseFile(name: String, language: Language): CourseReading {
+    val folder = listIn(name)
+    val messages = CommandMessages.of(language)
+    val content = reading(name, messages, FileContent::Rejected) {
+        readContent(folder ?: Path(name), name, LARGEST_FILE_BYTES, messages)
+    }
+    return when (content) {
+        is FileContent.Rejected -> {
+            CourseReading.Unreadable(content.reason)
+        }
+
+        is FileContent.Read -> {
+            CourseReading.Read(readCourse(content.bytes, language) { besides(folder ?: Path(name), it) })
+        }
+    }
+}
 
 /** The course [name], of which [isCourse] holds. On error prints it and returns null. */
 internal fun courseOf(name: String, console: Console): Course? {
     if (isCourseLink(name)) return linkedCourse(name, console)
-    val folder = listIn(name)
-    val content = reading(name, console.messages, FileContent::Rejected) {
-        readContent(folder ?: Path(name), name, LARGEST_FILE_BYTES, console.messages)
-    }
-    return when (content) {
-        is FileContent.Rejected -> {
-            console.complain(content.reason)
+    return when (val reading = readCourseFile(name, console.language)) {
+        is CourseReading.Unreadable -> {
+            console.complain(reading.reason)
             null
         }
 
-        is FileContent.Read -> {
-            when (val result = readCourse(content.bytes, console.language) { besides(folder ?: Path(name), it) }) {
+        is CourseReading.Read -> {
+            when (val result = reading.result) {
                 is CourseFileResult.Loaded -> {
+                    console.warn(name, emptyList(), result.warnings)
                     result.course
                 }
 

@@ -2,6 +2,7 @@ package robotran.cli.input
 
 import robotran.cli.console.Console
 import robotran.cli.console.messages
+import robotran.cli.console.warn
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
 import robotran.projects.messages.ProjectMessages
@@ -34,6 +35,7 @@ internal fun readDescribedRobot(name: String, console: Console): DescribedRobot 
         is TextFile.Read -> {
             when (val result = readRobot(file.text, console.language)) {
                 is RobotFileResult.Loaded -> {
+                    console.warn(name, file.remarks, result.warnings)
                     DescribedRobot.Read(result.robot)
                 }
 

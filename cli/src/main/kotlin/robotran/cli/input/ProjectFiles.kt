@@ -3,7 +3,9 @@ package robotran.cli.input
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.Console
 import robotran.cli.console.messages
+import robotran.cli.console.warn
 import robotran.cli.files.TextFile
+import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
 import robotran.projects.LinkResult
 import robotran.projects.Project
@@ -21,7 +23,7 @@ internal sealed interface ReadProject {
 }
 
 /** Whether [name] is a project file or a link. */
-internal fun isProject(name: String): Boolean = name.endsWith(PROJECT) || isLink(name)
+internal fun isProject(name: String): Boolean = isNamed(name, PROJECT) || isLink(name)
 
 /**
  * Reads a project file or a link. A link to a world becomes a project with only the world's own programs.
@@ -59,8 +61,14 @@ private fun readProjectText(name: String, console: Console): ReadProject =
 
         is TextFile.Read -> {
             when (val result = readProject(file.text, console.language)) {
-                is ProjectFileResult.Loaded -> ReadProject.Read(result.project)
-                is ProjectFileResult.Rejected -> ReadProject.Rejected("$name: ${result.message}")
+                is ProjectFileResult.Loaded -> {
+                    console.warn(name, file.remarks, result.warnings)
+                    ReadProject.Read(result.project)
+                }
+
+                is ProjectFileResult.Rejected -> {
+                    ReadProject.Rejected("$name: ${result.message}")
+                }
             }
         }
     }

@@ -3,6 +3,7 @@ package robotran.cli.input
 import robotran.brick.kind.BrickKind
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
+import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
@@ -19,12 +20,21 @@ import kotlin.io.path.name
 /** The result of reading a Robolang file. */
 internal sealed interface RobolangFile {
     /** The program can run. */
-    data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
+    data class Ready(
+        val source: String,
+        val program: RobolangProgram,
+        val warnings: List<Diagnostic>,
+        override val remarks: List<String> = emptyList(),
+    ) : RobolangFile
 
-    data class HasErrors(val diagnostics: List<Diagnostic>) : RobolangFile
+    data class HasErrors(val diagnostics: List<Diagnostic>, override val remarks: List<String> = emptyList()) :
+        RobolangFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : RobolangFile
+
+    /** How the file was read although it is unusual, in sentences. */
+    val remarks: List<String> get() = emptyList()
 }
 
 /**
@@ -41,20 +51,20 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
         is TextFile.Read -> {
             when (
                 val result = compileRobolang(
-                    Path(name).name,
+                    Path(file.name).name,
                     file.text,
                     (brick ?: brickOfRobolang(file.text) ?: BrickKind.RCX).penbotTarget,
                     RobolangMessages.of(language),
                 )
             ) {
-                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
-                is RobolangResult.HasErrors -> RobolangFile.HasErrors(result.diagnostics)
+                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings, file.remarks)
+                is RobolangResult.HasErrors -> RobolangFile.HasErrors(result.diagnostics, file.remarks)
             }
         }
     }
 
 /** Reads the text of the Robolang file [name]. */
-internal fun readRobolangText(name: String, language: Language): TextFile = if (name.endsWith(ROBOLANG)) {
+internal fun readRobolangText(name: String, language: Language): TextFile = if (isNamed(name, ROBOLANG)) {
     readTextFile(name, CommandMessages.of(language))
 } else {
     TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))

@@ -31,8 +31,11 @@ internal fun readRobotBuild(text: String): RobotFile? =
 
 /** The result of reading the programs of all robots in a world. */
 internal sealed interface RobotProgramsResult {
-    /** @property loads one per robot, in the world's order. */
-    data class Loaded(val loads: List<RobotLoad>) : RobotProgramsResult
+    /**
+     * @property loads one per robot, in the world's order.
+     * @property remarks how files of the others were read although they are unusual, in sentences.
+     */
+    data class Loaded(val loads: List<RobotLoad>, val remarks: List<String> = emptyList()) : RobotProgramsResult
 
     /** The programs cannot run. Each of [reasons] is one line of text. If the files are readable, they have errors. */
     data class Rejected(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
@@ -51,9 +54,10 @@ internal fun readLoads(
     val world = place.world
     val messages = CommandMessages.of(reader.language)
     val given = mutableMapOf<String, List<NamedProgram>>()
+    val remarks = mutableListOf<String>()
     for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
         when (val read = readProgramFiles(files, messages)) {
-            is ProgramFiles.Read -> given[robot] = read.programs
+            is ProgramFiles.Read -> given[robot] = read.programs.also { remarks += read.remarks }
             is ProgramFiles.Rejected -> return RobotProgramsResult.Rejected(listOf(read.reason))
         }
     }
@@ -74,7 +78,7 @@ internal fun readLoads(
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
         is RobotLoads.Ready -> {
-            RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
+            RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads), remarks)
         }
 
         is RobotLoads.HasErrors -> {

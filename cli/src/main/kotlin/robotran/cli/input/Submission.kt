@@ -8,6 +8,7 @@ import robotran.cli.files.filesOfProgram
 import robotran.cli.files.hasClassFiles
 import robotran.cli.files.readProgramFiles
 import robotran.projects.Project
+import robotran.projects.isLink
 import robotran.world.LightFacing
 
 /**
@@ -32,8 +33,7 @@ internal sealed interface SubmissionResult {
 
 /**
  * Reads a submission: either program files, or one project file or link. In a folder, sources count before what was
- * compiled of them. From a project only the programs of its first
- * robot count; its world is ignored.
+ * compiled of them. From a project only the programs of its first robot count; its world is ignored.
  *
  * @param linkName the name of the link in messages; null if there is only one link.
  */
@@ -41,15 +41,21 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
     val project = names.singleOrNull()?.takeIf(::isProject)
     if (project != null) {
         return when (val read = readProjectFile(project, console, linkName)) {
-            is ReadProject.Read -> handInOf(read.project, if (project.endsWith(PROJECT)) project else linkName, console)
+            is ReadProject.Read -> handInOf(read.project, if (isLink(project)) linkName else project, console)
             is ReadProject.Rejected -> SubmissionResult.Rejected(read.reason)
         }
     }
     names.filter { filesOfProgram(it) != listOf(it) && hasClassFiles(it) }
         .forEach { console.complain(console.messages.sourceCounts(it)) }
     return when (val files = readProgramFiles(names.flatMap(::filesOfProgram), console.messages)) {
-        is ProgramFiles.Read -> SubmissionResult.Read(Submission(files.programs))
-        is ProgramFiles.Rejected -> SubmissionResult.Rejected(files.reason)
+        is ProgramFiles.Read -> {
+            files.remarks.forEach(console::complain)
+            SubmissionResult.Read(Submission(files.programs))
+        }
+
+        is ProgramFiles.Rejected -> {
+            SubmissionResult.Rejected(files.reason)
+        }
     }
 }
 

@@ -2,6 +2,7 @@ package robotran.cli.input
 
 import robotran.cli.console.Console
 import robotran.cli.console.messages
+import robotran.cli.console.warn
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
 import robotran.world.RobotDescription
@@ -31,10 +32,10 @@ internal data class WorldChanges(
 
 /** Reads the world file [name]. On error prints it and returns null. */
 internal fun readWorldFile(name: String, console: Console): World? {
-    val text =
+    val file =
         when (val file = readTextFile(name, console.messages)) {
             is TextFile.Read -> {
-                file.text
+                file
             }
 
             is TextFile.Rejected -> {
@@ -42,8 +43,9 @@ internal fun readWorldFile(name: String, console: Console): World? {
                 return null
             }
         }
-    return when (val result = readWorld(text, console.language)) {
+    return when (val result = readWorld(file.text, console.language)) {
         is WorldFileResult.Loaded -> {
+            console.warn(name, file.remarks, result.warnings)
             result.world
         }
 

@@ -5,6 +5,7 @@ import robotran.cli.console.ExitCode
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.ROBOLANG
+import robotran.cli.files.isNamed
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
@@ -41,7 +42,7 @@ internal fun nqcOf(name: String, language: Language): NqcOfFile =
         }
 
         is RobolangFile.HasErrors -> {
-            NqcOfFile.Failed(file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
+            NqcOfFile.Failed(file.remarks + file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
         }
 
         is RobolangFile.Ready -> {
@@ -53,13 +54,17 @@ internal fun nqcOf(name: String, language: Language): NqcOfFile =
             )
             val line = { remark: NqcRemark -> "$name:${remark.range.line}:${remark.range.column}: ${remark.message}" }
             val messages = CommandMessages.of(language)
-            NqcOfFile.Translated(NamedProgram(name, source), lost.map(line), changed.map { messages.warning(line(it)) })
+            NqcOfFile.Translated(
+                NamedProgram(name, source),
+                lost.map(line),
+                file.remarks + changed.map { messages.warning(line(it)) },
+            )
         }
     }
 
 /** Compiles the program [name] for LEGO's own firmware; a program in Robolang becomes NQC first. */
 internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language: Language): FirmwareImageOfFile {
-    if (name.endsWith(ROBOLANG)) {
+    if (isNamed(name, ROBOLANG)) {
         return when (val translated = nqcOf(name, language)) {
             is NqcOfFile.Failed -> FirmwareImageOfFile.Failed(translated.lines, translated.code)
             is NqcOfFile.Translated -> imageOf(translated, settings, language)
@@ -71,7 +76,10 @@ internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language:
         }
 
         is ProgramFiles.Read -> {
-            firmwareImageOf(read.programs.single(), settings, language)
+            when (val built = firmwareImageOf(read.programs.single(), settings, language)) {
+                is FirmwareImageOfFile.Failed -> FirmwareImageOfFile.Failed(read.remarks + built.lines, built.code)
+                is FirmwareImageOfFile.Built -> FirmwareImageOfFile.Built(built.image, read.remarks + built.warnings)
+            }
         }
     }
 }

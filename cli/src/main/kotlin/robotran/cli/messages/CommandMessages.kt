@@ -19,11 +19,14 @@ internal interface CommandMessages :
 
 /** Messages about files. Each `name` is as the user entered it. */
 internal interface FileMessages {
+    /** The language of these messages. */
+    val language: Language
+
     fun noFile(name: String): String
 
     fun notAllowed(name: String): String
 
-    fun notUtf8(name: String): String
+    fun notText(name: String): String
 
     fun notAJar(name: String): String
 
@@ -85,6 +88,11 @@ internal interface RunMessages {
     fun firmwareImageBuilt(name: String?, bytes: String, limit: String): String
 
     fun notFormatted(name: String): String
+
+    fun notInUtf8(name: String, encoding: String): String
+
+    /** It was formatted. */
+    fun nowInUtf8(name: String, encoding: String): String
 
     /** The window or a picture was requested, but the desktop app is not included. */
     fun needsDesktopApp(): String

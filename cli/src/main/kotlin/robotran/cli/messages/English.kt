@@ -1,5 +1,6 @@
 package robotran.cli.messages
 
+import robotran.language.Language
 import robotran.language.listed
 import robotran.simulation.messages.EnglishSimulationMessages
 
@@ -14,11 +15,13 @@ internal object EnglishCommandMessages :
     WebMessages by EnglishWebMessages
 
 private object EnglishFileMessages : FileMessages {
+    override val language = Language.ENGLISH
+
     override fun noFile(name: String) = "There is no file $name."
 
     override fun notAllowed(name: String) = "$name could not be read: that is not allowed."
 
-    override fun notUtf8(name: String) = "$name is not a text in UTF-8."
+    override fun notText(name: String) = "$name is not a text."
 
     override fun notAJar(name: String) = "$name is no jar, or a damaged one."
 
@@ -82,6 +85,10 @@ private object EnglishRunMessages : RunMessages {
             "The program takes $bytes of the $limit bytes that a brick has for all programs and the datalog."
 
     override fun notFormatted(name: String) = "$name is not formatted."
+
+    override fun notInUtf8(name: String, encoding: String) = "$name is in $encoding, not in UTF-8."
+
+    override fun nowInUtf8(name: String, encoding: String) = "$name was in $encoding and is in UTF-8 now."
 
     override fun needsDesktopApp() = "Windows and pictures need the desktop app, which ./robotran builds and starts."
 
@@ -179,4 +186,7 @@ private object EnglishWebMessages : WebMessages {
         "Port $port cannot be used, perhaps because another program uses it. Choose another one by --port."
 
     override fun siteServed(address: String) = "Robotran is at $address for this machine alone, until you press Ctrl+C."
+
+    override fun linksStayHere(site: String) =
+        "Links that begin with $site work on this machine only; for others, put the site where they can reach it."
 }

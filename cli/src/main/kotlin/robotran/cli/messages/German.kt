@@ -1,5 +1,6 @@
 package robotran.cli.messages
 
+import robotran.language.Language
 import robotran.language.listed
 import robotran.language.withComma
 import robotran.simulation.messages.GermanSimulationMessages
@@ -15,11 +16,13 @@ internal object GermanCommandMessages :
     WebMessages by GermanWebMessages
 
 private object GermanFileMessages : FileMessages {
+    override val language = Language.GERMAN
+
     override fun noFile(name: String) = "Es gibt keine Datei $name."
 
     override fun notAllowed(name: String) = "$name konnte nicht gelesen werden: Das ist nicht erlaubt."
 
-    override fun notUtf8(name: String) = "$name ist kein Text in UTF-8."
+    override fun notText(name: String) = "$name ist kein Text."
 
     override fun notAJar(name: String) = "$name ist kein Jar, oder es ist beschädigt."
 
@@ -84,6 +87,10 @@ private object GermanRunMessages : RunMessages {
             "Das Programm braucht $bytes der $limit Bytes, die ein Stein für alle Programme und das Datalog hat."
 
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
+
+    override fun notInUtf8(name: String, encoding: String) = "$name ist in $encoding statt in UTF-8."
+
+    override fun nowInUtf8(name: String, encoding: String) = "$name war in $encoding und ist jetzt in UTF-8."
 
     override fun needsDesktopApp() = "Fenster und Bilder brauchen die Desktop-App, die ./robotran baut und startet."
 
@@ -192,4 +199,8 @@ private object GermanWebMessages : WebMessages {
 
     override fun siteServed(address: String) =
         "Robotran ist unter $address zu finden, nur auf diesem Rechner, bis du Strg+C drückst."
+
+    override fun linksStayHere(site: String) =
+        "Links, die mit $site beginnen, gehen nur auf diesem Rechner; für andere muss die Seite dort liegen, wo sie " +
+            "sie erreichen."
 }

@@ -1,5 +1,6 @@
 package robotran.cli.messages
 
+import robotran.language.Language
 import robotran.language.listed
 import robotran.language.withComma
 import robotran.simulation.messages.SpanishSimulationMessages
@@ -15,11 +16,13 @@ internal object SpanishCommandMessages :
     WebMessages by SpanishWebMessages
 
 private object SpanishFileMessages : FileMessages {
+    override val language = Language.SPANISH
+
     override fun noFile(name: String) = "No existe el archivo $name."
 
     override fun notAllowed(name: String) = "No se ha podido leer $name: no está permitido."
 
-    override fun notUtf8(name: String) = "$name no es un texto en UTF-8."
+    override fun notText(name: String) = "$name no es un texto."
 
     override fun notAJar(name: String) = "$name no es un jar, o está dañado."
 
@@ -86,6 +89,10 @@ private object SpanishRunMessages : RunMessages {
             "registro de datos."
 
     override fun notFormatted(name: String) = "$name no está ordenado."
+
+    override fun notInUtf8(name: String, encoding: String) = "$name está en $encoding y no en UTF-8."
+
+    override fun nowInUtf8(name: String, encoding: String) = "$name estaba en $encoding y ahora está en UTF-8."
 
     override fun needsDesktopApp() =
         "Para las ventanas y las imágenes hace falta la aplicación de escritorio, que ./robotran construye e inicia."
@@ -191,4 +198,8 @@ private object SpanishWebMessages : WebMessages {
 
     override fun siteServed(address: String) =
         "Robotran está en $address, solo para esta máquina, hasta que pulses Ctrl+C."
+
+    override fun linksStayHere(site: String) =
+        "Los enlaces que empiezan con $site solo funcionan en este ordenador; para otras personas, pon el sitio " +
+            "donde puedan llegar."
 }

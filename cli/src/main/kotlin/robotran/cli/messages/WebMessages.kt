@@ -11,6 +11,9 @@ internal interface WebMessages {
 
     fun siteServed(address: String): String
 
+    /** @param site the beginning of links that lead to this machine. */
+    fun linksStayHere(site: String): String
+
     fun notAnAssignment(name: String): String
 
     /** @param known the names of all courses. */

@@ -191,6 +191,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             readLoads(place, compilerFor(request, request.java), own, request.robots)
     ) {
         is RobotProgramsResult.Loaded -> {
+            loading.remarks.forEach(console::complain)
             loading.loads
         }
 

@@ -20,6 +20,7 @@ import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAVA
 import robotran.cli.files.ProgramFiles
+import robotran.cli.files.isNamed
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
 import robotran.cli.input.RobolangFile
@@ -77,7 +78,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, or the assembly text of LEGO's firmware."
 
     override fun run() {
-        val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
+        val javaKit = kit.takeIf { output == null && programs.all { isNamed(it, JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
@@ -91,7 +92,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private fun writeJavaKit(kit: String): ExitCode {
         val files =
             when (val read = readProgramFiles(programs, sentences)) {
-                is ProgramFiles.Read -> read.programs.single()
+                is ProgramFiles.Read -> read.programs.single().also { read.remarks.forEach(console::complain) }
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
         val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.RCX
@@ -120,7 +121,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     }
 
     private fun translate(program: String): ExitCode {
-        val isFirmware = FIRMWARE_ENDINGS.any(program::endsWith)
+        val isFirmware = FIRMWARE_ENDINGS.any { isNamed(program, it) }
         return when (language ?: if (isFirmware) TargetLanguage.LASM else TargetLanguage.JAVA) {
             TargetLanguage.JAVA -> translateToJava(program)
             TargetLanguage.NQC -> translateToNqc(program)
@@ -167,10 +168,12 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         val file = readRobolangFile(program, spoken.language, brick)
     ) {
         is RobolangFile.Ready -> {
+            file.remarks.forEach(console::complain)
             write(program, file)
         }
 
         is RobolangFile.HasErrors -> {
+            file.remarks.forEach(console::complain)
             file.diagnostics.forEach { console.complain(lineOf(program, it)) }
             ExitCode.PROGRAM_FAILED
         }

@@ -13,6 +13,7 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
 import robotran.cli.console.speaking
+import robotran.projects.localSite
 import kotlin.io.path.Path
 
 /**
@@ -47,6 +48,7 @@ internal class WebCommand(
         val server = SiteServer.start(folder, port) ?: refuse(console.messages.portTaken(port))
         server.use {
             console.say(console.messages.siteServed(it.address))
+            localSite(it.address)?.let { site -> console.say(console.messages.linksStayHere(site)) }
             stay(it)
         }
     }

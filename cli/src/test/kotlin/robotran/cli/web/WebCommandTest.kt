@@ -20,7 +20,8 @@ class WebCommandTest : CommandTest() {
         var page = ""
         WebCommand(console) { page = URI(it.address).toURL().readText() }.parse(listOf("--port", "0", "--site", site))
         assertEquals("<p>the page</p>", page)
-        assertContains(console.said.single(), Regex("http://localhost:\\d+/ for this machine alone"))
+        assertContains(console.said.first(), Regex("http://localhost:\\d+/ for this machine alone"))
+        assertContains(console.said.last(), Regex("begin with localhost:\\d+ work on this machine only"))
     }
 
     @Test

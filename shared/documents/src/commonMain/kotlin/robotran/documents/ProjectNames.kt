@@ -87,6 +87,9 @@ enum class FileKind(val extension: String, val mimeType: String) {
     CSV(".csv", "text/csv"),
     HTML(".html", "text/html"),
 
+    /** A mail, which may have links in it. */
+    MAIL(".eml", "message/rfc822"),
+
     /** Firmware for an RCX as S-records, such as leJOS's. */
     FIRMWARE(".srec", "application/octet-stream"),
 

@@ -141,14 +141,43 @@ class OpenFilesTest {
         val program = opened(file("main.nqc", "#include \"old.nqh\"\n"), IncomingFile("old.nqh", bytes))
         assertEquals(words, program.programs.single().files.last().text)
         assertEquals(OpenFilesError.NotText("x.nqc"), refused(IncomingFile("x.nqc", byteArrayOf(-1, 0, 3))))
-        assertEquals("\u00FC", programText("new.nqc", "\uFEFF\u00FC".encodeToByteArray()))
+    }
+
+    @Test
+    fun `programs in every language are read in old encodings and with other names, with a remark`() = runTest {
+        val text = "// gr\u00FC\u00DF\n"
+        val old = text.map { it.code.toByte() }.toByteArray()
+        val wide = "\uFEFF$text".flatMap { listOf((it.code % 256).toByte(), (it.code / 256).toByte()) }.toByteArray()
+        for (extension in listOf(".robo", ".java", ".nqc", ".lasm")) {
+            for ((bytes, encoding) in listOf(old to "Windows-1252", wide to "UTF-16")) {
+                val opened = opened(IncomingFile("Karl$extension", bytes))
+                assertEquals(text, opened.programs.single().files.single().text)
+                assertEquals(
+                    listOf("Karl$extension is in $encoding, not in UTF-8. It was read all the same."),
+                    opened.remarks,
+                )
+            }
+            for (name in listOf("Karl$extension.txt", "Karl${extension.uppercase()}", "Karl$extension.TXT")) {
+                val opened = opened(file(name, text))
+                assertEquals("Karl$extension", opened.programs.single().files.single().name)
+                assertEquals(listOf("$name was read as Karl$extension."), opened.remarks)
+            }
+            assertEquals(emptyList(), opened(file("Karl$extension", text)).remarks)
+        }
+    }
+
+    @Test
+    fun `a misspelt field of a world, a robot, a project or a course is a remark`() = runTest {
+        val text = writeWorld(world).replaceFirst("\"paper\"", "\"tsk\": \"Go.\", \"paper\"")
+        val remark = opened(file("town.world.json", text)).remarks.single()
+        assertTrue(remark.startsWith("town.world.json: Line ") && "\"task\"" in remark, remark)
     }
 
     @Test
     fun `what cannot be used is refused with the file and why`() = runTest {
         assertEquals(OpenFilesError.UnknownKind("cat.png"), refused(file("cat.png", "meow")))
-        assertEquals(OpenFilesError.NotText("a.robo"), refused(IncomingFile("a.robo", byteArrayOf(-1, -2))))
-        assertEquals(OpenFilesError.NotText("A.java"), refused(IncomingFile("A.java", byteArrayOf(-1, -2))))
+        assertEquals(OpenFilesError.NotText("a.robo"), refused(IncomingFile("a.robo", byteArrayOf(-1, 0, 3))))
+        assertEquals(OpenFilesError.NotText("A.java"), refused(IncomingFile("A.java", byteArrayOf(-1, 0, 3))))
         assertEquals(OpenFilesError.TooLong("a.robo"), refused(file("a.robo", "\n".repeat(60_000))))
         val worlds = Array(2) { file("$it.world.json", writeWorld(world)) }
         assertEquals(OpenFilesError.SeveralWorlds, refused(*worlds))

@@ -12,22 +12,54 @@ import robotran.language.Language
  * A value in a JSON file that knows its path. A value of the wrong type or range throws a [JsonValidationException]
  * with the path.
  */
-class JsonCursor(val element: JsonElement, val path: JsonPath) {
+class JsonCursor internal constructor(
+    val element: JsonElement,
+    val path: JsonPath,
+    internal val questions: JsonQuestions,
+) {
     private var asked: MutableMap<String, JsonCursor>? = null
+    private var known: MutableSet<String>? = null
     private var restTaken = false
 
-    fun member(name: String): JsonCursor =
-        optional(name) ?: throw JsonValidationException(path + JsonStep.Member(name), told { missing() })
+    fun member(name: String): JsonCursor = optional(name) ?: run {
+        val near = members.keys.firstOrNull { it !in known.orEmpty() && isNear(it, name) }
+        val reason = told { if (near == null) missing() else missingBut(near) }
+        throw JsonValidationException(path + JsonStep.Member(name), reason)
+    }
 
     /** The member [name]; null if it is missing. */
     fun optional(name: String): JsonCursor? {
-        val value = members[name] ?: return null
+        if (!has(name)) return null
         val places = asked ?: mutableMapOf<String, JsonCursor>().also { asked = it }
-        return places.getOrPut(name) { JsonCursor(value, path + JsonStep.Member(name)) }
+        return places.getOrPut(name) {
+            JsonCursor(members.getValue(name), path + JsonStep.Member(name), questions)
+        }
+    }
+
+    /** Whether there is a member [name]. Asking makes the name known: others may be misspellings of it. */
+    fun has(name: String): Boolean {
+        val isThere = name in members
+        val names = known ?: mutableSetOf<String>().also {
+            known = it
+            questions.add(this)
+        }
+        names += name
+        return isThere
     }
 
     /** The names of all members, in file order. */
     val names: Set<String> get() = members.keys
+
+    /** The names that were asked for, also those of no member. */
+    internal val knownNames: Set<String> get() = known.orEmpty()
+
+    /**
+     * A cursor for [element] in place of this one's, such as the same in a newer version of the format.
+     *
+     * @param pathInFile the path in the file of what is at a path in [element].
+     */
+    fun with(element: JsonElement, pathInFile: (JsonPath) -> JsonPath) =
+        JsonCursor(element, path, questions.ofPart(pathInFile))
 
     /**
      * The members that have not been read. The name of an object that was read, but without its own rest, holds the
@@ -53,7 +85,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         val items = element as? JsonArray ?: refuse(told { mustBeList() })
         if (items.size > count.last) refuse(told { tooManyEntries(items.size, count.last) })
         if (items.size < count.first) refuse(told { tooFewEntries(items.size, count.first) })
-        return items.mapIndexed { number, item -> JsonCursor(item, path + JsonStep.Item(number)) }
+        return items.mapIndexed { number, item -> JsonCursor(item, path + JsonStep.Item(number), questions) }
     }
 
     /**
@@ -121,37 +153,11 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
 
     /** Stops reading with an error that [sentence], in any language, describes by itself. */
     fun refuseInSentence(sentence: (Language) -> String): Nothing =
-        throw JsonValidationException(path, isSentence = true, sentence)
+        throw JsonValidationException(path, JsonValidationException.Form.SENTENCE, sentence)
 
-    /** Rejects what the parser accepts: unquoted words other than a number, `true`, `false` or `null`. */
-    internal fun checkLiterals() {
-        when (element) {
-            is JsonObject -> element.forEach { (name, value) ->
-                if (hasLiterals(value)) JsonCursor(value, path + JsonStep.Member(name)).checkLiterals()
-            }
-
-            is JsonArray -> element.forEachIndexed { number, value ->
-                if (hasLiterals(value)) JsonCursor(value, path + JsonStep.Item(number)).checkLiterals()
-            }
-
-            is JsonPrimitive -> if (hasLiterals(element)) refuse(told { mustBeKnownWord() })
-        }
-    }
-
-    private fun hasLiterals(value: JsonElement): Boolean = when (value) {
-        is JsonNull -> {
-            false
-        }
-
-        is JsonPrimitive -> {
-            !value.isString && value.content != "true" && value.content != "false" &&
-                !isNumber(value.content)
-        }
-
-        else -> {
-            true
-        }
-    }
+    /** The same, but names only the line, since [sentence] says what is there. */
+    fun refuseLine(sentence: (Language) -> String): Nothing =
+        throw JsonValidationException(path, JsonValidationException.Form.WHOLE, sentence)
 
     private val members: JsonObject get() = element as? JsonObject ?: refuse(told { mustBeObject() })
 

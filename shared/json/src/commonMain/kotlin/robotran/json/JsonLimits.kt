@@ -10,4 +10,7 @@ object JsonLimits {
 
     /** Max nesting depth of objects and lists; a world needs about ten. */
     const val MAXIMUM_DEPTH = 32
+
+    /** Of one file; the first mistakes are enough. */
+    const val MAXIMUM_WARNINGS = 20
 }

@@ -1,13 +1,15 @@
 package robotran.json
 
-import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import robotran.json.messages.JsonMessages
 import robotran.language.Language
+import robotran.language.TextEncoding
+import robotran.language.decodeText
 
 /** The result of reading a JSON file. */
 sealed interface JsonReading<out T> {
-    data class Read<out T>(val value: T) : JsonReading<T>
+    /** @property warnings about what the file says in vain, at most [JsonLimits.MAXIMUM_WARNINGS]. */
+    data class Read<out T>(val value: T, val warnings: List<JsonWarning> = emptyList()) : JsonReading<T>
 
     /**
      * The file is invalid.
@@ -20,40 +22,60 @@ sealed interface JsonReading<out T> {
 }
 
 /**
+ * Something in a file that can be read, but is probably a mistake, such as a field that is spelt wrong.
+ *
+ * @property message one sentence with location and reason.
+ * @property line from 1; null if the warning concerns the whole file.
+ * @property path the field, such as `walls[2].thicknes`; empty if none.
+ */
+data class JsonWarning(val message: String, val line: Int? = null, val path: String = "")
+
+/**
  * Reads a JSON file with [read], which extracts the values and rejects invalid ones with a [JsonValidationException].
- * Returns quickly for any text, because length and nesting depth are checked before parsing.
+ * Returns quickly for any text, because length and nesting depth are checked before parsing. A field that [read] has not
+ * asked for is ignored; if its name is near one that it has asked for, a warning says so.
  *
  * @param language the language of error messages.
  */
 fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
     return try {
-        checkJsonLimits(json)
-        val file = JsonCursor(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
-        file.checkLiterals()
-        JsonReading.Read(read(file))
+        val doubled = JsonSyntax(json).check()
+        val questions = JsonQuestions()
+        val value = read(JsonCursor(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE, questions))
+        JsonReading.Read(value, warningsOf(doubled, questions.misspelt(), json, language))
     } catch (refusal: JsonValidationException) {
         refusedBecause(refusal, json, language)
-    } catch (diagnostic: SerializationException) {
-        val line = lineAt(json, offsetOf(diagnostic) ?: json.length)
-        JsonReading.Rejected(JsonMessages.of(language).notReadable(line), line, "")
-    } catch (excess: LimitExceeded) {
-        JsonReading.Rejected(excess.sentence(language), excess.line, "")
+    } catch (mistake: JsonSyntaxException) {
+        JsonReading.Rejected(mistake.sentence(language), mistake.line, "")
     }
 }
 
-/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file, in any encoding that [decodeText] knows. */
 fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
-    val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
-        return JsonReading.Rejected(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
-    } else {
-        try {
-            bytes.decodeToString(throwOnInvalidSequence = true)
-        } catch (_: CharacterCodingException) {
-            return JsonReading.Rejected(JsonMessages.of(language).notUtf8(), null, "")
-        }
+    val messages = JsonMessages.of(language)
+    if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
+        return JsonReading.Rejected(messages.fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
     }
-    return readJson(text, language, read)
+    val decoded = decodeText(bytes) ?: return JsonReading.Rejected(messages.notText(), null, "")
+    val reading = readJson(decoded.text, language, read)
+    if (reading !is JsonReading.Read || decoded.encoding == TextEncoding.UTF_8) return reading
+    val warning = JsonWarning(messages.otherEncoding(decoded.encoding.ownName))
+    return reading.copy(warnings = (listOf(warning) + reading.warnings).take(JsonLimits.MAXIMUM_WARNINGS))
+}
+
+private fun warningsOf(
+    doubled: List<JsonPath>,
+    misspelt: List<MisspeltField>,
+    text: String,
+    language: Language,
+): List<JsonWarning> {
+    val messages = JsonMessages.of(language)
+    val found = doubled.map { it to messages.twice() } + misspelt.map { it.path to messages.misspelt(it.known) }
+    return found.take(JsonLimits.MAXIMUM_WARNINGS).map { (path, reason) ->
+        val line = lineOf(path, text)
+        JsonWarning(messages.refused(line, "$path", reason), line, "$path")
+    }
 }
 
 private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Rejected {
@@ -61,13 +83,12 @@ private fun refusedBecause(refusal: JsonValidationException, text: String, langu
     val line = lineOf(path, text)
     val messages = JsonMessages.of(language)
     val reason = refusal.reason(language)
-    val sentence =
-        if (refusal.isSentence) messages.at(line, "$path", reason) else messages.refused(line, "$path", reason)
+    val sentence = when (refusal.form) {
+        JsonValidationException.Form.REASON -> messages.refused(line, "$path", reason)
+        JsonValidationException.Form.SENTENCE -> messages.at(line, "$path", reason)
+        JsonValidationException.Form.WHOLE -> messages.inLine(line, reason)
+    }
     return JsonReading.Rejected(sentence, line, path.toString())
 }
-
-/** The parser reports the offset of an error only in its message, and not at all if the file ends too early. */
-private fun offsetOf(diagnostic: SerializationException): Int? =
-    Regex("offset (\\d+)").find(diagnostic.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
 
 private const val BYTE_ORDER_MARK = "\uFEFF"

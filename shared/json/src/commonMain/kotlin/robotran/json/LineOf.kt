@@ -38,7 +38,7 @@ private class JsonScanner(private val text: String) {
         while (at(place) == '"') {
             val end = skipString(place)
             val value = skipBlanks(skipBlanks(end) + 1)
-            if (unquoted(place + 1, end - 1) == name) found = Found(place, value)
+            if (unquotedJson(text, place + 1, end - 1) == name) found = Found(place, value)
             place = next(value)
         }
         return found
@@ -83,28 +83,30 @@ private class JsonScanner(private val text: String) {
         return minOf(place + 1, text.length)
     }
 
-    private fun unquoted(from: Int, end: Int): String = buildString {
-        var place = from
-        while (place < end) {
-            val character = text[place]
-            if (character != '\\') {
-                append(character)
-                place++
-            } else if (text[place + 1] == 'u') {
-                append(text.substring(place + UNICODE_DIGITS, place + UNICODE_END).toInt(radix = 16).toChar())
-                place += UNICODE_END
-            } else {
-                append(ESCAPES[text[place + 1]] ?: text[place + 1])
-                place += 2
-            }
+    private fun at(place: Int): Char? = text.getOrNull(place)
+}
+
+/** What the text in quotes says whose characters are from [from] until before [end] in [text]. */
+internal fun unquotedJson(text: String, from: Int, end: Int): String = buildString {
+    var place = from
+    while (place < end) {
+        val character = text[place]
+        if (character != '\\') {
+            append(character)
+            place++
+        } else if (text[place + 1] == 'u') {
+            append(text.substring(place + UNICODE_DIGITS, place + UNICODE_END).toInt(radix = 16).toChar())
+            place += UNICODE_END
+        } else {
+            append(ESCAPES[text[place + 1]] ?: text[place + 1])
+            place += 2
         }
     }
-
-    private fun at(place: Int): Char? = text.getOrNull(place)
-
-    private companion object {
-        const val UNICODE_DIGITS = 2
-        const val UNICODE_END = 6
-        val ESCAPES = mapOf('b' to '\b', 'f' to '\u000C', 'n' to '\n', 'r' to '\r', 't' to '\t')
-    }
 }
+
+/** The line, from 1, of the character at [offset]. */
+internal fun lineAt(text: String, offset: Int): Int = 1 + (0..<minOf(offset, text.length)).count { text[it] == '\n' }
+
+private const val UNICODE_DIGITS = 2
+private const val UNICODE_END = 6
+private val ESCAPES = mapOf('b' to '\b', 'f' to '\u000C', 'n' to '\n', 'r' to '\r', 't' to '\t')

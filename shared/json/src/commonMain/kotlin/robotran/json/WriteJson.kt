@@ -165,14 +165,11 @@ private class JsonWriter(
         out.append('"')
     }
 
-    private fun hexadecimal(character: Char): String = character.code.toString(radix = 16).padStart(UNICODE_DIGITS, '0')
-
     private companion object {
         const val INDENT = 2
         const val LINE = 120
 
         /** Two quotes, colon and blank. */
         const val NAME_MARKS = 4
-        const val UNICODE_DIGITS = 4
     }
 }

@@ -3,8 +3,11 @@ package robotran.projects
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import robotran.json.JsonCursor
+import robotran.json.JsonFormat
+import robotran.json.JsonLimits
 import robotran.json.JsonReading
 import robotran.json.JsonValidationException
+import robotran.json.JsonWarning
 import robotran.json.jsonObject
 import robotran.json.readJson
 import robotran.json.writeJson
@@ -16,7 +19,8 @@ import robotran.world.file.unknownOf
 
 /** The result of reading a course file. */
 sealed interface CourseFileResult {
-    data class Loaded(val course: Course) : CourseFileResult
+    /** @property warnings about fields that are probably misspelt, also in the files of its assignments. */
+    data class Loaded(val course: Course, val warnings: List<JsonWarning> = emptyList()) : CourseFileResult
 
     /**
      * The file is invalid.
@@ -38,14 +42,18 @@ fun readCourse(
     text: String,
     language: Language = Language.ENGLISH,
     beside: (name: String) -> ByteArray? = { null },
-): CourseFileResult = resultOf(readJson(text, language) { courseIn(it, language, beside) })
+): CourseFileResult = FilesBeside(language, beside).let { files ->
+    resultOf(readJson(text, language) { courseIn(it, files) }, files)
+}
 
-/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
 fun readCourse(
     bytes: ByteArray,
     language: Language = Language.ENGLISH,
     beside: (name: String) -> ByteArray? = { null },
-): CourseFileResult = resultOf(readJson(bytes, language) { courseIn(it, language, beside) })
+): CourseFileResult = FilesBeside(language, beside).let { files ->
+    resultOf(readJson(bytes, language) { courseIn(it, files) }, files)
+}
 
 /** [course] as one file with all its assignments, readable and easy to merge. [readCourse] restores the same course. */
 fun writeCourse(course: Course): String = writeJson(elementOf(course), MULTILINE_LISTS + TEXT)
@@ -61,18 +69,14 @@ fun assignmentFilesOf(text: String): List<String> {
 /** Whether the JSON file [text] claims to be a course. */
 fun isCourseFile(text: String): Boolean = COURSE_MARK in text
 
-internal fun courseIn(file: JsonCursor, language: Language, beside: (String) -> ByteArray?): Course {
-    if (file.optional("format")?.textOrNull() != COURSE_FORMAT) {
-        throw JsonValidationException(null, told { notACourse(COURSE_FORMAT) })
-    }
-    val version = file.member("version").wholeNumber(1..Int.MAX_VALUE)
-    if (version > COURSE_VERSION) throw JsonValidationException(null, told { newerCourse(version, COURSE_VERSION) })
+private fun courseIn(file: JsonCursor, beside: FilesBeside): Course {
+    FORMAT.versionOf(file)
     val ids = mutableSetOf<String>()
     return Course(
         title = file.member("title").text(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
         text = file.optional(TEXT)?.let { textIn(it, AssignmentLimits.MAXIMUM_TEXT_CHARACTERS) }.orEmpty(),
         assignments = file.member(ASSIGNMENTS).items(1..Course.MAXIMUM_ASSIGNMENTS).map { place ->
-            val project = assignmentAt(place, language, beside)
+            val project = assignmentAt(place, beside)
             val assignment = project.assignment
             if (assignment == null || project.handIn != null) place.refuse(told { mustBeAssignment() })
             if (!ids.add(assignment.id)) place.refuse(told { assignmentTwice(assignment.id) })
@@ -83,14 +87,30 @@ internal fun courseIn(file: JsonCursor, language: Language, beside: (String) -> 
     )
 }
 
-private fun assignmentAt(place: JsonCursor, language: Language, beside: (String) -> ByteArray?): Project {
+private fun assignmentAt(place: JsonCursor, beside: FilesBeside): Project {
     if (place.textOrNull() == null) return projectIn(place)
     val name = place.text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     if (name.any { it in FOLDERS }) place.refuse(told { mustBeFileName() })
-    val bytes = beside(name) ?: place.refuse(told { fileNotBeside(name) })
-    return when (val result = readProject(bytes, language)) {
-        is ProjectFileResult.Loaded -> result.project
-        is ProjectFileResult.Rejected -> throw JsonValidationException(null) { "$name: ${result.message}" }
+    return beside.read(name) ?: place.refuse(told { fileNotBeside(name) })
+}
+
+/** The project files beside a course file. */
+private class FilesBeside(private val language: Language, private val bytesOf: (name: String) -> ByteArray?) {
+    val warnings = mutableListOf<JsonWarning>()
+
+    /** The project in the file [name]; null if there is none. */
+    fun read(name: String): Project? {
+        val bytes = bytesOf(name) ?: return null
+        return when (val result = readProject(bytes, language)) {
+            is ProjectFileResult.Loaded -> {
+                warnings += result.warnings.map { JsonWarning("$name: ${it.message}") }
+                result.project
+            }
+
+            is ProjectFileResult.Rejected -> {
+                throw JsonValidationException(null) { "$name: ${result.message}" }
+            }
+        }
     }
 }
 
@@ -103,13 +123,23 @@ internal fun elementOf(course: Course): JsonObject = jsonObject(course.unknown.m
     put(ASSIGNMENTS, JsonArray(course.assignments.map(::elementOf)))
 }
 
-internal fun resultOf(reading: JsonReading<Course>): CourseFileResult = when (reading) {
-    is JsonReading.Read -> CourseFileResult.Loaded(reading.value)
+private fun resultOf(reading: JsonReading<Course>, beside: FilesBeside): CourseFileResult = when (reading) {
+    is JsonReading.Read -> CourseFileResult.Loaded(
+        reading.value,
+        (reading.warnings + beside.warnings).take(JsonLimits.MAXIMUM_WARNINGS),
+    )
+
     is JsonReading.Rejected -> CourseFileResult.Rejected(reading.message, reading.line, reading.path)
 }
 
 private const val COURSE_FORMAT = "robotran-course"
 private const val COURSE_MARK = "\"$COURSE_FORMAT\""
 private const val COURSE_VERSION = 1
+private val FORMAT = JsonFormat(
+    COURSE_FORMAT,
+    COURSE_VERSION,
+    told { notACourse(COURSE_FORMAT) },
+    { version -> told { newerCourse(version, COURSE_VERSION) } },
+)
 private const val ASSIGNMENTS = "assignments"
 private const val FOLDERS = "/\\"

@@ -61,7 +61,7 @@ suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH)
 /**
  * Opens a link from [linkOf].
  *
- * @param link a whole address with a fragment, or the fragment alone; surrounding blanks are ignored. Returns quickly
+ * @param link a whole address with a fragment, or the fragment alone, or a text with one, see [linksIn]. Returns quickly
  * for any text.
  * @param language the language of error messages.
  */
@@ -77,11 +77,11 @@ suspend fun openHandInLink(link: String, world: World, language: Language = Lang
 
 private suspend fun openLink(link: String, given: World?, language: Language): LinkResult {
     val messages = ProjectMessages.of(language)
-    val fragment = link.trim().substringAfter('#')
+    val fragment = (linksIn(link).firstOrNull()?.link ?: link.trim()).substringAfter('#')
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
         ?: return LinkResult.Rejected(messages.notALink())
     if (kind == LinkKind.HAND_IN && given == null) return LinkResult.Rejected(messages.handInLink())
-    if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
+    if (fragment.length >= ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
         return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
     val data = fragment.removePrefix(kind.start)
@@ -98,18 +98,24 @@ private suspend fun openLink(link: String, given: World?, language: Language): L
     }
 }
 
-/** Whether [text] looks like a Robotran link, or a part of one, rather than a file name. */
-fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
-
 /** Whether [text] looks like a link to a course. */
-fun isCourseLink(text: String): Boolean = "#${LinkKind.COURSE.start}" in text
+fun isCourseLink(text: String): Boolean = kindOf(text) == LinkKind.COURSE
 
-/** The parts that matter of all links in [text], such as those of a mail, in their order. */
-fun linksIn(text: String): List<String> = LINK.findAll(text).map { it.value }.toList()
+/** Whether [text] looks like a link to a hand-in without its world. */
+fun isHandInLink(text: String): Boolean = kindOf(text) == LinkKind.HAND_IN
+
+private fun kindOf(text: String): LinkKind? {
+    val link = writtenLinksIn(text).firstOrNull()?.readings?.last() ?: return null
+    return LinkKind.entries.firstOrNull { link.startsWith("#${it.start}") }
+}
+
+/** Whether nothing of [link], `#p=a...`, is missing, and nothing too much. */
+internal suspend fun isWholeLink(link: String): Boolean {
+    val data = link.substringAfter('=')
+    return data.startsWith(SCHEME) && unpack(data.removePrefix(SCHEME)) != null
+}
 
 private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), COURSE("c="), HAND_IN("h=") }
-
-private val LINK = Regex("#(${LinkKind.entries.joinToString("|") { it.start }})[A-Za-z0-9_-]+")
 
 private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()

@@ -2,6 +2,7 @@ package robotran.projects
 
 import robotran.json.JsonLimits
 import robotran.json.JsonReading
+import robotran.json.JsonWarning
 import robotran.json.readJson
 import robotran.json.writeCompactJson
 import robotran.json.writeJson
@@ -10,7 +11,8 @@ import robotran.world.file.MULTILINE_LISTS
 
 /** The result of reading a project file. */
 sealed interface ProjectFileResult {
-    data class Loaded(val project: Project) : ProjectFileResult
+    /** @property warnings about fields that are probably misspelt. */
+    data class Loaded(val project: Project, val warnings: List<JsonWarning> = emptyList()) : ProjectFileResult
 
     /**
      * The file is invalid.
@@ -30,7 +32,7 @@ sealed interface ProjectFileResult {
 fun readProject(text: String, language: Language = Language.ENGLISH): ProjectFileResult =
     resultOf(readJson(text, language) { projectIn(it) })
 
-/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
 fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): ProjectFileResult =
     resultOf(readJson(bytes, language) { projectIn(it) })
 
@@ -66,7 +68,7 @@ fun charactersInFile(text: String): Int = LINE_MARKS + text.sumOf { letter ->
 fun writeCompactHandIn(project: Project): String = writeCompactJson(handInElementOf(project))
 
 internal fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (reading) {
-    is JsonReading.Read -> ProjectFileResult.Loaded(reading.value)
+    is JsonReading.Read -> ProjectFileResult.Loaded(reading.value, reading.warnings)
     is JsonReading.Rejected -> ProjectFileResult.Rejected(reading.message, reading.line, reading.path)
 }
 

@@ -29,6 +29,9 @@ object ProjectLimits {
     /** Browsers accept longer links, but e-mail and chat programs break them. */
     const val MAXIMUM_LINK_CHARACTERS = 100_000
 
+    /** For the links in one text, such as the mails of several classes. */
+    const val MAXIMUM_LINKS = 1000
+
     /** For the address of a site, which precedes the fragment of every link. */
     const val MAXIMUM_SITE_CHARACTERS = 500
 }

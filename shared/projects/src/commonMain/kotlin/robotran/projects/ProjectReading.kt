@@ -1,6 +1,7 @@
 package robotran.projects
 
 import robotran.json.JsonCursor
+import robotran.json.JsonFormat
 import robotran.json.JsonValidationException
 import robotran.json.messages.JsonMessages
 import robotran.language.ProgramLanguage
@@ -19,13 +20,7 @@ import robotran.world.file.worldIn
  * @throws JsonValidationException if it is invalid.
  */
 fun projectIn(file: JsonCursor, given: World? = null): Project {
-    if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
-        throw JsonValidationException(null, told { notAProject(PROJECT_FORMAT) })
-    }
-    val version = file.member("version").wholeNumber(1..Int.MAX_VALUE)
-    if (version > PROJECT_VERSION) {
-        throw JsonValidationException(null, told { newerProject(version, PROJECT_VERSION) })
-    }
+    FORMAT.versionOf(file)
     val world = given?.takeIf { file.optional("world") == null } ?: worldIn(file.member("world"))
     return Project(
         world = world,
@@ -102,4 +97,10 @@ private fun javaSettingsIn(place: JsonCursor): JavaSettings {
     )
 }
 
+private val FORMAT = JsonFormat(
+    PROJECT_FORMAT,
+    PROJECT_VERSION,
+    told { notAProject(PROJECT_FORMAT) },
+    { version -> told { newerProject(version, PROJECT_VERSION) } },
+)
 private val FILE_FIELDS = setOf("name", TEXT)

@@ -15,6 +15,20 @@ fun siteAddress(text: String): String? {
     return address.takeIf { isHost && isWhole && it.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS }
 }
 
+/**
+ * Where [link], an address or a text with one such as the code for a frame, leads to if only this machine can follow it,
+ * such as `localhost:8080`; null if others can, too, as far as the address tells.
+ */
+fun localSite(link: String): String? {
+    val start = SCHEMES.firstNotNullOfOrNull { scheme ->
+        link.indexOf(scheme, ignoreCase = true).takeIf { it >= 0 }?.let { it + scheme.length }
+    } ?: return null
+    val site = link.substring(start).takeWhile { it.isLetterOrDigit() || it in HOST_CHARACTERS }.lowercase()
+    val host = if (site.startsWith('[')) site.substringBefore(']').drop(1) else site.substringBefore(':')
+    val isLocal = host == LOCAL || host.endsWith(".$LOCAL") || host in OWN_NUMBERS || OWN_NETWORK.matches(host)
+    return site.takeIf { isLocal }
+}
+
 private val SCHEMES = listOf("https://", "http://")
 
 /**
@@ -22,4 +36,7 @@ private val SCHEMES = listOf("https://", "http://")
  * host.
  */
 private const val HOST_CHARACTERS = ".-:[]"
+private const val LOCAL = "localhost"
+private val OWN_NUMBERS = setOf("::1", "0.0.0.0", "::")
+private val OWN_NETWORK = Regex("127(\\.\\d{1,3}){3}")
 private const val NEVER = "<>\"\\^`{|}"

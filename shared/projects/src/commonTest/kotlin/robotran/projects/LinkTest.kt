@@ -67,9 +67,10 @@ class LinkTest {
     }
 
     @Test
-    fun `a link with anything behind it is refused`() = runTest {
-        listOf("A", "AAAA", "=", ".", " x", "ä", "%20").forEach {
-            assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it))
+    fun `a link with more of its own letters behind it is refused, what else follows is not part of it`() = runTest {
+        listOf("A", "AAAA").forEach { assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it)) }
+        listOf("=", ".", " x", "ä", "%20").forEach {
+            assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(linkTo(FULL_PROJECT) + it))
         }
     }
 
@@ -98,7 +99,10 @@ class LinkTest {
             refusal(link),
         )
         val swapped = refusal(linkTo(FULL_PROJECT).replace("#p=", "#w="))
-        assertTrue(swapped.startsWith("What the link holds cannot be used. This is not a Robotran world"), swapped)
+        assertTrue(
+            swapped.startsWith("What the link holds cannot be used. Line 1: This is not a Robotran world"),
+            swapped,
+        )
     }
 
     @Test
@@ -185,8 +189,8 @@ class LinkTest {
     }
 
     @Test
-    fun `all kinds of links are found in a text, without what is around them`() {
+    fun `all kinds of links are found in a text, without what is around them`() = runTest {
         val text = "Hi (https://example.org/#p=aX_1-b), #w=aQ. And #c=aR\n#h=aS! #x=aT #p="
-        assertEquals(listOf("#p=aX_1-b", "#w=aQ", "#c=aR", "#h=aS"), linksIn(text))
+        assertEquals(listOf("#p=aX_1-b", "#w=aQ", "#c=aR", "#h=aS"), linksIn(text).map { it.link })
     }
 }

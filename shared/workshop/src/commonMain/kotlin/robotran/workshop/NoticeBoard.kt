@@ -26,13 +26,22 @@ internal class NoticeBoard(private val isVisiting: () -> Boolean, private val ca
         latest = notice
     }
 
+    override fun add(remarks: List<String>) {
+        if (remarks.isNotEmpty()) latest = Notice.WithRemarks(latest, remarks)
+    }
+
     fun dismiss() {
         latest = null
     }
 
-    /** Dismisses the notice if it [isOver]. */
+    /** Dismisses the notice if it [isOver]; remarks that were added to it stay. */
     fun dismissIf(isOver: (Notice) -> Boolean) {
-        if (latest?.let(isOver) == true) latest = null
+        val notice = latest
+        if (notice is Notice.WithRemarks) {
+            if (notice.notice?.let(isOver) == true) latest = notice.copy(notice = null)
+        } else if (notice?.let(isOver) == true) {
+            latest = null
+        }
     }
 
     /** Dismisses the notice and returns the action that it offers; null if it offers none. */

@@ -485,6 +485,8 @@ class Workshop(
 
     override fun show(notice: Notice) = board.show(notice)
 
+    override fun add(remarks: List<String>) = board.add(remarks)
+
     override fun show(pane: Pane) {
         this.pane = pane
         if (fullPane != pane) fullPane = null

@@ -1,5 +1,8 @@
 package robotran.assignments.collecting
 
+import robotran.documents.plainFileName
+import robotran.language.decodeText
+
 /**
  * A file among the collected ones or in one of their zips.
  *
@@ -13,7 +16,7 @@ internal class FoundFile(val path: List<String>, val content: FoundContent) {
     val isClassFile: Boolean get() = name.endsWith(CLASS, ignoreCase = true)
 
     /** The text of a source; empty if it cannot be read. */
-    val text: String get() = (content as? FoundContent.Bytes)?.bytes?.decodeToString().orEmpty()
+    val text: String get() = (content as? FoundContent.Bytes)?.bytes?.let(::decodeText)?.text.orEmpty()
 
     /** The same file where [path] is. */
     fun at(path: List<String>) = FoundFile(path, content)
@@ -41,13 +44,16 @@ internal enum class FoundKind(vararg val extensions: String) {
     ZIP(".zip"),
 
     /** A project, a text with links, or both kinds renamed by a mail program. */
-    TEXT(".robotran", ".json", ".txt", ".url", ".webloc", ".html", ".htm", ".md"),
+    TEXT(".robotran", ".json", ".txt", ".url", ".webloc", ".html", ".htm", ".md", ".eml"),
     OTHER,
     ;
 
     companion object {
-        fun of(name: String): FoundKind =
-            entries.firstOrNull { kind -> kind.extensions.any { name.endsWith(it, ignoreCase = true) } } ?: OTHER
+        fun of(name: String): FoundKind {
+            val plain = plainFileName(name)
+            return entries.firstOrNull { kind -> kind.extensions.any { plain.endsWith(it, ignoreCase = true) } }
+                ?: OTHER
+        }
     }
 }
 
@@ -67,7 +73,7 @@ internal fun isLeftBehind(name: String): Boolean {
 }
 
 /** [name] without its extension, or whole if it has none. */
-internal fun stemOf(name: String): String = name.substringBeforeLast('.').ifEmpty { name }
+internal fun stemOf(name: String): String = plainFileName(name).substringBeforeLast('.').ifEmpty { name }
 
 /** Deeper folders are no hand-ins. */
 private const val MAXIMUM_PARTS = 50

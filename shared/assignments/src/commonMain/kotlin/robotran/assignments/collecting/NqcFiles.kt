@@ -1,5 +1,6 @@
 package robotran.assignments.collecting
 
+import robotran.documents.plainFileName
 import robotran.programs.nqcIncludes
 
 /** Which of the [files] of a folder programs in NQC include; they are part of these programs. */
@@ -16,7 +17,7 @@ internal class NqcFiles(private val files: List<FoundFile>) {
         val waiting = ArrayDeque(listOf(file))
         while (waiting.isNotEmpty()) {
             val included = names[waiting.removeFirst()].orEmpty()
-            names.keys.filter { it.name in included }.filterTo(waiting) { found.add(it) }
+            names.keys.filter { plainFileName(it.name) in included }.filterTo(waiting) { found.add(it) }
         }
         return found.toList()
     }

@@ -2,7 +2,9 @@ package robotran.assignments.collecting
 
 import robotran.assignments.messages.CollectingMessages
 import robotran.brick.program.BrickProgram
-import robotran.documents.programText
+import robotran.documents.TextReading
+import robotran.documents.readText
+import robotran.documents.sentenceFor
 import robotran.json.JsonLimits
 import robotran.language.Language
 import robotran.programs.ProgramSource
@@ -42,7 +44,7 @@ internal class GroupReader(
     fun isNoHandIn(file: FoundFile): Boolean {
         val bytes = (file.content as? FoundContent.Bytes)?.bytes
         if (file.kind != FoundKind.TEXT || bytes == null || bytes.size > JsonLimits.MAXIMUM_BYTES) return false
-        val text = programText(file.name, bytes)?.takeIf(::isProject) ?: return false
+        val text = (readText(file.name, bytes) as? TextReading.Read)?.text?.takeIf(::isProject) ?: return false
         val project = (readProject(text, language) as? ProjectFileResult.Loaded)?.project ?: return false
         return project.feedback != null || given.isAssignment(project)
     }
@@ -51,6 +53,9 @@ internal class GroupReader(
         private val projects = mutableListOf<Candidate>()
         private val sources = mutableListOf<Pair<FoundFile, String>>()
         private val problems = mutableListOf<String>()
+
+        /** How programs were read although they are unusual. */
+        private val changes = mutableListOf<String>()
 
         /** The assignment itself, which is a hand-in only where nothing else is. */
         private val copies = mutableListOf<Candidate>()
@@ -69,18 +74,14 @@ internal class GroupReader(
                 is FoundContent.Bytes -> content.bytes
             }
             if (file.kind == FoundKind.RCX_IMAGE) return addImage(file, bytes)
-            val text = when {
-                bytes.size > JsonLimits.MAXIMUM_BYTES -> null
-                else -> programText(file.name, bytes)
+            if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
+                return problems.plusAssign(messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES))
             }
+            val reading = readText(file.name, bytes) as? TextReading.Read
+            val text = reading?.text
             when {
-                bytes.size > JsonLimits.MAXIMUM_BYTES -> {
-                    problems +=
-                        messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES)
-                }
-
                 text == null -> {
-                    problems += messages.notUtf8(file.name)
+                    problems += messages.notText(file.name)
                 }
 
                 file.kind == FoundKind.TEXT -> {
@@ -92,7 +93,8 @@ internal class GroupReader(
                 }
 
                 else -> {
-                    sources += file to text
+                    changes += reading.changes.map { sentenceFor(it, file.name, language) }
+                    sources += file.at(file.path.dropLast(1) + reading.name) to text
                 }
             }
         }
@@ -136,9 +138,7 @@ internal class GroupReader(
                 }
                 return
             }
-            val links = text.lineSequence().flatMapIndexed { line, words ->
-                linksIn(words).map { line + 1 to it }
-            }.take(CollectingLimits.MAXIMUM_LINKS).toList()
+            val links = linksIn(text).take(CollectingLimits.MAXIMUM_LINKS)
             for ((line, link) in links) addLink(file, link, line, isOnly = links.size == 1)
         }
 
@@ -198,7 +198,8 @@ internal class GroupReader(
                 return Submission.Unusable(group.name, group.origin, reason)
             }
             val robot = ProjectRobot(assignment.world.robots.first().name, programs)
-            val usable = Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs))
+            val unusual = changes.map(SubmissionRemark::ReadAllTheSame)
+            val usable = Submission.Usable(group.name, group.origin, robot, remarks = remarks.of(programs) + unusual)
             return usable.copy(
                 alternatives = programs.indices.drop(1).map { usable.copy(robot = robot.copy(firstProgram = it)) },
             )

@@ -20,4 +20,5 @@ fun CollectingMessages.remark(remark: SubmissionRemark): String = when (remark) 
     is SubmissionRemark.NotTried -> notTried(remark.origins)
     is SubmissionRemark.PartUnusable -> partUnusable(remark.reason)
     is SubmissionRemark.CompiledLeftOut -> compiledLeftOut(remark.classes)
+    is SubmissionRemark.ReadAllTheSame -> remark.sentence
 }

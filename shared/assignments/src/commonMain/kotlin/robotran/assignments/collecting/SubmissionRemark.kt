@@ -49,4 +49,7 @@ sealed interface SubmissionRemark {
 
     /** The compiled [classes] lie beside their source, which counts instead. */
     data class CompiledLeftOut(val classes: List<String>) : SubmissionRemark
+
+    /** A program is in an old encoding or has an unusual name, and was read; [sentence] says so. */
+    data class ReadAllTheSame(val sentence: String) : SubmissionRemark
 }

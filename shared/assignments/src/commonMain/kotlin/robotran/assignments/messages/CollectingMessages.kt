@@ -5,7 +5,7 @@ import robotran.language.choose
 
 /** Why a submission cannot be used, and what a teacher should know about one. Each `file` is its name. */
 interface CollectingMessages {
-    fun notUtf8(file: String): String
+    fun notText(file: String): String
 
     fun tooLarge(file: String, bytes: Int): String
 

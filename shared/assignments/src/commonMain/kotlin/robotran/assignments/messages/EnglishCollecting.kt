@@ -3,7 +3,7 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object EnglishCollectingMessages : CollectingMessages {
-    override fun notUtf8(file: String) = "$file is not a text in UTF-8."
+    override fun notText(file: String) = "$file is not a text."
 
     override fun tooLarge(file: String, bytes: Int) = "$file is too large: it can have $bytes bytes at most."
 

@@ -3,7 +3,7 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object GermanCollectingMessages : CollectingMessages {
-    override fun notUtf8(file: String) = "$file ist kein Text in UTF-8."
+    override fun notText(file: String) = "$file ist kein Text."
 
     override fun tooLarge(file: String, bytes: Int) = "$file ist zu groß: Höchstens $bytes Byte gehen."
 

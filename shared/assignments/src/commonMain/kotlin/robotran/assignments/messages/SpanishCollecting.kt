@@ -3,7 +3,7 @@ package robotran.assignments.messages
 import robotran.language.listed
 
 internal object SpanishCollectingMessages : CollectingMessages {
-    override fun notUtf8(file: String) = "$file no es un texto en UTF-8."
+    override fun notText(file: String) = "$file no es un texto."
 
     override fun tooLarge(file: String, bytes: Int) = "$file es demasiado grande: puede tener $bytes bytes como mucho."
 

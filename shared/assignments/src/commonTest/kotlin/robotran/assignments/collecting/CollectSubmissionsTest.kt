@@ -225,6 +225,8 @@ class CollectSubmissionsTest {
             file("good.robo", "beep\n"),
             CollectedFile("broken.zip", byteArrayOf(1, 2, 3)),
             CollectedFile("latin.robo", byteArrayOf(0x62, 0xE4.toByte())),
+            CollectedFile("binary.robo", byteArrayOf(0x62, 0, 0xE4.toByte())),
+            file("karl.robo.txt", "beep\n"),
             file("newer.robotran", """{"format": "robotran-project", "version": 99}"""),
             file("plain.robotran", Project(BuiltInWorlds.plain)),
             file("long.robo", "a".repeat(200_001)),
@@ -241,7 +243,9 @@ class CollectSubmissionsTest {
         assertEquals("", reasons["good"])
         assertTrue("inner.zip is too large" in reasons.getValue("bomb"), "$reasons")
         assertEquals("broken.zip is damaged, or not a zip file at all.", reasons["broken"])
-        assertEquals("latin.robo is not a text in UTF-8.", reasons["latin"])
+        assertEquals("", reasons["latin"])
+        assertEquals("", reasons["karl"])
+        assertEquals("binary.robo is not a text.", reasons["binary"])
         assertTrue("newer Robotran" in reasons.getValue("newer"), "$reasons")
         assertTrue("no program for its robot" in reasons.getValue("plain"), "$reasons")
         assertTrue("too long" in reasons.getValue("long"), "$reasons")

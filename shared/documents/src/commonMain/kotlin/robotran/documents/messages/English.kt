@@ -9,4 +9,9 @@ internal object EnglishDocumentMessages : DocumentMessages {
     override fun defaultProjectName() = "My first work"
 
     override fun tutorialProjectName() = "Tutorial"
+
+    override fun decodedFrom(file: String, encoding: String) =
+        "$file is in $encoding, not in UTF-8. It was read all the same."
+
+    override fun readAs(file: String, name: String) = "$file was read as $name."
 }

@@ -9,4 +9,9 @@ internal object GermanDocumentMessages : DocumentMessages {
     override fun defaultProjectName() = "Meine erste Arbeit"
 
     override fun tutorialProjectName() = "Anleitung"
+
+    override fun decodedFrom(file: String, encoding: String) =
+        "$file ist in $encoding statt in UTF-8. Die Datei wurde trotzdem gelesen."
+
+    override fun readAs(file: String, name: String) = "$file wurde als $name gelesen."
 }

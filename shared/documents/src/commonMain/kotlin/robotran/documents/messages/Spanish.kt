@@ -9,4 +9,9 @@ internal object SpanishDocumentMessages : DocumentMessages {
     override fun defaultProjectName() = "Mi primer trabajo"
 
     override fun tutorialProjectName() = "Guía paso a paso"
+
+    override fun decodedFrom(file: String, encoding: String) =
+        "$file está en $encoding y no en UTF-8. Se ha leído de todos modos."
+
+    override fun readAs(file: String, name: String) = "$file se ha leído como $name."
 }

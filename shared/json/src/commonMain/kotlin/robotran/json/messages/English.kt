@@ -1,6 +1,8 @@
 package robotran.json.messages
 
-internal object EnglishJsonMessages : JsonMessages {
+internal object EnglishJsonMessages :
+    JsonMessages,
+    JsonSyntaxMessages by EnglishSyntax {
     override fun refused(line: Int, path: String, reason: String) =
         "Line $line: ${path.ifEmpty { "the file" }} $reason."
 
@@ -8,13 +10,17 @@ internal object EnglishJsonMessages : JsonMessages {
 
     override fun fileTooLong(limit: Int) = "The file is too long: more than $limit characters."
 
-    override fun notUtf8() = "The file is not a text in UTF-8; an editor can save it as one."
+    override fun inLine(line: Int, sentence: String) = "Line $line: $sentence"
 
-    override fun notReadable(line: Int) = "Line $line cannot be read: something is missing or out of place there."
+    override fun notText() = "The file is not a text."
 
-    override fun textNotClosed(line: Int) = "Line $line has a text that is not closed with a quote."
+    override fun otherEncoding(encoding: String) = "The file is in $encoding, not in UTF-8."
 
-    override fun bracketsTooDeep(line: Int) = "Line $line opens too many brackets inside one another."
+    override fun misspelt(known: String) = "is not known and does nothing; perhaps \"$known\" is meant"
+
+    override fun twice() = "is there twice; only the last one counts"
+
+    override fun missingBut(written: String) = "is missing; perhaps \"$written\" is meant for it"
 
     override fun missing() = "is missing"
 
@@ -44,8 +50,6 @@ internal object EnglishJsonMessages : JsonMessages {
     override fun mustBeWholeFrom(min: Long, max: Long) = "must be a whole number from $min to $max"
 
     override fun mustBeTrueOrFalse() = "must be true or false"
-
-    override fun mustBeKnownWord() = "must be a number, a text in quotes, true, false or null"
 
     override fun mustBeOneOf(words: Collection<String>) = "must be ${alternatives(words, "or")}"
 }

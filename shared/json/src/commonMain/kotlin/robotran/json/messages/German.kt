@@ -1,6 +1,8 @@
 package robotran.json.messages
 
-internal object GermanJsonMessages : JsonMessages {
+internal object GermanJsonMessages :
+    JsonMessages,
+    JsonSyntaxMessages by GermanSyntax {
     override fun refused(line: Int, path: String, reason: String) =
         "Zeile $line: ${path.ifEmpty { "die Datei" }} $reason."
 
@@ -9,14 +11,17 @@ internal object GermanJsonMessages : JsonMessages {
 
     override fun fileTooLong(limit: Int) = "Die Datei ist zu lang: Sie hat mehr als $limit Zeichen."
 
-    override fun notUtf8() = "Die Datei ist kein Text in UTF-8; ein Editor kann sie so speichern."
+    override fun inLine(line: Int, sentence: String) = "Zeile $line: $sentence"
 
-    override fun notReadable(line: Int) =
-        "Zeile $line kann nicht gelesen werden: Dort fehlt etwas, oder etwas steht am falschen Platz."
+    override fun notText() = "Die Datei ist kein Text."
 
-    override fun textNotClosed(line: Int) = "In Zeile $line ist ein Text, der nicht mit einem Anführungszeichen endet."
+    override fun otherEncoding(encoding: String) = "Die Datei ist in $encoding, nicht in UTF-8."
 
-    override fun bracketsTooDeep(line: Int) = "Zeile $line öffnet zu viele Klammern ineinander."
+    override fun misspelt(known: String) = "ist unbekannt und bewirkt nichts; vielleicht ist \"$known\" gemeint"
+
+    override fun twice() = "ist zweimal da; nur das letzte zählt"
+
+    override fun missingBut(written: String) = "fehlt; vielleicht ist \"$written\" dafür gemeint"
 
     override fun missing() = "fehlt"
 
@@ -46,8 +51,6 @@ internal object GermanJsonMessages : JsonMessages {
     override fun mustBeWholeFrom(min: Long, max: Long) = "muss eine ganze Zahl von $min bis $max sein"
 
     override fun mustBeTrueOrFalse() = "muss true oder false sein"
-
-    override fun mustBeKnownWord() = "muss eine Zahl, ein Text in Anführungszeichen, true, false oder null sein"
 
     override fun mustBeOneOf(words: Collection<String>) = "muss ${alternatives(words, "oder")} sein"
 }

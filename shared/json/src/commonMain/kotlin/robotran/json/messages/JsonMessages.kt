@@ -8,7 +8,7 @@ import robotran.language.listed
  * The error messages for JSON files. Most describe what is wrong with a value and follow its path, without a full stop:
  * `must be a number`.
  */
-interface JsonMessages {
+interface JsonMessages : JsonSyntaxMessages {
     /**
      * A whole sentence.
      *
@@ -27,16 +27,23 @@ interface JsonMessages {
     /** A whole sentence, like the next ones. */
     fun fileTooLong(limit: Int): String
 
-    fun notUtf8(): String
+    /** The whole [sentence], about a line. */
+    fun inLine(line: Int, sentence: String): String
 
-    fun notReadable(line: Int): String
+    fun notText(): String
 
-    fun textNotClosed(line: Int): String
+    fun otherEncoding(encoding: String): String
 
-    fun bracketsTooDeep(line: Int): String
+    /** From here on without a full stop. The name of a field is near [known], which nobody has asked for. */
+    fun misspelt(known: String): String
 
-    /** From here on without a full stop. */
+    /** An object has a name twice. */
+    fun twice(): String
+
     fun missing(): String
+
+    /** @param written an unknown name near the missing one. */
+    fun missingBut(written: String): String
 
     fun mustBeObject(): String
 
@@ -63,8 +70,6 @@ interface JsonMessages {
     fun mustBeWholeFrom(min: Long, max: Long): String
 
     fun mustBeTrueOrFalse(): String
-
-    fun mustBeKnownWord(): String
 
     fun mustBeOneOf(words: Collection<String>): String
 

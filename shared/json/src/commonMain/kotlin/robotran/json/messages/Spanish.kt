@@ -1,6 +1,8 @@
 package robotran.json.messages
 
-internal object SpanishJsonMessages : JsonMessages {
+internal object SpanishJsonMessages :
+    JsonMessages,
+    JsonSyntaxMessages by SpanishSyntax {
     override fun refused(line: Int, path: String, reason: String) =
         "Línea $line: ${path.ifEmpty { "el archivo" }} $reason."
 
@@ -9,13 +11,17 @@ internal object SpanishJsonMessages : JsonMessages {
 
     override fun fileTooLong(limit: Int) = "El archivo es demasiado largo: tiene más de $limit letras y signos."
 
-    override fun notUtf8() = "El archivo no es un texto en UTF-8; un editor puede guardarlo así."
+    override fun inLine(line: Int, sentence: String) = "Línea $line: $sentence"
 
-    override fun notReadable(line: Int) = "La línea $line no se puede leer: ahí falta algo, o algo no está en su sitio."
+    override fun notText() = "El archivo no es un texto."
 
-    override fun textNotClosed(line: Int) = "La línea $line tiene un texto que no se cierra con comillas."
+    override fun otherEncoding(encoding: String) = "El archivo está en $encoding, no en UTF-8."
 
-    override fun bracketsTooDeep(line: Int) = "La línea $line abre demasiados paréntesis unos dentro de otros."
+    override fun misspelt(known: String) = "no se conoce y no hace nada; quizá quieres decir \"$known\""
+
+    override fun twice() = "está dos veces; solo cuenta el último"
+
+    override fun missingBut(written: String) = "falta; quizá \"$written\" debería serlo"
 
     override fun missing() = "falta"
 
@@ -45,8 +51,6 @@ internal object SpanishJsonMessages : JsonMessages {
     override fun mustBeWholeFrom(min: Long, max: Long) = "tiene que ser un número entero de $min a $max"
 
     override fun mustBeTrueOrFalse() = "tiene que ser true o false"
-
-    override fun mustBeKnownWord() = "tiene que ser un número, un texto entre comillas, true, false o null"
 
     override fun mustBeOneOf(words: Collection<String>) = "tiene que ser ${alternatives(words, "o")}"
 }

@@ -10,6 +10,7 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
+import robotran.projects.localSite
 import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
@@ -21,6 +22,7 @@ import robotran.ui.resources.documents_share_elsewhere
 import robotran.ui.resources.documents_share_file_title
 import robotran.ui.resources.documents_share_help
 import robotran.ui.resources.documents_share_length
+import robotran.ui.resources.documents_share_local
 import robotran.ui.resources.documents_share_long
 import robotran.ui.resources.documents_share_making
 import robotran.ui.resources.documents_share_no_site
@@ -87,6 +89,7 @@ internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
 private fun LinkItself(link: String) {
     val colours = LocalRobotranColours.current
     Explanation(stringResource(Res.string.documents_share_help))
+    LocalLinkNote(link)
     OutlinedTextField(
         link,
         onValueChange = {},
@@ -107,6 +110,13 @@ private fun LinkItself(link: String) {
     )
     if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
     LinkAsQrCode(link)
+}
+
+/** Says that nobody else can follow [link], a link or a text with one, if that is so. */
+@Composable
+internal fun LocalLinkNote(link: String) {
+    val site = localSite(link) ?: return
+    Explanation(stringResource(Res.string.documents_share_local, site), Modifier.testTag("link-local"), bad = true)
 }
 
 private const val MAX_LINES = 3

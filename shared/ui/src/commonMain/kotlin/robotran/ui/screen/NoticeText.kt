@@ -22,6 +22,7 @@ import robotran.ui.resources.documents_go_back
 import robotran.ui.resources.documents_kept_before
 import robotran.ui.resources.documents_kit_mistake
 import robotran.ui.resources.documents_last_elsewhere
+import robotran.ui.resources.documents_more_remarks
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_no_room
 import robotran.ui.resources.documents_not_copied
@@ -68,6 +69,8 @@ import robotran.world.messages.sentence
 @Composable
 internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ForeignError -> notice.sentence
+
+    is Notice.WithRemarks -> withRemarks(notice)
 
     Notice.Unexpected -> stringResource(Res.string.documents_unexpected)
 
@@ -197,3 +200,16 @@ private fun restored(notice: Notice.ProjectRestored): String = if (notice.name.i
 
 private fun othersOpen(notice: Notice.OtherProjectsOpen): StringResource =
     if (notice.isRestored) Res.string.documents_back_others else Res.string.documents_others_there
+
+/** What people have to know first, then what can be mended later. */
+@Composable
+private fun withRemarks(notice: Notice.WithRemarks): String {
+    val first = notice.notice?.let { noticeText(it) }
+    val more = notice.remarks.size - SHOWN_REMARKS
+    val rest = if (more > 0) stringResource(Res.string.documents_more_remarks, more) else null
+    return (listOfNotNull(first) + notice.remarks.take(SHOWN_REMARKS) + listOfNotNull(rest)).filter { it.isNotEmpty() }
+        .joinToString("\n")
+}
+
+/** As many as fit on a phone. */
+private const val SHOWN_REMARKS = 3

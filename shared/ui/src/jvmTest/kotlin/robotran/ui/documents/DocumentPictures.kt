@@ -12,6 +12,8 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenedFile
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 
 /** Writes pictures of the document dialogs to build/pictures for review. */
@@ -76,6 +78,22 @@ class DocumentPictures {
                 picture("about", Machine().window().also { it.handle(DocumentEvent.AboutRequested("1.2")) })
                 picture("silent", Machine().also { it.store.isAnswering = false }.window())
             }
+        }
+    }
+
+    @Test
+    fun `a link of this machine alone, and a file with remarks`() {
+        for ((name, width, height) in SCREENS) {
+            val workshop = Machine().also { it.page = "http://localhost:8282/" }.window()
+            workshop.handle(DocumentEvent.LinkRequested)
+            photograph(workshop, width, height, dark = false, "documents-$name-light-local-link")
+            workshop.handle(DocumentEvent.DialogClosed)
+            val old = OpenedFile("Karl.robo.txt", "beep // f\u00FCr\n".map { it.code.toByte() }.toByteArray())
+            val text = BuiltInWorlds.texts.getValue("maze.world.json").replaceFirst("\"task\"", "\"tsk\"")
+            val world = OpenedFile("maze.world.json", text.encodeToByteArray())
+            workshop.handle(DocumentEvent.FilesBrought(listOf(old, world)))
+            photograph(workshop, width, height, dark = false, "documents-$name-light-remarks")
+            workshop.close()
         }
     }
 

@@ -10,6 +10,7 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTextReplacement
 import kotlinx.coroutines.runBlocking
 import robotran.ui.screen.onPhone
+import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.write
@@ -54,6 +55,22 @@ class SiteAddressSettingTest {
         pass(200)
         onNodeWithTag("site").performTextReplacement("")
         assertEquals("", workshop.state.settings.site)
+    }
+
+    @Test
+    fun `a link that begins with localhost says that it works on this machine only`() {
+        for ((page, isLocal) in listOf("http://localhost:8282/" to true, "https://school.example/" to false)) {
+            val workshop = Machine().also { it.page = page }.window()
+            onScreenOf(workshop, 411, 891) {
+                workshop.handle(DocumentEvent.LinkRequested)
+                pass(200)
+                if (isLocal) {
+                    onNodeWithTag("link-local").assertTextContains("localhost:8282", substring = true)
+                } else {
+                    onNodeWithTag("link-local").assertDoesNotExist()
+                }
+            }
+        }
     }
 
     @Test

@@ -337,6 +337,7 @@ internal class AssignmentAuthor(
                 link = then.link,
                 savedAs = then.savedAs,
                 saveError = then.saveError,
+                embedCode = then.embedCode,
                 embedCodeCopied = then.embedCodeCopied,
                 embedProblem = then.embedProblem,
                 isPacking = false,

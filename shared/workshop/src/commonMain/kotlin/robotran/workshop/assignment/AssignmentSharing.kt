@@ -54,13 +54,13 @@ internal class AssignmentSharing(
         return page
     }
 
-    /** Copies the HTML that shows the assignment in a frame, or says why there is none. */
+    /** Shows and copies the HTML that shows the assignment in a frame, or says why there is none. */
     suspend fun copyEmbedCode(page: MakingState): MakingState {
         val made = makeLink(page)
-        val link = made.link?.link ?: return page.copy(embedProblem = made.link?.problem)
+        val link = made.link?.link ?: return page.copy(embedCode = null, embedProblem = made.link?.problem)
         val code = "<iframe src=\"${link.replaceFirst("#", "?embed=assignment#")}\" title=\"${escaped(title)}\" " +
             "width=\"100%\" height=\"600\" allow=\"clipboard-write\"></iframe>"
-        return page.copy(embedCodeCopied = platform.sharing.copy(code))
+        return page.copy(embedCode = code, embedCodeCopied = platform.sharing.copy(code))
     }
 
     suspend fun savePackage(page: MakingState, version: ScormVersion): MakingState {

@@ -18,6 +18,7 @@ import robotran.projects.Project
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
+import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.StoredAssignments
@@ -37,6 +38,7 @@ internal class CourseAuthor(
     private val shelf: CourseShelf,
     private val switcher: ProjectSwitcher,
     private val stored: StoredAssignments,
+    private val notices: Notices,
     private val show: (CoursePage.Making?) -> Unit,
 ) {
     private val sharing = CourseSharing(platform, preferences)
@@ -202,6 +204,7 @@ internal class CourseAuthor(
                         ?: opening.world?.title ?: opening.programs.firstOrNull()?.name ?: opening.robot?.title
                 val found = opening.projects.map { it.project } + opening.courses.flatMap { it.assignments }
                 add(found.filter { it.assignment != null && it.handIn == null }, other)
+                notices.add(opening.remarks)
             }
         }
     }

@@ -47,7 +47,7 @@ class CourseStateHolder(
     private val lookAtHandIns: (Course) -> Unit,
 ) {
     private val shelf = CourseShelf(platform.store, scope)
-    private val author = CourseAuthor(platform, scope, preferences, shelf, switcher, stored) { show(it) }
+    private val author = CourseAuthor(platform, scope, preferences, shelf, switcher, stored, notices) { show(it) }
 
     /** The course from which the open project was begun last. */
     private var openKey: String? = null

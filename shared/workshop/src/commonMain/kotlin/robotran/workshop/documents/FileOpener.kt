@@ -124,6 +124,7 @@ internal class FileOpener(
         navigator.leavePages()
         takeWork(opened, isWanted)
         if (opened.courses.isNotEmpty()) openCourses(opened.courses)
+        notices.add(opened.remarks)
     }
 
     /**
@@ -303,6 +304,9 @@ internal class FileOpener(
                 FileKind.LASM,
                 FileKind.RCX_IMAGE,
                 FileKind.ZIP,
+                // Windows and mail programs put .txt behind the name of a program, and links come in mails.
+                FileKind.TEXT,
+                FileKind.MAIL,
             )
     }
 }

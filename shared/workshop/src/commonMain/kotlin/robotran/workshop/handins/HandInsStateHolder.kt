@@ -15,6 +15,7 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.comparing.compareSubmissions
 import robotran.documents.StoreResult
 import robotran.projects.Course
+import robotran.projects.linksIn
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.FileKind
@@ -221,11 +222,16 @@ class HandInsStateHolder internal constructor(
         show { copy(opened = id?.let { OpenedHandIn(it) }, last = id ?: last, told = null) }
 
     private fun bringLinks(text: String) {
-        val open = open ?: return
-        val files = PastedLinks.filesFor(text, first = open.lastLink + 1)
-        open.lastLink += files.size
-        show { copy(dialog = null, told = if (files.isEmpty()) HandInsMessage.NothingFound() else told) }
-        scope.launch { bring(files) }
+        if (open == null) return
+        show { copy(dialog = null) }
+        scope.launch {
+            val links = linksIn(text)
+            val open = open ?: return@launch
+            val files = PastedLinks.filesFor(links, first = open.lastLink + 1)
+            open.lastLink += files.size
+            if (files.isEmpty()) show { copy(told = HandInsMessage.NothingFound()) }
+            bring(files)
+        }
     }
 
     /** Everything that was brought together belongs together, such as the files of a program. */
@@ -350,7 +356,19 @@ class HandInsStateHolder internal constructor(
     }
 
     private companion object {
-        val KINDS = listOf(FileKind.PROJECT, FileKind.ZIP, FileKind.ROBOLANG, FileKind.JAVA, FileKind.TEXT)
+        val KINDS = listOf(
+            FileKind.PROJECT,
+            FileKind.ZIP,
+            FileKind.ROBOLANG,
+            FileKind.JAVA,
+            FileKind.NQC,
+            FileKind.NQC_HEADER,
+            FileKind.LASM,
+            FileKind.RCX_IMAGE,
+            FileKind.TEXT,
+            FileKind.MAIL,
+            FileKind.HTML,
+        )
         val TOO_MUCH = HandInsMessage.TooMany(KeptHandIns.MAXIMUM_FILES, KeptHandIns.MAXIMUM_MEGABYTES)
     }
 }

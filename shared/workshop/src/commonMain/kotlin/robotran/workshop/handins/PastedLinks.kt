@@ -5,14 +5,14 @@ import robotran.assignments.collecting.CourseHandIns
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.CollectingMessages
 import robotran.language.Language
-import robotran.projects.linksIn
+import robotran.projects.FoundLink
 import robotran.workshop.platform.OpenedFile
 
 /** Links that were pasted or scanned, as files, so that each has a number by which the teacher finds it. */
 internal object PastedLinks {
-    /** One file for each link in [text], numbered from [first]. */
-    fun filesFor(text: String, first: Int): List<OpenedFile> = linksIn(text).mapIndexed { index, link ->
-        OpenedFile("$NAME${first + index}$EXTENSION", link.encodeToByteArray())
+    /** One file for each of [links], numbered from [first]. */
+    fun filesFor(links: List<FoundLink>, first: Int): List<OpenedFile> = links.mapIndexed { index, found ->
+        OpenedFile("$NAME${first + index}$EXTENSION", found.link.encodeToByteArray())
     }
 
     /** The highest number of a link in [files]; 0 if there is none. */

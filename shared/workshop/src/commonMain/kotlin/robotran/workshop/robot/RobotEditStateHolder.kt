@@ -172,8 +172,14 @@ internal class RobotEditStateHolder(
     private suspend fun openFile() {
         val file = platform.files.open(listOf(FileKind.ROBOT)).firstOrNull() ?: return
         when (val result = readRobot(file.bytes, preferences.language)) {
-            is RobotFileResult.Loaded -> edit(RobotEdit.Replace(result.robot))
-            is RobotFileResult.Rejected -> state = state?.copy(fileError = result.message, hintsShown = true)
+            is RobotFileResult.Loaded -> {
+                edit(RobotEdit.Replace(result.robot))
+                notices.add(result.warnings.map { "${file.name}: ${it.message}" })
+            }
+
+            is RobotFileResult.Rejected -> {
+                state = state?.copy(fileError = result.message, hintsShown = true)
+            }
         }
     }
 

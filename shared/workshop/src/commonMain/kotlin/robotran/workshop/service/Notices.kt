@@ -6,4 +6,7 @@ import robotran.workshop.state.Notice
 interface Notices {
     /** Shows [notice] until it is dismissed or replaced. */
     fun show(notice: Notice)
+
+    /** Adds [remarks], localised sentences about a file, to the notice that is shown, or shows them alone. */
+    fun add(remarks: List<String>)
 }

@@ -18,7 +18,8 @@ import robotran.projects.Assignment
  * @property canPack whether there is a web site at hand to make packages for learning platforms of.
  * @property isPacking whether a package is being made.
  * @property isAboutPackage whether [savedAs] and [saveError] are about a package.
- * @property embedCodeCopied whether the code for a frame was copied last.
+ * @property embedCode the code for a frame; null while it is not shown.
+ * @property embedCodeCopied whether it was copied.
  * @property embedProblem why there is no code for a frame.
  * @property asksBeforeGiving whether the page asks if pupils shall begin with what solves the task.
  */
@@ -43,6 +44,7 @@ data class MakingState(
     val canPack: Boolean = false,
     val isPacking: Boolean = false,
     val isAboutPackage: Boolean = false,
+    val embedCode: String? = null,
     val embedCodeCopied: Boolean = false,
     val embedProblem: LinkProblem? = null,
     val asksBeforeGiving: Boolean = false,

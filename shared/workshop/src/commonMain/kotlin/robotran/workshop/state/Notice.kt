@@ -176,6 +176,17 @@ sealed interface Notice {
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
 
+    /**
+     * A file was read although it is unusual, or has fields that are probably misspelt.
+     *
+     * @property notice what else is to be said; null for nothing.
+     * @property remarks localised sentences.
+     */
+    data class WithRemarks(val notice: Notice?, val remarks: List<String>) : Notice {
+        override val isError: Boolean get() = notice?.isError == true
+        override val action: NoticeAction? get() = notice?.action
+    }
+
     /** An error message. */
     sealed interface Error : Notice {
         override val isError: Boolean get() = true

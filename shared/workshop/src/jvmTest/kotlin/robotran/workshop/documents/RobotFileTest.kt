@@ -50,6 +50,32 @@ class RobotFileTest {
     private fun bring(vararg files: OpenedFile) = workshop.handle(DocumentEvent.FilesBrought(files.toList()))
 
     @Test
+    fun `a misspelt field is told in the notice, which still brings the robot back`() {
+        val before = robot
+        val text = """{"format": "robotran-robot", "version": 1, "title": "Wide", "wheels": {"trak": 12}}"""
+        bring(OpenedFile("wide.robot.json", text.encodeToByteArray(), "/home/wide.robot.json"))
+        val notice = assertIs<Notice.WithRemarks>(workshop.state.notice)
+        assertIs<Notice.RobotReplaced>(notice.notice)
+        assertTrue("wide.robot.json: Line 1: wheels.trak is not known" in notice.remarks.single(), "$notice")
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(before, robot)
+    }
+
+    @Test
+    fun `a program in an old encoding or with another name is opened with a remark`() {
+        bring(OpenedFile("Karl.robo.txt", "beep // f\u00FCr\n".map { it.code.toByte() }.toByteArray(), null))
+        assertEquals("beep // f\u00FCr\n", workshop.state.programText)
+        val notice = assertIs<Notice.WithRemarks>(workshop.state.notice)
+        assertEquals(
+            listOf(
+                "Karl.robo.txt is in Windows-1252, not in UTF-8. It was read all the same.",
+                "Karl.robo.txt was read as Karl.robo.",
+            ),
+            notice.remarks,
+        )
+    }
+
+    @Test
     fun `a robot that is opened takes the place of the robot, and the notice brings that back`() {
         workshop.write("forward 7")
         val before = workshop.state.world

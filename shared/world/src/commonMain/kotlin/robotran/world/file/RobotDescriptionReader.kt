@@ -41,7 +41,7 @@ internal fun readDescription(place: JsonCursor, mayBeImpossible: Boolean = false
         chassis = readChassis(place, like.chassis),
         drive = place.optional("wheels")?.let { readDrive(it, like.drive) } ?: like.drive,
         casters = place.optional("casters")?.items(0..RobotLimits.MAXIMUM_CASTERS)?.map(::readPoint) ?: like.casters,
-        pen = if ("pen" in place.names) readPen(place.member("pen")) else like.pen,
+        pen = if (place.has("pen")) readPen(place.member("pen")) else like.pen,
         brickAt = BrickMount(
             place.optional("brickAt")?.let(::readPoint) ?: like.brickAt.at,
             place.optional("brickTurned")?.flag() ?: like.brickAt.turned,

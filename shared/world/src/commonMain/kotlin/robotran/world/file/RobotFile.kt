@@ -1,10 +1,10 @@
 package robotran.world.file
 
 import robotran.json.JsonCursor
+import robotran.json.JsonFormat
 import robotran.json.JsonReading
-import robotran.json.JsonValidationException
+import robotran.json.JsonWarning
 import robotran.json.jsonObject
-import robotran.json.messages.JsonMessages
 import robotran.json.readJson
 import robotran.json.writeJson
 import robotran.language.Language
@@ -13,7 +13,8 @@ import robotran.world.messages.toldOfRobot
 
 /** The result of reading a robot file. */
 sealed interface RobotFileResult {
-    data class Loaded(val robot: RobotDescription) : RobotFileResult
+    /** @property warnings about fields that are probably misspelt. */
+    data class Loaded(val robot: RobotDescription, val warnings: List<JsonWarning> = emptyList()) : RobotFileResult
 
     /**
      * The file is invalid.
@@ -35,7 +36,7 @@ sealed interface RobotFileResult {
 fun readRobot(text: String, language: Language = Language.ENGLISH): RobotFileResult =
     resultOf(readJson(text, language, ::robotIn))
 
-/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
 fun readRobot(bytes: ByteArray, language: Language = Language.ENGLISH): RobotFileResult =
     resultOf(readJson(bytes, language, ::robotIn))
 
@@ -52,21 +53,20 @@ fun writeRobot(robot: RobotDescription): String = writeJson(
 )
 
 private fun robotIn(place: JsonCursor): RobotDescription {
-    if (place.optional("format")?.textOrNull() != ROBOT_FORMAT) {
-        throw JsonValidationException(null, toldOfRobot { notARobot(ROBOT_FORMAT) })
-    }
-    val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)
-    if (version < 1) place.member("version").refuse { JsonMessages.of(it).mustBeFrom("1", "$ROBOT_VERSION") }
-    if (version > ROBOT_VERSION) {
-        throw JsonValidationException(null, toldOfRobot { newerRobot(version, ROBOT_VERSION) })
-    }
+    FORMAT.versionOf(place)
     return readDescription(place)
 }
 
 private fun resultOf(reading: JsonReading<RobotDescription>): RobotFileResult = when (reading) {
-    is JsonReading.Read -> RobotFileResult.Loaded(reading.value)
+    is JsonReading.Read -> RobotFileResult.Loaded(reading.value, reading.warnings)
     is JsonReading.Rejected -> RobotFileResult.Rejected(reading.message, reading.line, reading.path)
 }
 
 private const val ROBOT_FORMAT = "robotran-robot"
 private const val ROBOT_VERSION = 1
+private val FORMAT = JsonFormat(
+    ROBOT_FORMAT,
+    ROBOT_VERSION,
+    toldOfRobot { notARobot(ROBOT_FORMAT) },
+    { version -> toldOfRobot { newerRobot(version, ROBOT_VERSION) } },
+)

@@ -79,7 +79,7 @@ internal class ShapeReader {
 
 /** The name and the cursor of the only one of [names] that [place] has. */
 internal fun onlyMember(place: JsonCursor, names: List<String>): Pair<String, JsonCursor> {
-    val present = names.filter { it in place.names }
+    val present = names.filter(place::has)
     if (present.isEmpty()) place.refuse(told { mustHaveOneOf(names) })
     if (present.size > 1) place.refuse(told { mustHaveOnlyOneOf(present) })
     return present.single() to place.member(present.single())

@@ -15,7 +15,7 @@ import robotran.world.World
 fun readWorld(text: String, language: Language = Language.ENGLISH): WorldFileResult =
     resultOf(readJson(text, language, ::worldIn))
 
-/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
 fun readWorld(bytes: ByteArray, language: Language = Language.ENGLISH): WorldFileResult =
     resultOf(readJson(bytes, language, ::worldIn))
 
@@ -26,6 +26,6 @@ fun readWorld(bytes: ByteArray, language: Language = Language.ENGLISH): WorldFil
 fun writeWorld(world: World): String = writeJson(elementOf(world), MULTILINE_LISTS)
 
 private fun resultOf(reading: JsonReading<World>): WorldFileResult = when (reading) {
-    is JsonReading.Read -> WorldFileResult.Loaded(reading.value)
+    is JsonReading.Read -> WorldFileResult.Loaded(reading.value, reading.warnings)
     is JsonReading.Rejected -> WorldFileResult.Rejected(reading.message, reading.line, reading.path)
 }

@@ -1,10 +1,12 @@
 package robotran.world.file
 
+import robotran.json.JsonWarning
 import robotran.world.World
 
 /** The result of reading a world file. */
 sealed interface WorldFileResult {
-    data class Loaded(val world: World) : WorldFileResult
+    /** @property warnings about fields that are probably misspelt. */
+    data class Loaded(val world: World, val warnings: List<JsonWarning> = emptyList()) : WorldFileResult
 
     /**
      * The file is invalid.

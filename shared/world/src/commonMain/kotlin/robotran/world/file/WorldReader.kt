@@ -1,9 +1,8 @@
 package robotran.world.file
 
 import robotran.json.JsonCursor
-import robotran.json.JsonPath
+import robotran.json.JsonFormat
 import robotran.json.JsonValidationException
-import robotran.json.messages.JsonMessages
 import robotran.world.Light
 import robotran.world.Paper
 import robotran.world.Template
@@ -18,28 +17,27 @@ import robotran.world.messages.told
  * @throws JsonValidationException if it is invalid.
  */
 fun worldIn(place: JsonCursor): World {
-    if (place.optional("format")?.textOrNull() != WORLD_FORMAT) {
-        throw JsonValidationException(null, told { notAWorld(WORLD_FORMAT) })
-    }
-    return when (val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)) {
-        WORLD_VERSION -> WorldReader(place).read()
-        1 -> readMigrated(place)
-        0 -> place.member("version").refuse { JsonMessages.of(it).mustBeFrom("1", "$WORLD_VERSION") }
-        else -> throw JsonValidationException(null, told { newerWorld(version, WORLD_VERSION) })
-    }
+    val version = FORMAT.versionOf(place)
+    return if (version < WORLD_VERSION) readMigrated(place) else WorldReader(place).read()
 }
 
 private fun readMigrated(place: JsonCursor): World {
     val migration = MigrationFromVersion1(place)
     try {
-        return WorldReader(JsonCursor(migration.migrated, place.path)).read()
+        return WorldReader(place.with(migration.migrated, migration::pathBefore)).read()
     } catch (refusal: JsonValidationException) {
-        throw JsonValidationException(refusal.path?.let(migration::pathBefore), refusal.isSentence, refusal.reason)
+        throw JsonValidationException(refusal.path?.let(migration::pathBefore), refusal.form, refusal.reason)
     }
 }
 
 internal const val WORLD_FORMAT = "robotran-world"
 internal const val WORLD_VERSION = 2
+private val FORMAT = JsonFormat(
+    WORLD_FORMAT,
+    WORLD_VERSION,
+    told { notAWorld(WORLD_FORMAT) },
+    { version -> told { newerWorld(version, WORLD_VERSION) } },
+)
 
 /** Builds a [World] from the fields of a file. */
 private class WorldReader(private val file: JsonCursor) {

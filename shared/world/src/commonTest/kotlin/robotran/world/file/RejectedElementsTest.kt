@@ -6,10 +6,14 @@ import kotlin.test.assertEquals
 class RejectedElementsTest {
     @Test
     fun `a missing field is named with its place`() {
-        assertEquals("title is missing.", complaint("\"title\"", "\"titel\"", line = 1))
+        assertEquals("title is missing.", complaint("\"title\"", "\"called\"", line = 1))
+        assertEquals(
+            "title is missing; perhaps \"titel\" is meant for it.",
+            complaint("\"title\"", "\"titel\"", line = 1),
+        )
         assertEquals("walls[0].thickness is missing.", complaint("\"thickness\"", "\"width\""))
         assertEquals("robots[0].start.heading is missing.", complaint("\"heading\"", "\"facing\""))
-        assertEquals("goals[5].goals[1].line is missing.", complaint("\"line\": \"loop\"", "\"lane\": \"loop\""))
+        assertEquals("goals[5].goals[1].line is missing.", complaint("\"line\": \"loop\"", "\"way\": \"loop\""))
     }
 
     @Test

@@ -3,29 +3,28 @@ package robotran.world.file
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
-import kotlin.test.assertTrue
 
 class RejectedWorldTest {
     @Test
     fun `text that is not JSON is refused with its line`() {
         assertEquals(
-            "Line 5 cannot be read: something is missing or out of place there.",
+            "Line 4: a comma is missing at its end, before the next entry.",
             refusalWith("\"Everything\",", "\"Everything\""),
         )
         assertEquals(
             "Line 4 has a text that is not closed with a quote.",
             refusalWith("\"Everything\",", "\"Everything,"),
         )
-        assertEquals("Line 1 cannot be read: something is missing or out of place there.", refusal("").message)
-        assertEquals("Line 2 cannot be read: something is missing or out of place there.", refusal("{\n\n").message)
-        assertTrue(refusal("\u0000\uD800").message.startsWith("Line 1 cannot be read"))
+        assertEquals("The file is empty.", refusal("").message)
+        assertEquals("Line 1 opens a { that no } closes.", refusal("{\n\n").message)
+        assertEquals("Line 1: \\u0000 cannot stand there.", refusal("\u0000\uD800").message)
     }
 
     @Test
     fun `JSON that is no world is refused`() {
         val notWorld = "This is not a Robotran world: a world file says \"format\": \"robotran-world\"."
         assertEquals(notWorld, refusal("{}").message)
-        assertEquals(notWorld, refusalWith("\"robotran-world\"", "\"something else\""))
+        assertEquals("Line 2: $notWorld", refusalWith("\"robotran-world\"", "\"something else\""))
         assertEquals("Line 1: the file must be an object in braces.", refusal("[]").message)
         assertEquals("Line 1: the file must be an object in braces.", refusal("null").message)
     }
@@ -33,7 +32,7 @@ class RejectedWorldTest {
     @Test
     fun `a world of a newer version is refused as such`() {
         assertEquals(
-            "This world was made by a newer Robotran (it has version 3, this Robotran reads up to 2).",
+            "Line 3: This world was made by a newer Robotran (it has version 3, this Robotran reads up to 2).",
             refusalWith("\"version\": 2", "\"version\": 3"),
         )
         assertEquals("Line 3: version must be from 1 to 2.", refusalWith("\"version\": 2", "\"version\": 0"))
@@ -57,12 +56,11 @@ class RejectedWorldTest {
 
     @Test
     fun `a word without quotes is refused wherever it is`() {
-        val sentence = "must be a number, a text in quotes, true, false or null."
-        assertEquals("Line 6: paper.width $sentence", refusalWith("\"width\": 200", "\"width\": NaN"))
-        assertEquals("Line 6: paper.width $sentence", refusalWith("\"width\": 200", "\"width\": 0x64"))
+        assertEquals("Line 6: NaN is not a number.", refusalWith("\"width\": 200", "\"width\": NaN"))
+        assertEquals("Line 6: 0x64 is not a number.", refusalWith("\"width\": 200", "\"width\": 0x64"))
         assertEquals(
-            "Line 6: paper.depth $sentence",
-            refusalWith("\"width\": 200", "\"width\": 200, \"depth\": Infinity"),
+            "Line 6: a text stands in double quotes: \"deep\".",
+            refusalWith("\"width\": 200", "\"width\": 200, \"depth\": deep"),
         )
     }
 
@@ -82,14 +80,17 @@ class RejectedWorldTest {
     }
 
     @Test
-    fun `bytes are read as UTF-8 with or without a byte order mark`() {
+    fun `bytes are read as UTF-8 with or without a byte order mark, and in old encodings with a warning`() {
         val text = FULL_WORLD.replaceFirst("Everything", "Überall")
         val world = WorldFileResult.Loaded(loaded(text))
         assertEquals<WorldFileResult>(world, readWorld(text.encodeToByteArray()))
         assertEquals<WorldFileResult>(world, readWorld("\uFEFF$text".encodeToByteArray()))
+        val old = assertIs<WorldFileResult.Loaded>(readWorld(ByteArray(text.length) { text[it].code.toByte() }))
+        assertEquals(world.world, old.world)
+        assertEquals("The file is in Windows-1252, not in UTF-8.", old.warnings.single().message)
         assertEquals(
-            "The file is not a text in UTF-8; an editor can save it as one.",
-            assertIs<WorldFileResult.Rejected>(readWorld(ByteArray(text.length) { text[it].code.toByte() })).message,
+            "The file is not a text.",
+            assertIs<WorldFileResult.Rejected>(readWorld(byteArrayOf(0, -1, 3))).message,
         )
         assertEquals(
             "The file is too long: more than 1000000 characters.",

@@ -148,11 +148,11 @@ class RobotFileTest {
     @Test
     fun `files that are no robots of this version are refused`() {
         assertEquals(
-            "This is not a Robotran robot: a robot file says \"format\": \"robotran-robot\".",
+            "Line 2: This is not a Robotran robot: a robot file says \"format\": \"robotran-robot\".",
             robotRefusal("robotran-robot", "robotran-world"),
         )
         assertEquals(
-            "This robot was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
+            "Line 3: This robot was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
             robotRefusal("\"version\": 1", "\"version\": 2"),
         )
         assertEquals("Line 3: version must be from 1 to 1.", robotRefusal("\"version\": 1", "\"version\": 0"))

@@ -49,7 +49,8 @@ internal fun robotRefusal(old: String, new: String): String {
 internal fun holds(result: RobotFileResult) {
     when (result) {
         is RobotFileResult.Loaded -> {
-            assertEquals<RobotFileResult>(result, readRobot(writeRobot(result.robot)))
+            val again = assertIs<RobotFileResult.Loaded>(readRobot(writeRobot(result.robot)))
+            assertEquals(result.robot, again.robot)
         }
 
         is RobotFileResult.Rejected -> {

@@ -109,7 +109,7 @@ internal fun complaint(
 internal fun holds(result: WorldFileResult) {
     when (result) {
         is WorldFileResult.Loaded -> {
-            assertEquals<WorldFileResult>(result, readWorld(writeWorld(result.world)))
+            assertEquals(result.world, loaded(writeWorld(result.world)))
         }
 
         is WorldFileResult.Rejected -> {

@@ -1,5 +1,8 @@
 package robotran.ui.assignment.making
 
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -13,12 +16,17 @@ import robotran.ui.assignment.LinkOrProblem
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.documents.Explanation
+import robotran.ui.documents.LocalLinkNote
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_not_copied
 import robotran.ui.resources.hand_in_copied
 import robotran.ui.resources.hand_in_copy
 import robotran.ui.resources.hand_in_share
+import robotran.ui.resources.make_embed_code
+import robotran.ui.resources.make_embed_copied
 import robotran.ui.resources.make_embed_copy
 import robotran.ui.resources.make_give
 import robotran.ui.resources.make_give_help
@@ -88,6 +96,8 @@ internal fun PupilLinkView(
             if (onShare != null) SecondButton(stringResource(Res.string.hand_in_share), "$place-link-share", onShare)
         }
     }
+    // What is handed in needs no such note: a teacher pastes its link wherever Robotran is open.
+    link.link?.let { LocalLinkNote(it) }
     LinkOrProblem(link.link, link.problem, "$place-qr", qrHelp, isForClass = true)
 }
 
@@ -104,11 +114,12 @@ internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Uni
                     })
                 }
             }
-            val copy = if (state.embedCodeCopied) Res.string.hand_in_copied else Res.string.make_embed_copy
+            val copy = if (state.embedCodeCopied) Res.string.make_embed_copied else Res.string.make_embed_copy
             SecondButton(stringResource(copy), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
         }
         val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
-        ComesIntoView(if (state.isPacking) "packing" else packed ?: state.embedProblem) { PlatformResult(state) }
+        val result = packed ?: state.embedCode ?: state.embedProblem
+        ComesIntoView(if (state.isPacking) "packing" else result) { PlatformResult(state) }
     }
 }
 
@@ -122,7 +133,28 @@ private fun PlatformResult(state: MakingState) {
     }
     if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
     state.embedProblem?.let { LinkOrProblem(null, it, "make-embed-problem") }
+    state.embedCode?.let { EmbedCode(it, state.embedCodeCopied) }
 }
+
+/** The code stays in sight, since a browser may not let it be copied. */
+@Composable
+private fun EmbedCode(code: String, isCopied: Boolean) {
+    OutlinedTextField(
+        code,
+        onValueChange = {},
+        Modifier.fillMaxWidth().testTag("make-embed-code"),
+        readOnly = true,
+        label = { Text(stringResource(Res.string.make_embed_code)) },
+        maxLines = MAX_CODE_LINES,
+        colors = fieldColours(),
+    )
+    val news = Modifier.testTag("make-embed-copied").semantics { liveRegion = LiveRegionMode.Polite }
+    val words = if (isCopied) Res.string.make_embed_copied else Res.string.documents_not_copied
+    Explanation(stringResource(words), news)
+    LocalLinkNote(code)
+}
+
+private const val MAX_CODE_LINES = 3
 
 /** The standards are called alike in all languages. */
 private val SCORM = listOf(ScormVersion.SCORM_2004 to "SCORM 2004", ScormVersion.SCORM_1_2 to "SCORM 1.2")

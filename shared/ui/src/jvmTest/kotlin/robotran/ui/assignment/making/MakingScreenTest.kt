@@ -161,6 +161,36 @@ class MakingScreenTest {
     }
 
     @Test
+    fun `the code for a web page is shown and told to be copied`() {
+        for (size in SIZES) {
+            making(size) { workshop ->
+                scrollAndTouch("make-embed")
+                pass(500)
+                assertSeenAndTold("make-embed-copied")
+                onNodeWithTag("make-embed-copied").assertTextContains("Code copied")
+                onNodeWithTag("make-embed-code").assertTextContains("<iframe src=", substring = true)
+                assertEquals(machine.clipboard.text, workshop.state.making?.embedCode)
+                assertTrue(!has("link-local"))
+            }
+        }
+    }
+
+    @Test
+    fun `links and codes that begin with localhost say that they work on this machine only`() {
+        machine.page = "http://localhost:8282/"
+        making(PHONE) {
+            scrollAndTouch("make-embed")
+            pass(500)
+            onNodeWithTag("link-local").assertTextContains("localhost:8282 and works on this machine", true)
+        }
+        making(PHONE) {
+            scrollAndTouch("make-pupil-link")
+            pass(500)
+            onNodeWithTag("link-local").assertTextContains("localhost:8282 and works on this machine", true)
+        }
+    }
+
+    @Test
     fun `the check tells of a program to begin with that already reaches the goals`() {
         val begun = AnyAssignment.program("beep\n" + AnyAssignment.SOLUTION)
         val robot = ProjectRobot(AnyAssignment.world.robots.first().name, listOf(begun))

@@ -1,0 +1,67 @@
+package robotran.cli.check
+
+import robotran.cli.files.PROGRAM_ENDINGS
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.cli.input.CourseReading
+import robotran.cli.input.readCourseFile
+import robotran.cli.messages.CommandMessages
+import robotran.documents.FileKind
+import robotran.documents.jsonKindOf
+import robotran.json.JsonWarning
+import robotran.language.Language
+import robotran.projects.CourseFileResult
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
+import robotran.world.file.RobotFileResult
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readRobot
+import robotran.world.file.readWorld
+
+/** Checks the world, robot, project or course [name]. */
+internal fun checkDescription(name: String, language: Language): CheckedFile {
+    val messages = CommandMessages.of(language)
+    val file = when (val file = readTextFile(name, messages)) {
+        is TextFile.Rejected -> return CheckedFile.Unreadable(file.reason)
+        is TextFile.Read -> file
+    }
+    return when (jsonKindOf(name, file.text)) {
+        null -> CheckedFile.Unreadable(messages.notToBeChecked(name, PROGRAM_ENDINGS + DESCRIPTION_ENDINGS))
+        FileKind.COURSE -> checkCourse(name, language)
+        FileKind.PROJECT -> checked(readProject(file.text, language), file.remarks)
+        FileKind.ROBOT -> checked(readRobot(file.text, language), file.remarks)
+        else -> checked(readWorld(file.text, language), file.remarks)
+    }
+}
+
+/** Checks the course [name], which may be a folder, with the assignments beside it. */
+internal fun checkCourse(name: String, language: Language): CheckedFile =
+    when (val reading = readCourseFile(name, language)) {
+        is CourseReading.Unreadable -> CheckedFile.Unreadable(reading.reason)
+
+        is CourseReading.Read -> when (val result = reading.result) {
+            is CourseFileResult.Loaded -> CheckedFile.Described(null, result.warnings)
+            is CourseFileResult.Rejected -> mistake(result.message, result.line, result.path)
+        }
+    }
+
+private fun checked(result: ProjectFileResult, remarks: List<String>): CheckedFile = when (result) {
+    is ProjectFileResult.Loaded -> CheckedFile.Described(null, result.warnings, remarks)
+    is ProjectFileResult.Rejected -> mistake(result.message, result.line, result.path, remarks)
+}
+
+private fun checked(result: RobotFileResult, remarks: List<String>): CheckedFile = when (result) {
+    is RobotFileResult.Loaded -> CheckedFile.Described(null, result.warnings, remarks)
+    is RobotFileResult.Rejected -> mistake(result.message, result.line, result.path, remarks)
+}
+
+private fun checked(result: WorldFileResult, remarks: List<String>): CheckedFile = when (result) {
+    is WorldFileResult.Loaded -> CheckedFile.Described(null, result.warnings, remarks)
+    is WorldFileResult.Rejected -> mistake(result.message, result.line, result.path, remarks)
+}
+
+private fun mistake(message: String, line: Int?, path: String, remarks: List<String> = emptyList()) =
+    CheckedFile.Described(JsonWarning(message, line, path), emptyList(), remarks)
+
+private val DESCRIPTION_ENDINGS =
+    listOf(FileKind.WORLD, FileKind.ROBOT, FileKind.PROJECT, FileKind.COURSE).map { it.extension }
