@@ -27,7 +27,10 @@ private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject 
     when (file) {
         is CheckedFile.Robolang -> put(
             "diagnostics",
-            JsonArray(diagnosticsOf(file.file).map(::json) + file.translated.map { json("mistake", it) }),
+            JsonArray(
+                diagnosticsOf(file.file).map(::json) +
+                    file.translated.map { json(if (file.isForBrick) "mistake" else "warning", it) },
+            ),
         )
 
         is CheckedFile.Java -> put(

@@ -3,13 +3,9 @@ package robotran.cli.files
 import robotran.cli.messages.EnglishCommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.documents.programText
-import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.charset.CharacterCodingException
-import java.nio.file.InvalidPathException
 import java.nio.file.Path
-import kotlin.io.path.createParentDirectories
-import kotlin.io.path.writeBytes
 
 /** The result of reading a text file. */
 internal sealed interface TextFile {
@@ -32,14 +28,4 @@ private fun textOf(name: String, bytes: ByteArray): String = try {
     Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString()
 } catch (problem: CharacterCodingException) {
     programText(name, bytes) ?: throw problem
-}
-
-/** Writes [bytes] to the file [name]. Returns null on success, otherwise an error message that names the file. */
-internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {
-    Path.of(name).createParentDirectories().writeBytes(bytes)
-    null
-} catch (_: InvalidPathException) {
-    messages.notAFileName(name)
-} catch (problem: IOException) {
-    messages.unwritable(name, problem.message.orEmpty())
 }

@@ -5,6 +5,7 @@ import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.files.FileContent
 import robotran.cli.files.LARGEST_FILE_BYTES
+import robotran.cli.files.liesIn
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.documents.COURSE_EXTENSION
@@ -14,14 +15,11 @@ import robotran.projects.LinkResult
 import robotran.projects.isCourseLink
 import robotran.projects.openLink
 import robotran.projects.readCourse
-import java.io.IOException
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import kotlin.io.path.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
-import kotlin.io.path.isRegularFile
-import kotlin.io.path.readBytes
 
 /** Whether [name] is a course file, a folder with a course in it, or a link to a course. */
 internal fun isCourse(name: String): Boolean =
@@ -41,13 +39,14 @@ internal fun courseOf(name: String, console: Console): Course? {
         }
 
         is FileContent.Read -> {
-            when (val result = readCourse(content.bytes, console.language) { besides(folder ?: Path(name), it) }) {
+            val files = FilesBeside(folder ?: Path(name), console)
+            when (val result = readCourse(content.bytes, console.language, files::read)) {
                 is CourseFileResult.Loaded -> {
                     result.course
                 }
 
                 is CourseFileResult.Rejected -> {
-                    console.complain("$name: ${result.message}")
+                    console.complain("$name: ${files.problem ?: result.message}")
                     null
                 }
             }
@@ -74,11 +73,27 @@ private fun listIn(name: String): Path? = try {
     null
 }
 
-/** The reader accepts only names without folders. */
-private fun besides(course: Path, name: String): ByteArray? = try {
-    course.resolveSibling(name).takeIf { it.isRegularFile() }?.readBytes()
-} catch (_: IOException) {
-    null
-} catch (_: InvalidPathException) {
-    null
+/** The files in the folder of [course]. The reader accepts only names without folders. */
+private class FilesBeside(private val course: Path, private val console: Console) {
+    /** Why a file that is there could not be read. */
+    var problem: String? = null
+        private set
+
+    fun read(name: String): ByteArray? {
+        val path = try {
+            course.resolveSibling(name).takeIf { it.exists() } ?: return null
+        } catch (_: InvalidPathException) {
+            return null
+        }
+        val content = reading(name, console.messages, FileContent::Rejected) {
+            val isInside = course.toAbsolutePath().parent?.let { liesIn(it, path) } ?: false
+            if (isInside) {
+                readContent(path, name, LARGEST_FILE_BYTES, console.messages)
+            } else {
+                FileContent.Rejected(console.messages.leadsOutside(name))
+            }
+        }
+        if (content is FileContent.Rejected) problem = content.reason
+        return (content as? FileContent.Read)?.bytes
+    }
 }

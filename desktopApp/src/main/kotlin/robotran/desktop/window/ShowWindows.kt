@@ -5,10 +5,13 @@ import androidx.compose.runtime.mutableStateListOf
 import androidx.compose.runtime.remember
 import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
+import robotran.cli.console.ProcessConsole
+import robotran.cli.console.tellUnexpected
 import robotran.desktop.platform.dataFolder
 import robotran.desktop.platform.openedFile
 import robotran.ui.platform.FolderKeyValueStore
 import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.appLanguage
 import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 
@@ -18,7 +21,7 @@ internal fun showWindows(arrival: OpenRequest?) {
     val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }
     val windows = mutableStateListOf(OpenWindow(store, arrival, restoresLastProject = true))
     Thread.setDefaultUncaughtExceptionHandler { _, problem ->
-        problem.printStackTrace()
+        ProcessConsole.tellUnexpected(problem, appLanguage(null))
         windows.toList().forEach(OpenWindow::saveAfterError)
     }
     onFilesOpened { windows.firstOrNull()?.bring(it) }
