@@ -30,3 +30,12 @@ kotlin {
         }
     }
 }
+
+tasks.test {
+    // A test reads these sources: it looks for code that writes files by itself.
+    inputs.dir(rootProject.file("desktopApp/src")).withPathSensitivity(PathSensitivity.RELATIVE)
+    inputs.dir(rootProject.file("shared/desktop-tower/src")).withPathSensitivity(PathSensitivity.RELATIVE)
+    inputs.dir(rootProject.file("shared/documents/src")).withPathSensitivity(PathSensitivity.RELATIVE)
+    inputs.dir(rootProject.file("shared/ui/src")).withPathSensitivity(PathSensitivity.RELATIVE)
+    inputs.dir(rootProject.file("shared/workshop/src")).withPathSensitivity(PathSensitivity.RELATIVE)
+}

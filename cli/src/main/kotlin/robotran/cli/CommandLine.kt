@@ -12,6 +12,9 @@ import robotran.cli.check.CheckCommand
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
+import robotran.cli.console.languageIn
+import robotran.cli.console.tellUnexpected
+import robotran.cli.console.visible
 import robotran.cli.grade.GradeCommand
 import robotran.cli.image.BuildCommand
 import robotran.cli.packaging.CourseCommand
@@ -28,12 +31,29 @@ import robotran.cli.web.WebCommand
  * @param towers where the infrared tower is; made by the first command that needs it.
  */
 class CommandLine(
-    private val console: Console,
+    console: Console,
     private val desktop: DesktopApp?,
     private val towers: () -> Towers = Towers::ofThisMachine,
 ) {
+    private val console = console.visible()
+
     /** Runs one command and returns the exit status of the process, see [ExitCode]. */
-    fun execute(arguments: List<String>): Int {
+    fun execute(arguments: List<String>): Int = try {
+        carryOut(arguments)
+    } catch (problem: Exception) {
+        failed(problem, arguments)
+    } catch (problem: StackOverflowError) {
+        failed(problem, arguments)
+    } catch (problem: OutOfMemoryError) {
+        failed(problem, arguments)
+    }
+
+    private fun failed(problem: Throwable, arguments: List<String>): Int {
+        console.tellUnexpected(problem, languageIn(arguments))
+        return ExitCode.BROKEN.status
+    }
+
+    private fun carryOut(arguments: List<String>): Int {
         val command =
             RobotranCommand(console, desktop).subcommands(
                 AppCommand(console, desktop),

@@ -21,7 +21,7 @@ internal class RobotranCommand(private val console: Console, private val desktop
         "Exit status: 0 if all is well; 1 if the program failed while it ran or, for check, build, send, translate " +
             "and format, has mistakes or is not formatted; 2 if something given cannot be used, " +
             "for run also a program with mistakes; 3 if there is no display; 4 if a real brick could not be reached " +
-            "or did not get everything."
+            "or did not get everything; 70 if Robotran itself has a mistake."
 
     override fun run() {
         if (currentContext.invokedSubcommand == null) {

@@ -4,6 +4,7 @@ import robotran.cli.CommandLine
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.ProcessConsole
+import robotran.cli.console.tellUncaught
 import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import java.io.File
@@ -15,6 +16,7 @@ import kotlin.system.exitProcess
  */
 fun main(vararg arguments: String) {
     val words = arguments.toList()
+    tellUncaught(words)
     val status = CommandLine(ProcessConsole, ComposeApp).execute(
         if (isOpenedFile(words.firstOrNull())) {
             listOf("app") +

@@ -1,6 +1,8 @@
 package robotran.desktop
 
 import robotran.cli.console.ExitCode
+import robotran.cli.console.ProcessConsole
+import robotran.cli.console.visible
 import robotran.cli.files.noFile
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
@@ -57,7 +59,7 @@ internal fun readOpenRequest(names: List<String>): OpenRequestResult {
 }
 
 private fun refuse(message: String, status: ExitCode): ExitCode {
-    System.err.println(message)
+    ProcessConsole.visible().complain(message)
     return status
 }
 

@@ -46,7 +46,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     override fun run() {
         val compiler =
             ProgramCompiler(PENBOT_TARGET, options.java, spoken.language, FirmwareSettings(target, oldNqc))
-        val results = checkFiles(files, compiler, brick, translating = options.version != null)
+        val results = checkFiles(files, compiler, brick, isForBrick = options.version != null)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
     }
@@ -81,7 +81,13 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     private fun tell(name: String, checked: CheckedFile.Robolang) {
         when (val file = checked.file) {
             is RobolangFile.Ready -> {
-                tell(name, checked.translated.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
+                val (mistakes, remarks) = checked.translated.partition { checked.isForBrick }
+                val refused = remarks.map { it.copy(message = sentences.refusedByBrick(it.message)) }
+                tell(
+                    name,
+                    mistakes.map { lineOf(name, it) },
+                    file.warnings.map { lineOf(name, it) } + refused.map { lineOf(name, it) },
+                )
             }
 
             is RobolangFile.HasErrors -> {
@@ -101,18 +107,10 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     }
 
     private fun statusOf(file: CheckedFile): ExitCode = when (file) {
-        is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready && file.translated.isEmpty()) {
-            ExitCode.DONE
-        } else {
-            ExitCode.PROGRAM_FAILED
-        }
-
+        is CheckedFile.Robolang -> if (file.canRun) ExitCode.DONE else ExitCode.PROGRAM_FAILED
         is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-
         is CheckedFile.Firmware -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-
         is CheckedFile.Described -> if (file.mistake == null) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-
         is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
     }
 }

@@ -33,9 +33,15 @@ internal sealed interface CheckedFile {
     /**
      * A Robolang program.
      *
-     * @property translated why a brick cannot run the Java that it becomes; empty if that was not checked.
+     * @property translated why a brick cannot run the Java that it becomes.
+     * @property isForBrick whether it is to run on a real brick, so that these are mistakes rather than remarks.
      */
-    data class Robolang(val file: RobolangFile, val translated: List<ProgramDiagnostic> = emptyList()) : CheckedFile {
+    data class Robolang(
+        val file: RobolangFile,
+        val translated: List<ProgramDiagnostic> = emptyList(),
+        val isForBrick: Boolean = false,
+    ) : CheckedFile {
+        val canRun: Boolean get() = file is RobolangFile.Ready && !(isForBrick && translated.isNotEmpty())
         override val remarks: List<String> get() = file.remarks
     }
 
@@ -84,20 +90,20 @@ internal sealed interface CheckedFile {
  *
  * @param compiler has the settings of an RCX that Java is for.
  * @param brick that programs are for; null for the one that each names, otherwise an RCX.
- * @param translating whether to check the Java that Robolang programs become, too.
+ * @param isForBrick whether Robolang programs are to run on a real brick.
  */
 internal fun checkFiles(
     names: List<String>,
     compiler: ProgramCompiler,
     brick: BrickKind?,
-    translating: Boolean,
+    isForBrick: Boolean,
 ): List<Pair<String, CheckedFile>> {
     val java = checkJava(names.filter { isNamed(it, JAVA) }.distinct(), compiler, brick)
     val classes = names.filter { isNamed(it, CLASS) }.distinct()
     return (names - classes.drop(1).toSet()).map { name ->
         name to when {
             name in java -> java.getValue(name)
-            isNamed(name, ROBOLANG) -> checkRobolang(name, compiler, brick, translating)
+            isNamed(name, ROBOLANG) -> checkRobolang(name, compiler, brick, isForBrick)
             name in classes -> checkClasses(classes, compiler, brick)
             FIRMWARE_ENDINGS.any { isNamed(name, it) } -> checkFirmware(name, compiler, brick)
             isCourse(name) -> checkCourse(name, compiler.language)
@@ -144,14 +150,14 @@ private fun checkRobolang(
     name: String,
     compiler: ProgramCompiler,
     brick: BrickKind?,
-    translating: Boolean,
+    isForBrick: Boolean,
 ): CheckedFile = when (val file = readRobolangFile(name, compiler.language, brick)) {
     is RobolangFile.Unreadable -> {
         CheckedFile.Unreadable(file.reason)
     }
 
     is RobolangFile.Ready -> {
-        CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
+        CheckedFile.Robolang(file, checkTranslation(file, compiler), isForBrick)
     }
 
     is RobolangFile.HasErrors -> {

@@ -33,7 +33,8 @@ private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject 
 
 private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file) {
     is CheckedFile.Robolang -> {
-        diagnosticsOf(file.file).map(::json) + file.translated.map { json("mistake", it) }
+        diagnosticsOf(file.file).map(::json) +
+            file.translated.map { json(if (file.isForBrick) "mistake" else "warning", it) }
     }
 
     is CheckedFile.Java -> {

@@ -2,8 +2,9 @@ package robotran.cli.console
 
 import robotran.json.JsonWarning
 import robotran.language.Language
+import robotran.language.visibleText
 
-/** The output of the command line. Tests pass one that records it. */
+/** The output of the command line. Tests pass one that records it. Texts are for people and go through [visible]. */
 interface Console {
     /** The language of the messages. */
     val language: Language get() = Language.ENGLISH
@@ -22,6 +23,19 @@ interface Console {
 internal fun Console.warn(name: String, remarks: List<String>, warnings: List<JsonWarning>) {
     remarks.forEach(::complain)
     warnings.forEach { complain(messages.warning("$name: ${it.message}")) }
+}
+
+/** This console with all text as [visibleText] has it, whatever a program, a file name or a message contains. */
+fun Console.visible(): Console = VisibleConsole(this)
+
+private class VisibleConsole(private val console: Console) : Console by console {
+    override fun say(words: String) = console.say(visibleText(words))
+
+    override fun complain(words: String) = console.complain(visibleText(words))
+
+    /** A progress bar begins its line anew. */
+    override fun mention(words: String) =
+        console.mention(words.split('\r').joinToString("\r", transform = ::visibleText))
 }
 
 /** Standard output and standard error of the process. */

@@ -16,4 +16,7 @@ enum class ExitCode(val status: Int) {
 
     /** A real brick could not be reached, or did not get all that was sent. */
     NO_BRICK(4),
+
+    /** Robotran itself has failed; the code that systems have for this. */
+    BROKEN(70),
 }

@@ -14,10 +14,10 @@ import robotran.language.listed
  */
 internal class LanguageOption : OptionGroup() {
     val language by option(
-        "--language",
+        OPTION,
         metavar = Language.entries.joinToString("|") { it.tag },
-        envvar = "ROBOTRAN_LANGUAGE",
-        help = "tells mistakes and results in $NAMES; English if neither this nor ROBOTRAN_LANGUAGE is given",
+        envvar = VARIABLE,
+        help = "tells mistakes and results in $NAMES; English if neither this nor $VARIABLE is given",
     ).convert { text -> Language.of(text) ?: fail("$text is none of ${Language.entries.joinToString { it.tag }}") }
         .default(Language.ENGLISH)
 
@@ -26,6 +26,16 @@ internal class LanguageOption : OptionGroup() {
         val NAMES = listed(Language.entries.map { it.name.lowercase().replaceFirstChar(Char::uppercase) }, "or")
     }
 }
+
+/** The language that [arguments] ask for, where they may be wrong in other things. */
+internal fun languageIn(arguments: List<String>): Language {
+    val named = arguments.zipWithNext().firstOrNull { it.first == OPTION }?.second
+        ?: arguments.firstOrNull { it.startsWith("$OPTION=") }?.substringAfter('=')
+    return Language.of(named ?: System.getenv(VARIABLE).orEmpty()) ?: Language.ENGLISH
+}
+
+private const val OPTION = "--language"
+private const val VARIABLE = "ROBOTRAN_LANGUAGE"
 
 /** This console with messages in [language]. */
 internal fun Console.speaking(language: Language): Console = SpeakingConsole(this, language)

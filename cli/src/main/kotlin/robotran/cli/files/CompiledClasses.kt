@@ -6,11 +6,9 @@ import robotran.tinyvm.config.TinyVmLimits
 import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.isDirectory
-import kotlin.io.path.isRegularFile
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
-import kotlin.io.path.walk
 
 /** Reads the class files [names] and their nested classes, which must lie next to them. */
 internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadProgram =
@@ -24,10 +22,12 @@ internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadPr
 internal fun readClassFolder(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {
         val folder = Path.of(name)
-        val paths = folder.walk().filter { it.isRegularFile() && isClassFile(folder.relativize(it).toString()) }
-        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1).sorted().toList(), messages) {
-            folder.relativize(it).toString()
+        val paths = filesIn(folder, MAX_FILES_IN_FOLDER) { _, problem -> throw problem }
+            .filter { isClassFile(folder.relativize(it).toString()) }
+        paths.firstOrNull { !liesIn(folder, it) }?.let {
+            return@reading ReadProgram.Rejected(messages.leadsOutside("$it"))
         }
+        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1), messages) { folder.relativize(it).toString() }
     }
 
 /**
@@ -78,3 +78,6 @@ private fun innerClassesOf(classFile: Path): List<Path> {
 }
 
 internal const val CLASS = ".class"
+
+/** Among them may be sources and other things. */
+private const val MAX_FILES_IN_FOLDER = 100_000

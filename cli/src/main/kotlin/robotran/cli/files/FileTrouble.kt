@@ -2,7 +2,9 @@ package robotran.cli.files
 
 import robotran.cli.messages.FileMessages
 import java.io.IOException
+import java.io.UncheckedIOException
 import java.nio.file.AccessDeniedException
+import java.nio.file.DirectoryIteratorException
 import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
 import java.util.zip.ZipException
@@ -20,4 +22,8 @@ internal fun <T> reading(name: String, messages: FileMessages, refuse: (String) 
     refuse(messages.notAJar(name))
 } catch (problem: IOException) {
     refuse(messages.unreadable(name, problem.message.orEmpty()))
+} catch (problem: UncheckedIOException) {
+    reading(name, messages, refuse) { throw checkNotNull(problem.cause) }
+} catch (problem: DirectoryIteratorException) {
+    reading(name, messages, refuse) { throw checkNotNull(problem.cause) }
 }

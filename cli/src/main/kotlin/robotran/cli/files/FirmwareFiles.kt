@@ -1,5 +1,6 @@
 package robotran.cli.files
 
+import robotran.cli.messages.EnglishCommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.programs.ProgramSource
@@ -9,8 +10,11 @@ import robotran.projects.ProjectLimits
 import java.nio.file.Path
 import kotlin.io.path.isRegularFile
 
-/** Reads the NQC program [name] with the files that it includes, which lie beside it or in folders there. */
-internal fun readNqc(name: String, messages: FileMessages): ReadProgram {
+/**
+ * Reads the NQC program [name] with the files that it includes, which lie beside it or in folders there: a program of
+ * somebody else's cannot get at other files of the user.
+ */
+internal fun readNqc(name: String, messages: FileMessages = EnglishCommandMessages): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
     val remarks = mutableListOf<String>()
     val waiting = ArrayDeque(listOf(name))
@@ -25,17 +29,51 @@ internal fun readNqc(name: String, messages: FileMessages): ReadProgram {
             is TextFile.Read -> {
                 files[next] = SourceFile(file.name, file.text)
                 remarks += file.remarks
-                nqcIncludes(file.text).mapNotNullTo(waiting) { fileBeside(next, it) ?: fileBeside(name, it) }
+                for (included in nqcIncludes(file.text)) {
+                    when (val found = findIncluded(included, next, name)) {
+                        is IncludedFile.Found -> {
+                            waiting += found.name
+                        }
+
+                        IncludedFile.Outside -> {
+                            val line = file.text.lines().indexOfFirst { included in nqcIncludes(it) } + 1
+                            return ReadProgram.Rejected(messages.includesOutside(next, line, included))
+                        }
+
+                        IncludedFile.Missing -> {}
+                    }
+                }
             }
         }
     }
     return ReadProgram.Read(ProgramSource.Nqc(nameOf(files.getValue(name).name), files.values.toList()), remarks)
 }
 
-/** The path of [included], as [name] names it; null if there is no such file, which the compiler tells. */
-private fun fileBeside(name: String, included: String): String? =
-    runCatching { Path.of(name).resolveSibling(included).normalize() }.getOrNull()
-        ?.takeIf { it.isRegularFile() }?.toString()
+private sealed interface IncludedFile {
+    data class Found(val name: String) : IncludedFile
+
+    /** Not in the program's folder, whether it is there or not. */
+    data object Outside : IncludedFile
+
+    /** The compiler tells this. */
+    data object Missing : IncludedFile
+}
+
+/** Looks for [included] beside [file], then beside the [program]. */
+private fun findIncluded(included: String, file: String, program: String): IncludedFile {
+    val folder = Path.of(program).toAbsolutePath().normalize().parent ?: return IncludedFile.Missing
+    val places = listOf(file, program).mapNotNull { name ->
+        runCatching { Path.of(name).resolveSibling(included).normalize() }.getOrNull()
+    }
+    val (inside, outside) = places.partition { isNamedIn(folder, it) }
+    val files = inside.filter { it.isRegularFile() }
+    val found = files.firstOrNull { liesIn(folder, it) }
+    return when {
+        found != null -> IncludedFile.Found("$found")
+        files.isNotEmpty() || outside.isNotEmpty() -> IncludedFile.Outside
+        else -> IncludedFile.Missing
+    }
+}
 
 internal fun readLasm(name: String, messages: FileMessages): ReadProgram =
     when (val file = readTextFile(name, messages)) {

@@ -7,11 +7,7 @@ import robotran.documents.TextReading
 import robotran.documents.plainFileName
 import robotran.documents.readText
 import robotran.documents.sentenceFor
-import java.io.IOException
-import java.nio.file.InvalidPathException
 import java.nio.file.Path
-import kotlin.io.path.createParentDirectories
-import kotlin.io.path.writeBytes
 
 /** The result of reading a text file. */
 internal sealed interface TextFile {
@@ -49,13 +45,3 @@ private fun textIn(name: String, bytes: ByteArray, messages: FileMessages): Text
 
 /** Whether [name] ends in [ending] as [plainFileName] knows it: in any capitals, or with `.txt` behind it. */
 internal fun isNamed(name: String, ending: String): Boolean = plainFileName(name).endsWith(ending, ignoreCase = true)
-
-/** Writes [bytes] to the file [name]. Returns null on success, otherwise an error message that names the file. */
-internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {
-    Path.of(name).createParentDirectories().writeBytes(bytes)
-    null
-} catch (_: InvalidPathException) {
-    messages.notAFileName(name)
-} catch (problem: IOException) {
-    messages.unwritable(name, problem.message.orEmpty())
-}

@@ -20,6 +20,7 @@ import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.cli.files.ON_CONSOLE
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.courseOf
@@ -103,7 +104,7 @@ internal class CourseGrader(private val console: Console, private val desktop: D
             outputs.junit?.let { writer.write(it, gradeJUnit(report.title, rows, messages)) },
             outputs.report?.let { writer.write(it, gradeJson(request.world, report.title, rows)) },
             outputs.csv?.let {
-                if (it == GradeOutputs.CONSOLE) {
+                if (it == ON_CONSOLE) {
                     writer.write(it, csvReport(report, console.language).trimEnd())
                 } else {
                     writer.write(it, csvFile(report, console.language))
@@ -120,6 +121,6 @@ internal class CourseGrader(private val console: Console, private val desktop: D
         val seeds = request.seeds ?: report.tasks.first().plan.seeds
         val table = GradeTables(seeds, messages) { _, _ -> null }.ofClass(rows, areFiles = false)
         val lines = report.tasks.flatMap { remarkLines(it, console.language) + similarityLines(it, console.language) }
-        return (listOf(table) + lines).joinToString("\n") { line -> line.filterNot { it.isISOControl() && it != '\n' } }
+        return (listOf(table) + lines).joinToString("\n")
     }
 }

@@ -10,8 +10,11 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
+import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.speaking
+import robotran.cli.files.ON_CONSOLE
+import robotran.cli.files.mayWrite
 import robotran.cli.input.MAX_SEEDS
 import robotran.cli.input.readSeeds
 import robotran.cli.run.RunOptions
@@ -79,6 +82,9 @@ internal class GradeCommand(private val console: Console, private val desktop: D
     override fun run() {
         val request =
             GradeRequest(world, programs, seeds, jobs, options, GradeOutputs(junit, report, csv, html, feedback))
+        if (!mayWrite(request.inputs, request.outputs.names, console.speaking(spoken.language))) {
+            throw ProgramResult(ExitCode.BAD_INPUT.status)
+        }
         throw ProgramResult(ProgramGrader(console.speaking(spoken.language), desktop).run(request).status)
     }
 
@@ -101,7 +107,11 @@ internal class GradeRequest(
     val jobs: Int,
     val options: RunOptions,
     val outputs: GradeOutputs,
-)
+) {
+    /** What it reads, as the user entered it. */
+    val inputs: List<String>
+        get() = programs + world + (options.robots + options.robotFiles).map { it.file }
+}
 
 /** What to write: file names, - for the console, null for none. */
 internal class GradeOutputs(
@@ -111,10 +121,8 @@ internal class GradeOutputs(
     val html: String?,
     val feedback: String? = null,
 ) {
-    /** Whether one of them replaces the table on the console. */
-    val useConsole: Boolean get() = CONSOLE in listOf(junit, report, csv)
+    val names: List<String?> get() = listOf(junit, report, csv, html, feedback)
 
-    companion object {
-        const val CONSOLE = "-"
-    }
+    /** Whether one of them replaces the table on the console. */
+    val useConsole: Boolean get() = ON_CONSOLE in listOf(junit, report, csv)
 }

@@ -2,6 +2,7 @@ package robotran.cli.grade
 
 import robotran.cli.console.textOf
 import robotran.cli.messages.CommandMessages
+import robotran.language.visibleText
 import robotran.simulation.GoalReport
 import robotran.simulation.grade.Grade
 import java.io.StringWriter
@@ -84,9 +85,9 @@ private fun XMLStreamWriter.element(name: String, vararg attributes: Pair<String
 
 private fun XMLStreamWriter.characters(lines: List<String>) = writeCharacters(legal(lines.joinToString("\n")))
 
-/** Replaces characters that XML does not allow, such as a bell, by question marks. */
+/** Characters that XML does not allow, such as a bell, are seen; two that are none are question marks. */
 private fun legal(text: String): String = buildString {
-    text.codePoints().forEach { code ->
+    visibleText(text).codePoints().forEach { code ->
         val isLegal =
             code == 0x9 || code == 0xA || code == 0xD || code in 0x20..0xD7FF || code in 0xE000..0xFFFD ||
                 code >= 0x10000

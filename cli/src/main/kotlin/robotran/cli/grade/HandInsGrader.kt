@@ -17,6 +17,7 @@ import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.cli.files.ON_CONSOLE
 import robotran.cli.input.LoadedWorld
 
 /** Grades the hand-ins of a class, see [collectHandIns]. */
@@ -64,7 +65,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
             outputs.junit?.let { writer.write(it, gradeJUnit(title, rows, messages)) },
             outputs.report?.let { writer.write(it, gradeJson(request.world, title, rows)) },
             outputs.csv?.let {
-                if (it == GradeOutputs.CONSOLE) {
+                if (it == ON_CONSOLE) {
                     writer.write(it, csvReport(report, console.language).trimEnd())
                 } else {
                     writer.write(it, csvFile(report, console.language))
@@ -91,6 +92,6 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
             tables.ofClass(rows, areFiles = false)
         }
         return (listOf(table) + remarkLines(report, console.language) + similarityLines(report, console.language))
-            .joinToString("\n") { line -> line.filterNot { it.isISOControl() && it != '\n' } }
+            .joinToString("\n")
     }
 }

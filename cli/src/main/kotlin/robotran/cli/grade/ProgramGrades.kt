@@ -1,6 +1,7 @@
 package robotran.cli.grade
 
 import robotran.assignments.grading.GradedHandIn
+import robotran.language.visibleLine
 import robotran.simulation.GoalReport
 import robotran.simulation.ReportedShortfall
 import robotran.simulation.grade.Grade
@@ -43,7 +44,7 @@ internal sealed interface ProgramGrades {
 internal fun gradesOf(result: GradedHandIn, files: SubmittedFiles, shownName: String): ProgramGrades {
     val submission = result.submission
     val name = files.pathOf(submission.origin) ?: submission.origin
-    val shown = shownName.filterNot { it.isISOControl() }
+    val shown = visibleLine(shownName)
     return when (result) {
         is GradedHandIn.Graded -> {
             ProgramGrades.Graded(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })

@@ -8,10 +8,13 @@ import robotran.assignments.collecting.isPlatformName
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.FileContent
 import robotran.cli.files.JAVA
+import robotran.cli.files.LARGEST_FILE_BYTES
 import robotran.cli.files.ROBOLANG
+import robotran.cli.files.filesIn
 import robotran.cli.files.isClassFile
 import robotran.cli.files.isFolder
 import robotran.cli.files.isNamed
+import robotran.cli.files.liesIn
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.cli.input.PROJECT
@@ -19,14 +22,12 @@ import robotran.cli.messages.CommandMessages
 import robotran.language.decodeText
 import robotran.projects.isHandInLink
 import robotran.projects.isLink
-import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.inputStream
 import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
-import kotlin.io.path.readBytes
-import kotlin.streams.asSequence
 
 /** What was named on the command line, for [robotran.assignments.collecting.collectHandIns]. */
 internal class SubmittedFiles(private val messages: CommandMessages) {
@@ -57,11 +58,13 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
     private fun addFolder(name: String, base: Path?) {
         val problem = reading(name, messages, { it }) {
             val folder = Path.of(name)
-            val found = Files.walk(folder).use { walk ->
-                walk.asSequence().take(CollectingLimits.MAXIMUM_FILES).sorted().toList()
+            val found = filesIn(folder, CollectingLimits.MAXIMUM_FILES, withFolders = true) { path, trouble ->
+                reading("$path", messages, { unreadable["$path"] = it }) { throw trouble }
             }
             found.filterNot { isHidden(folder.relativize(it)) }.forEach {
                 when {
+                    !liesIn(folder, it) -> unreadable["$it"] = messages.leadsOutside("$it")
+
                     it.isRegularFile() -> addFile(it.toString(), it, base)
 
                     // One without files is a pupil who has handed in nothing.
@@ -112,7 +115,6 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
 
     private companion object {
         val NOTHING = ByteArray(0)
-        const val LARGEST_FILE_BYTES = 16_000_000
         const val LARGEST_ZIP_BYTES = 256_000_000
     }
 }
@@ -130,9 +132,8 @@ internal fun holdsSubmissions(name: String): Boolean = when {
 private fun isFolderOfSubmissions(folder: Path): Boolean {
     val direct = folder.listDirectoryEntries().filter { it.isRegularFile() }.map { it.name }
     if (direct.any(::isClassFile)) return false
-    val work = Files.walk(folder).use { walk ->
-        walk.asSequence().filter { it.isRegularFile() && !isHidden(folder.relativize(it)) && isUseful(it.name) }
-            .take(CollectingLimits.MAXIMUM_FILES).toList()
+    val work = filesIn(folder, CollectingLimits.MAXIMUM_FILES).filter {
+        !isHidden(folder.relativize(it)) && isUseful(it.name)
     }
     val isJava = direct.any { isNamed(it, JAVA) } && !isOfSeveral(work) &&
         work.all { it.parent == folder && (isNamed(it.name, JAVA) || isNamed(it.name, TEXT)) }
@@ -141,7 +142,10 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
 
 /** Whether a learning platform has named the Java files [work], or more than one of them is a program. */
 private fun isOfSeveral(work: List<Path>): Boolean = work.any { isPlatformName(it.name) } ||
-    work.filter { isNamed(it.name, JAVA) }.count { hasMain(decodeText(it.readBytes())?.text.orEmpty()) } > 1
+    work.filter { isNamed(it.name, JAVA) }.count { hasMain(beginningOf(it)) } > 1
+
+private fun beginningOf(file: Path): String =
+    decodeText(file.inputStream().use { it.readNBytes(LARGEST_FILE_BYTES) })?.text.orEmpty()
 
 private fun isHidden(path: Path): Boolean = path.any { it.name.startsWith('.') && it.name.trim('.').isNotEmpty() }
 

@@ -13,11 +13,13 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.oldNqcOption
+import robotran.cli.console.speaking
 import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.RCX_IMAGE
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.isNamed
+import robotran.cli.files.mayWrite
 import robotran.cli.files.writeFile
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
@@ -56,6 +58,9 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     override fun help(context: Context) = "Builds programs for a real brick with the firmware of leJOS or LEGO."
 
     override fun run() {
+        if (!mayWrite(files, listOf(output), console.speaking(spoken.language))) {
+            throw ProgramResult(ExitCode.BAD_INPUT.status)
+        }
         throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
     }
 

@@ -6,6 +6,7 @@ import robotran.cli.console.warn
 import robotran.cli.files.FileContent
 import robotran.cli.files.LARGEST_FILE_BYTES
 import robotran.cli.files.isNamed
+import robotran.cli.files.liesIn
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.cli.messages.CommandMessages
@@ -17,14 +18,11 @@ import robotran.projects.LinkResult
 import robotran.projects.isCourseLink
 import robotran.projects.openLink
 import robotran.projects.readCourse
-import java.io.IOException
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import kotlin.io.path.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
-import kotlin.io.path.isRegularFile
-import kotlin.io.path.readBytes
 
 /** Whether [name] is a course file, a folder with a course in it, or a link to a course. */
 internal fun isCourse(name: String): Boolean =
@@ -51,7 +49,10 @@ internal fun readCourseFile(name: String, language: Language): CourseReading {
         }
 
         is FileContent.Read -> {
-            CourseReading.Read(readCourse(content.bytes, language) { besides(folder ?: Path(name), it) })
+            val files = FilesBeside(folder ?: Path(name), messages)
+            val result = readCourse(content.bytes, language, files::read)
+            val problem = files.problem.takeIf { result is CourseFileResult.Rejected }
+            if (problem == null) CourseReading.Read(result) else CourseReading.Unreadable("$name: $problem")
         }
     }
 }
@@ -100,11 +101,27 @@ private fun listIn(name: String): Path? = try {
     null
 }
 
-/** The reader accepts only names without folders. */
-private fun besides(course: Path, name: String): ByteArray? = try {
-    course.resolveSibling(name).takeIf { it.isRegularFile() }?.readBytes()
-} catch (_: IOException) {
-    null
-} catch (_: InvalidPathException) {
-    null
+/** The files in the folder of [course]. The reader accepts only names without folders. */
+private class FilesBeside(private val course: Path, private val messages: CommandMessages) {
+    /** Why a file that is there could not be read. */
+    var problem: String? = null
+        private set
+
+    fun read(name: String): ByteArray? {
+        val path = try {
+            course.resolveSibling(name).takeIf { it.exists() } ?: return null
+        } catch (_: InvalidPathException) {
+            return null
+        }
+        val content = reading(name, messages, FileContent::Rejected) {
+            val isInside = course.toAbsolutePath().parent?.let { liesIn(it, path) } ?: false
+            if (isInside) {
+                readContent(path, name, LARGEST_FILE_BYTES, messages)
+            } else {
+                FileContent.Rejected(messages.leadsOutside(name))
+            }
+        }
+        if (content is FileContent.Rejected) problem = content.reason
+        return (content as? FileContent.Read)?.bytes
+    }
 }

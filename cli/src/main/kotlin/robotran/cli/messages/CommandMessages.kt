@@ -10,7 +10,8 @@ internal interface CommandMessages :
     RobotMessages,
     GradeMessages,
     TowerMessages,
-    WebMessages {
+    WebMessages,
+    OutputMessages {
     companion object {
         fun of(language: Language): CommandMessages =
             language.choose(EnglishCommandMessages, SpanishCommandMessages, GermanCommandMessages)
@@ -32,10 +33,6 @@ internal interface FileMessages {
 
     /** @param why the error message of the operating system. */
     fun unreadable(name: String, why: String): String
-
-    fun unwritable(name: String, why: String): String
-
-    fun notAFileName(name: String): String
 
     fun isFolder(name: String): String
 
@@ -60,6 +57,12 @@ internal interface FileMessages {
     /** @param endings the file extensions of programs. */
     fun notAProgram(name: String, endings: List<String>): String
 
+    /** A program in NQC, in [line] of the file [name], includes a file that it may not. */
+    fun includesOutside(name: String, line: Int, included: String): String
+
+    /** A symbolic link in a folder leads out of it. */
+    fun leadsOutside(name: String): String
+
     /** The name of the link if there is only one. */
     fun theLink(): String
 
@@ -80,6 +83,9 @@ internal interface RunMessages {
 
     /** @param line the position and the message. */
     fun warning(line: String): String
+
+    /** A program runs here, but not on a real brick. [reason] is a sentence. */
+    fun refusedByBrick(reason: String): String
 
     /** The image [name] was written; null if none was asked for. Both numbers are bytes. */
     fun imageBuilt(name: String?, bytes: String, left: String): String

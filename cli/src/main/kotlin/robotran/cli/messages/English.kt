@@ -12,7 +12,8 @@ internal object EnglishCommandMessages :
     RobotMessages by EnglishRobotMessages,
     GradeMessages by EnglishGradeMessages,
     TowerMessages by EnglishTowerMessages,
-    WebMessages by EnglishWebMessages
+    WebMessages by EnglishWebMessages,
+    OutputMessages by EnglishOutputMessages
 
 private object EnglishFileMessages : FileMessages {
     override val language = Language.ENGLISH
@@ -26,10 +27,6 @@ private object EnglishFileMessages : FileMessages {
     override fun notAJar(name: String) = "$name is no jar, or a damaged one."
 
     override fun unreadable(name: String, why: String) = "$name could not be read: $why"
-
-    override fun unwritable(name: String, why: String) = "$name could not be written: $why"
-
-    override fun notAFileName(name: String) = "$name is not the name of a file."
 
     override fun isFolder(name: String) = "$name is a folder, not a file."
 
@@ -56,6 +53,11 @@ private object EnglishFileMessages : FileMessages {
     override fun notAProgram(name: String, endings: List<String>) =
         "$name is no program: its name does not end in ${listed(endings, "or")}, and it is no folder."
 
+    override fun includesOutside(name: String, line: Int, included: String) =
+        "$name:$line: it includes $included, which is not in the program's own folder. Copy that file there."
+
+    override fun leadsOutside(name: String) = "$name is a link to a file outside of its folder, and is not read."
+
     override fun theLink() = "The link"
 
     override fun noProgramIn(name: String, robot: String) = "$name has no program for its robot $robot."
@@ -74,6 +76,8 @@ private object EnglishRunMessages : RunMessages {
     override fun noMistakes(name: String) = "$name has no mistakes."
 
     override fun warning(line: String) = "$line (a warning)"
+
+    override fun refusedByBrick(reason: String) = "A real brick would refuse this program. $reason"
 
     override fun imageBuilt(name: String?, bytes: String, left: String): String {
         val sentence = name?.let { "$it has $bytes bytes." } ?: "The program takes $bytes bytes of the brick's memory."

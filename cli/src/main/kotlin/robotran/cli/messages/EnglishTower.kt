@@ -80,7 +80,8 @@ internal object EnglishTowerMessages : TowerMessages {
     override fun towerGone() = "The tower was unplugged. Plug it in and try again."
 
     override fun towerSilent() =
-        "Nothing answers at this port. Look whether it is the tower's port, and whether the tower's battery is good."
+        "Nothing answers at this port. Perhaps there is no tower. If there is one, look whether this is its port, " +
+            "and whether its battery is good."
 
     override fun brickSilent() =
         "The brick does not answer. Switch it on, stop its program, and put it in front of the tower, a hand's " +

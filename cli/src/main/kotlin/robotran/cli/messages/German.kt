@@ -13,7 +13,8 @@ internal object GermanCommandMessages :
     RobotMessages by GermanRobotMessages,
     GradeMessages by GermanGradeMessages,
     TowerMessages by GermanTowerMessages,
-    WebMessages by GermanWebMessages
+    WebMessages by GermanWebMessages,
+    OutputMessages by GermanOutputMessages
 
 private object GermanFileMessages : FileMessages {
     override val language = Language.GERMAN
@@ -27,10 +28,6 @@ private object GermanFileMessages : FileMessages {
     override fun notAJar(name: String) = "$name ist kein Jar, oder es ist beschädigt."
 
     override fun unreadable(name: String, why: String) = "$name konnte nicht gelesen werden: $why"
-
-    override fun unwritable(name: String, why: String) = "$name konnte nicht geschrieben werden: $why"
-
-    override fun notAFileName(name: String) = "$name ist kein Name für eine Datei."
 
     override fun isFolder(name: String) = "$name ist ein Ordner, keine Datei."
 
@@ -57,6 +54,12 @@ private object GermanFileMessages : FileMessages {
     override fun notAProgram(name: String, endings: List<String>) =
         "$name ist kein Programm: Der Name endet nicht mit ${listed(endings, "oder")}, und es ist kein Ordner."
 
+    override fun includesOutside(name: String, line: Int, included: String) =
+        "$name:$line: Es bindet $included ein, das nicht im Ordner des Programms ist. Kopiere diese Datei dorthin."
+
+    override fun leadsOutside(name: String) =
+        "$name ist eine Verknüpfung mit einer Datei außerhalb des Ordners und wird nicht gelesen."
+
     override fun theLink() = "Der Link"
 
     override fun noProgramIn(name: String, robot: String) = "$name enthält kein Programm für den Roboter $robot."
@@ -75,6 +78,8 @@ private object GermanRunMessages : RunMessages {
     override fun noMistakes(name: String) = "$name hat keine Fehler."
 
     override fun warning(line: String) = "$line (ein Hinweis)"
+
+    override fun refusedByBrick(reason: String) = "Ein echter Stein würde dieses Programm ablehnen. $reason"
 
     override fun imageBuilt(name: String?, bytes: String, left: String): String {
         val sentence =

@@ -84,7 +84,8 @@ internal object GermanTowerMessages : TowerMessages {
     override fun towerGone() = "Der Turm wurde ausgesteckt. Stecke ihn ein und versuche es noch einmal."
 
     override fun towerSilent() =
-        "An diesem Anschluss antwortet nichts. Prüfe, ob es der des Turms ist und ob die Batterie des Turms gut ist."
+        "An diesem Anschluss antwortet nichts. Vielleicht ist da kein Turm. Wenn doch, prüfe, ob es sein Anschluss " +
+            "ist und ob seine Batterie gut ist."
 
     override fun brickSilent() =
         "Der Stein antwortet nicht. Schalte ihn ein, halte sein Programm an und stelle ihn eine Handbreit vor " +

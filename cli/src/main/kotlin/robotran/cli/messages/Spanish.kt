@@ -13,7 +13,8 @@ internal object SpanishCommandMessages :
     RobotMessages by SpanishRobotMessages,
     GradeMessages by SpanishGradeMessages,
     TowerMessages by SpanishTowerMessages,
-    WebMessages by SpanishWebMessages
+    WebMessages by SpanishWebMessages,
+    OutputMessages by SpanishOutputMessages
 
 private object SpanishFileMessages : FileMessages {
     override val language = Language.SPANISH
@@ -27,10 +28,6 @@ private object SpanishFileMessages : FileMessages {
     override fun notAJar(name: String) = "$name no es un jar, o está dañado."
 
     override fun unreadable(name: String, why: String) = "No se ha podido leer $name: $why"
-
-    override fun unwritable(name: String, why: String) = "No se ha podido escribir $name: $why"
-
-    override fun notAFileName(name: String) = "$name no es un nombre de archivo."
 
     override fun isFolder(name: String) = "$name es una carpeta, no un archivo."
 
@@ -58,6 +55,11 @@ private object SpanishFileMessages : FileMessages {
     override fun notAProgram(name: String, endings: List<String>) =
         "$name no es un programa: su nombre no termina en ${listed(endings, "ni")}, y no es una carpeta."
 
+    override fun includesOutside(name: String, line: Int, included: String) =
+        "$name:$line: incluye $included, que no está en la carpeta del programa. Copia ese archivo allí."
+
+    override fun leadsOutside(name: String) = "$name es un enlace a un archivo fuera de su carpeta, y no se lee."
+
     override fun theLink() = "El enlace"
 
     override fun noProgramIn(name: String, robot: String) = "$name no tiene ningún programa para su robot $robot."
@@ -76,6 +78,8 @@ private object SpanishRunMessages : RunMessages {
     override fun noMistakes(name: String) = "$name no tiene errores."
 
     override fun warning(line: String) = "$line (un aviso)"
+
+    override fun refusedByBrick(reason: String) = "Un ladrillo de verdad rechazaría este programa. $reason"
 
     override fun imageBuilt(name: String?, bytes: String, left: String): String {
         val sentence =

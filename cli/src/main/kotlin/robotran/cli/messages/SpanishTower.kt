@@ -81,7 +81,8 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun towerGone() = "La torre se ha desconectado. Conéctala y prueba otra vez."
 
     override fun towerSilent() =
-        "En este puerto no responde nada. Mira si es el de la torre y si la pila de la torre está bien."
+        "En este puerto no responde nada. Quizá no haya ninguna torre. Si la hay, mira si es su puerto y si su pila " +
+            "está bien."
 
     override fun brickSilent() =
         "El ladrillo no responde. Enciéndelo, para su programa y ponlo delante de la torre, a un palmo."

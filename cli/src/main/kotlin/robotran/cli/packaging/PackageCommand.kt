@@ -21,6 +21,7 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
 import robotran.cli.console.speaking
+import robotran.cli.files.mayWrite
 import robotran.cli.files.writeFile
 import robotran.cli.input.courseOf
 import robotran.cli.input.isCourse
@@ -59,8 +60,10 @@ internal class PackageCommand(private val process: Console) : CoreCliktCommand("
             "other server."
 
     override fun run() {
+        if (!mayWrite(assignments, listOf(output), console)) throw ProgramResult(ExitCode.BAD_INPUT.status)
         val parts = assignments.map(::partOf)
         val projects = parts.flatMap { it.second }
+        if (WebCommand.isOnlyAsked()) return
         val folder = (site ?: System.getProperty(WebCommand.SITE))?.let { Path(it) }
             ?: refuse(console.messages.siteNotHere())
         val files = readSiteFiles(folder) ?: refuse(console.messages.siteNotBuilt(folder.toString()))

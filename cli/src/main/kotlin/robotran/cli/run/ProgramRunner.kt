@@ -59,7 +59,10 @@ internal class RunRequest(
     val changes: WorldChanges,
     val milliseconds: Int?,
     val presses: List<ButtonPress>,
-)
+) {
+    /** What it reads, as the user entered it. */
+    val inputs: List<String> get() = programs + listOfNotNull(world) + (robots + robotFiles).map { it.file }
+}
 
 /** Implements `robotran run`: reads all files, presses the start button, simulates, writes the results. */
 internal class ProgramRunner(private val console: Console, private val desktop: DesktopApp?) {

@@ -17,6 +17,7 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
 import robotran.cli.console.speaking
+import robotran.cli.files.mayWrite
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.readSeed
 import robotran.world.World
@@ -102,6 +103,10 @@ internal class RunCommand(private val process: Console, private val desktop: Des
             console.complain(console.messages.needsDesktopApp())
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
+        picture?.takeIf { hasOtherEnding(it) }?.let { name ->
+            console.complain(console.messages.notAPicture(name, PICTURE_ENDINGS))
+            throw ProgramResult(ExitCode.BAD_INPUT.status)
+        }
         conflictIn(presses, options.milliseconds ?: DEFAULT_RUN_MILLISECONDS)?.let { throw UsageError(it) }
         val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory, explain)
         val request = RunRequest(
@@ -115,11 +120,20 @@ internal class RunCommand(private val process: Console, private val desktop: Des
             options.milliseconds,
             presses,
         )
+        if (!mayWrite(request.inputs, outputs.names, console)) throw ProgramResult(ExitCode.BAD_INPUT.status)
         throw ProgramResult(ProgramRunner(console, desktop).run(request, outputs).status)
     }
 
     private companion object {
         const val DEFAULT_RUN_MILLISECONDS = World.DEFAULT_TIME_LIMIT * 1000
+
+        val PICTURE_ENDINGS = listOf(".png", ".svg")
+
+        /** Without an ending, a picture is a PNG. */
+        fun hasOtherEnding(name: String): Boolean {
+            val file = name.substringAfterLast('/').substringAfterLast('\\')
+            return '.' in file.drop(1) && PICTURE_ENDINGS.none { file.endsWith(it, ignoreCase = true) }
+        }
 
         val GROUPS = CallGroup.entries.associateBy(::groupName)
     }
@@ -139,4 +153,6 @@ internal class RunOutputs(
     val brickReport: String?,
     val memory: String?,
     val explains: Boolean,
-)
+) {
+    val names: List<String?> get() = listOf(picture, romLog, report, brickReport, memory)
+}

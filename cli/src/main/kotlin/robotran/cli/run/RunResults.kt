@@ -9,7 +9,9 @@ import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.messages
 import robotran.cli.console.textOf
+import robotran.cli.files.ON_CONSOLE
 import robotran.cli.files.writeFile
+import robotran.language.visibleText
 import robotran.simulation.GoalReport
 import robotran.simulation.RunReport
 import robotran.simulation.RunStatus
@@ -35,10 +37,10 @@ internal class RunResults(
         val problems =
             listOfNotNull(
                 outputs.picture?.let { writeFile(it, pictureFor(it), messages) },
-                outputs.romLog?.let { writeText(it, romLogText(outputs)) },
-                outputs.report?.let { writeText(it, report.toJson() + "\n") },
-                outputs.brickReport?.let { writeText(it, brickReport(session) + "\n") },
-                outputs.memory?.let { name -> session.memory()?.let { writeText(name, memoryListing(it)) } },
+                outputs.romLog?.let { writeOutput(it, romLogText(outputs)) },
+                outputs.report?.let { writeOutput(it, report.toJson() + "\n") },
+                outputs.brickReport?.let { writeOutput(it, brickReport(session) + "\n") },
+                outputs.memory?.let { name -> session.memory()?.let { writeOutput(name, memoryListing(it)) } },
             )
         report.error?.let { console.complain(it) }
         session.remarks.forEach {
@@ -49,7 +51,7 @@ internal class RunResults(
             console.complain(messages.romLogLacks(forgotten))
         }
         if (outputs.explains) explain()
-        if (CONSOLE !in
+        if (ON_CONSOLE !in
             listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)
         ) {
             console.say(summary(report))
@@ -92,11 +94,11 @@ internal class RunResults(
         }
     }
 
-    private fun writeText(name: String, text: String): String? = if (name == CONSOLE) {
+    private fun writeOutput(name: String, text: String): String? = if (name == ON_CONSOLE) {
         console.say(text.trimEnd('\n'))
         null
     } else {
-        writeFile(name, text.encodeToByteArray(), messages)
+        writeFile(name, visibleText(text).encodeToByteArray(), messages)
     }
 
     /** A one-sentence summary of the run. */
@@ -128,9 +130,5 @@ internal class RunResults(
         }
         val missing = goal.shortfall?.takeIf { goal.parts.isEmpty() }?.let { "$indentation  ${messages.textOf(it)}" }
         listOfNotNull("$indentation$told", missing) + goalLines(goal.parts, "$indentation  ")
-    }
-
-    private companion object {
-        const val CONSOLE = "-"
     }
 }

@@ -16,11 +16,13 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.brickOption
 import robotran.cli.console.oldNqcOption
+import robotran.cli.console.speaking
 import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAVA
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.isNamed
+import robotran.cli.files.mayWrite
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
 import robotran.cli.input.RobolangFile
@@ -78,6 +80,9 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, or the assembly text of LEGO's firmware."
 
     override fun run() {
+        if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
+            throw ProgramResult(ExitCode.BAD_INPUT.status)
+        }
         val javaKit = kit.takeIf { output == null && programs.all { isNamed(it, JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {

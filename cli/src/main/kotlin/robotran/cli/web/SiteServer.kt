@@ -5,6 +5,7 @@ import com.sun.net.httpserver.HttpServer
 import java.net.BindException
 import java.net.InetAddress
 import java.net.InetSocketAddress
+import java.net.ServerSocket
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -14,7 +15,8 @@ import kotlin.io.path.extension
 import kotlin.io.path.isRegularFile
 
 /**
- * Serves the built site on localhost only, with the headers listed in docs/hosting.md.
+ * Serves the built site on localhost only, with the headers listed in docs/hosting.md. A client that sends only half of
+ * a request, or does not take the answer, keeps nobody else waiting and is dropped after a while.
  *
  * @param folder the output of `./gradlew :webApp:dist`.
  */
@@ -82,7 +84,14 @@ class SiteServer private constructor(
         private const val NOT_FOUND = 404
         private const val METHOD_NOT_ALLOWED = 405
         private const val NO_BODY = -1L
-        private const val THREADS = 4
+
+        /** Seconds, and a number of connections. The JDK's server takes them as properties, and has no limit without. */
+        private val LIMITS =
+            mapOf(
+                "sun.net.httpserver.maxReqTime" to "10",
+                "sun.net.httpserver.maxRspTime" to "300",
+                "jdk.httpserver.maxConnections" to "500",
+            )
         private val TYPES =
             mapOf(
                 "html" to "text/html; charset=utf-8",
@@ -98,19 +107,29 @@ class SiteServer private constructor(
         /** Whether [folder] contains a built site. */
         fun hasSite(folder: Path): Boolean = folder.resolve(PAGE).isRegularFile()
 
+        /** Whether [port] can be used now. */
+        fun isFree(port: Int): Boolean = try {
+            ServerSocket(port, 1, InetAddress.getLoopbackAddress()).close()
+            true
+        } catch (_: BindException) {
+            false
+        }
+
         /**
          * Starts to serve [folder]; null if the port is not available.
          *
          * @param port 0 for any free port.
          */
         fun start(folder: Path, port: Int): SiteServer? {
+            LIMITS.forEach { (name, limit) -> if (System.getProperty(name) == null) System.setProperty(name, limit) }
             val server =
                 try {
                     HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0)
                 } catch (_: BindException) {
                     return null
                 }
-            val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work).apply { isDaemon = true } }
+            // As many as there are connections: each keeps one while its request arrives.
+            val threads = Executors.newCachedThreadPool { work -> Thread(work).apply { isDaemon = true } }
             return SiteServer(folder.toAbsolutePath().normalize(), server, threads)
         }
     }

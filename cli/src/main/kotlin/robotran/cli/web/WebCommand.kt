@@ -43,6 +43,8 @@ internal class WebCommand(
     override fun help(context: Context) = "Serves the web site of Robotran to browsers on this machine."
 
     override fun run() {
+        if (!SiteServer.isFree(port)) refuse(console.messages.portTaken(port))
+        if (isOnlyAsked()) return
         val folder = (site ?: System.getProperty(SITE))?.let { Path(it) } ?: refuse(console.messages.siteNotHere())
         if (!SiteServer.hasSite(folder)) refuse(console.messages.siteNotBuilt(folder.toString()))
         val server = SiteServer.start(folder, port) ?: refuse(console.messages.portTaken(port))
@@ -61,6 +63,12 @@ internal class WebCommand(
     companion object {
         /** The system property that `./robotran` sets to the folder of the built site. */
         const val SITE = "robotran.site"
+
+        /** The system property by which `./robotran` asks only whether a command can be used, before it builds the site. */
+        private const val ONLY_ASKED = "robotran.only-asked"
+
+        /** Whether a command that takes the site is to look at its arguments only. */
+        fun isOnlyAsked() = System.getProperty(ONLY_ASKED) == "true"
 
         private const val DEFAULT_PORT = 8080
         private const val HIGHEST_PORT = 65_535

@@ -64,6 +64,22 @@ class CheckCommandTest : CommandTest() {
     }
 
     @Test
+    fun `what a build for a real brick would refuse is a remark, with --lejos a mistake`() {
+        val many = program((1..250).joinToString("\n", postfix = "\n") { "show ${40_000 + it}" })
+        assertEquals(1, commandLine.execute(listOf("build", many)))
+        val refused = console.complaints.map { it.substringAfter(": ") }
+        console.complaints.clear()
+        assertEquals(0, check(many))
+        assertEquals(emptyList(), console.complaints)
+        val remarks = console.said.filter { "A real brick would refuse this program. " in it }
+        assertEquals(refused.size, remarks.size)
+        assertTrue(remarks.all { it.endsWith(" (a warning)") }, "$remarks")
+        assertContains(console.said.last(), "has no mistakes.")
+        assertEquals(1, check(many, "--lejos", "3.0"))
+        assertEquals(refused, console.complaints.map { it.substringAfter(": ") })
+    }
+
+    @Test
     fun `no file is no check`() {
         assertEquals(2, check())
     }

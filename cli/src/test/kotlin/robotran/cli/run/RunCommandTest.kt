@@ -2,6 +2,7 @@ package robotran.cli.run
 
 import robotran.cli.CommandLine
 import robotran.cli.CommandTest
+import robotran.language.visibleText
 import java.nio.file.Files
 import kotlin.io.path.exists
 import kotlin.io.path.readText
@@ -95,7 +96,7 @@ class RunCommandTest : CommandTest() {
         for (name in listOf("$folder/missing.robo", folderName, notText, "$folder/letter.txt", "bad\u0000name.robo")) {
             console.complaints.clear()
             assertEquals(2, run(name), name)
-            assertContains(console.complaints.single(), name)
+            assertContains(console.complaints.single(), visibleText(name))
         }
     }
 

@@ -2,6 +2,7 @@ package robotran.cli.web
 
 import java.net.InetAddress
 import java.net.ServerSocket
+import java.net.Socket
 import java.net.URI
 import java.net.http.HttpClient
 import java.net.http.HttpRequest
@@ -83,7 +84,35 @@ class SiteServerTest {
     }
 
     @Test
+    fun `half a request keeps nobody waiting and is dropped`() = serving { server ->
+        val port = URI(server.address).port
+        val halves = List(MANY) { number ->
+            Socket(InetAddress.getLoopbackAddress(), port).apply {
+                val head = if (number % 2 ==
+                    0
+                ) {
+                    "GET / HT"
+                } else {
+                    "POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\n1"
+                }
+                getOutputStream().write(head.encodeToByteArray())
+                getOutputStream().flush()
+            }
+        }
+        try {
+            assertEquals("<p>the page</p>", ask(server, "/").body())
+            assertEquals(-1, halves.first().getInputStream().read(), "The server has closed it.")
+        } finally {
+            halves.forEach(Socket::close)
+        }
+    }
+
+    @Test
     fun `a port that somebody else has cannot be had`() {
         ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { assertNull(SiteServer.start(site, it.localPort)) }
+    }
+
+    private companion object {
+        const val MANY = 40
     }
 }

@@ -51,6 +51,22 @@ class WebCommandTest : CommandTest() {
     }
 
     @Test
+    fun `the arguments can be looked at before there is a site`() {
+        System.setProperty("robotran.only-asked", "true")
+        try {
+            assertEquals(0, web("--port", "0"))
+            assertEquals(emptyList(), console.said + console.complaints)
+            assertEquals(2, web("--port", "70000"))
+            assertEquals(2, commandLine.execute(listOf("package", square, "-o", "$folder/a.zip")))
+            ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use {
+                assertEquals(2, web("--port", "${it.localPort}"))
+            }
+        } finally {
+            System.clearProperty("robotran.only-asked")
+        }
+    }
+
+    @Test
     fun `a port that is none is refused`() {
         assertEquals(2, web("--port", "70000"))
         assertContains(console.complaints.single(), "70000")

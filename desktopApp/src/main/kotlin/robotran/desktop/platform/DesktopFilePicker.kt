@@ -6,8 +6,8 @@ import robotran.cli.files.FileContent
 import robotran.cli.files.readFile
 import robotran.documents.FileKind
 import robotran.documents.StoreResult
+import robotran.documents.files.writeSafely
 import robotran.language.Language
-import robotran.ui.platform.writeSafely
 import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving

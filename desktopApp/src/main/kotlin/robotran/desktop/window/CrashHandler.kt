@@ -3,6 +3,9 @@ package robotran.desktop.window
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.window.WindowExceptionHandler
 import androidx.compose.ui.window.WindowExceptionHandlerFactory
+import robotran.cli.console.ProcessConsole
+import robotran.cli.console.tellUnexpected
+import robotran.workshop.platform.appLanguage
 import javax.swing.JOptionPane
 
 /**
@@ -17,7 +20,7 @@ internal class CrashHandler(private val open: OpenWindow, private val giveUp: ()
     override fun exceptionHandler(window: java.awt.Window) = WindowExceptionHandler { problem -> handle(problem) }
 
     private fun handle(problem: Throwable) {
-        problem.printStackTrace()
+        ProcessConsole.tellUnexpected(problem, appLanguage(null))
         val now = System.nanoTime()
         times.addLast(now)
         while (times.size > MAX_TIMES) times.removeFirst()

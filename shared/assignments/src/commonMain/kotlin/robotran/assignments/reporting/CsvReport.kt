@@ -5,6 +5,7 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 import robotran.language.choose
+import robotran.language.visibleText
 import robotran.language.withComma
 
 /**
@@ -67,9 +68,14 @@ private fun rowOf(report: ClassReport, index: Int, language: Language): List<Str
 }
 
 private fun cellOf(text: String, separator: String): String {
-    val safe = if (text.isNotEmpty() && text[0] in FORMULA_STARTS) "'$text" else text
+    val seen = visibleText(text)
+    val safe = if (mayBeFormula(text)) "'$seen" else seen
     return if (safe.any { it in NEED_QUOTES } || separator in safe) "\"" + safe.replace("\"", "\"\"") + "\"" else safe
 }
+
+/** Blanks before a formula's first character do not hide it from all spreadsheets. */
+private fun mayBeFormula(text: String): Boolean =
+    text.take(1).any { it in LINE_STARTS } || text.trimStart().take(1).any { it in FORMULA_STARTS }
 
 /** A number of seconds with one digit after the point or comma. */
 internal fun tenths(seconds: Double, language: Language): String {
@@ -78,5 +84,7 @@ internal fun tenths(seconds: Double, language: Language): String {
     return if (language == Language.ENGLISH) number else withComma(number)
 }
 
-private const val FORMULA_STARTS = "=+-@\t\r\n"
+/** With their wide and small forms and the sign for minus, which some spreadsheets take for the same. */
+private const val FORMULA_STARTS = "=+-@\uFF1D\uFF0B\uFF0D\uFF20\uFE66\uFE62\uFE63\uFE6B\u2212"
+private const val LINE_STARTS = "\t\r\n"
 private const val NEED_QUOTES = "\"\r\n"

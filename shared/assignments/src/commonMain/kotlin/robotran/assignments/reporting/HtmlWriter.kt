@@ -1,5 +1,7 @@
 package robotran.assignments.reporting
 
+import robotran.language.visibleText
+
 /** Writes HTML in which every text is escaped. */
 internal class HtmlWriter {
     private val html = StringBuilder()
@@ -10,21 +12,13 @@ internal class HtmlWriter {
         html.append(markup)
     }
 
-    fun text(words: String) = words.forEach { letter ->
+    fun text(words: String) = visibleText(words).forEach { letter ->
         when {
             letter == '&' -> html.append("&amp;")
-
             letter == '<' -> html.append("&lt;")
-
             letter == '>' -> html.append("&gt;")
-
             letter == '"' -> html.append("&quot;")
-
             letter == '\'' -> html.append("&#39;")
-
-            // Control characters and lone surrogates are not allowed in HTML.
-            (letter < ' ' && letter !in "\t\n\r") || letter == '\u007F' -> html.append('\uFFFD')
-
             else -> html.append(letter)
         }
     }

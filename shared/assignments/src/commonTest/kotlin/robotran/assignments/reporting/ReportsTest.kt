@@ -84,13 +84,22 @@ class ReportsTest {
 
     @Test
     fun `no name becomes a formula, and separators are quoted`() = runTest {
-        for (name in listOf("=1+2", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1")) {
+        val plain = listOf("=1+2", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1")
+        val wide = listOf("\uFF1D1+2", "\uFF0B1", "\uFF0D1", "\uFF20SUM(A1)", " =1", "\u3000\uFF1D1", "\u22121")
+        for (name in plain + wide) {
             val row = csvReport(reportOn(handIn("x").let { it.copy(handIn = it.handIn?.copy(name = name)) })).lines()[1]
             assertTrue(row.startsWith("'") || row.startsWith("\"'"), row)
         }
         val separators = reportOn(handIn("a;b,c"))
         assertTrue(csvReport(separators).lines()[1].startsWith("\"a;b,c\","))
         assertTrue(csvReport(separators, Language.GERMAN).lines()[1].startsWith("\"a;b,c\";"))
+    }
+
+    @Test
+    fun `what would act instead of being seen is seen`() = runTest {
+        val report = reportOn(handIn("Ida").let { it.copy(handIn = it.handIn?.copy(name = "Ida\u001B[31m\u202E")) })
+        assertTrue("Ida\\u001b[31m\\u202e" in csvReport(report), csvReport(report))
+        assertTrue("Ida\\u001b[31m\\u202e" in htmlReport(report, null))
     }
 
     @Test

@@ -4,6 +4,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.documents.ProjectLock
 import robotran.documents.StoreResult
+import robotran.documents.files.writeSafely
 import robotran.workshop.platform.KeyValueStore
 import java.io.IOException
 import java.nio.channels.FileChannel

@@ -1,0 +1,95 @@
+package robotran.cli.files
+
+import robotran.cli.console.Console
+import robotran.cli.console.messages
+import robotran.cli.messages.CommandMessages
+import robotran.documents.COURSE_EXTENSION
+import robotran.documents.FileKind
+import robotran.documents.StoreResult
+import robotran.documents.files.writeSafely
+import java.io.IOException
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.isSameFileAs
+import kotlin.io.path.isSymbolicLink
+import kotlin.io.path.readSymbolicLink
+
+/**
+ * Writes [bytes] to the file [name], see [writeSafely]. Returns null on success, otherwise an error message that names
+ * the file. A symbolic link is not followed to another file.
+ */
+internal fun writeFile(name: String, bytes: ByteArray, messages: CommandMessages): String? = try {
+    val path = Path.of(name)
+    if (path.isSymbolicLink() && (path.isRegularFile() || !path.exists())) {
+        messages.isSymbolicLink(name, "${path.readSymbolicLink()}")
+    } else {
+        when (val result = writeSafely(path, bytes)) {
+            StoreResult.Done -> null
+            StoreResult.Full -> messages.diskFull(name)
+            is StoreResult.Failed -> messages.unwritable(name, result.reason)
+        }
+    }
+} catch (_: InvalidPathException) {
+    messages.notAFileName(name)
+} catch (problem: IOException) {
+    messages.unwritable(name, problem.message.orEmpty())
+}
+
+/**
+ * Whether a command that reads [inputs] may write [outputs]: none of them is a file that it reads, and each is named
+ * once. Prints an error if not. To be asked before the work, which may take long. Outputs to the console are null or -.
+ */
+internal fun mayWrite(inputs: List<String>, outputs: List<String?>, console: Console): Boolean {
+    val names = outputs.filterNotNull().filter { it != ON_CONSOLE }
+    val twice = names.withIndex().firstOrNull { (number, name) -> names.take(number).any { isSame(it, name) } }
+    val input = names.firstOrNull { name -> inputs.any { isReadAs(it, name) } }
+    val reason = input?.let(console.messages::isInput) ?: twice?.let { console.messages.writtenTwice(it.value) }
+    reason?.let(console::complain)
+    return reason == null
+}
+
+/** Whether [output] is the file [input], a file that is read with it, or one in the folder [input]. */
+private fun isReadAs(input: String, output: String): Boolean = try {
+    val (read, written) = Path.of(input) to Path.of(output)
+    when {
+        !written.isRegularFile() -> false
+        isSame(input, output) -> true
+        read.isDirectory() -> liesIn(read, written) && !isOnlyWritten(output)
+        input.endsWith(COURSE_EXTENSION) -> output.endsWith(FileKind.PROJECT.extension) && isBeside(read, written)
+        else -> input.endsWith(NQC) && isIncluded(input, written)
+    }
+} catch (_: InvalidPathException) {
+    false
+}
+
+private fun isBeside(course: Path, file: Path) = course.toAbsolutePath().parent?.let { liesIn(it, file) } ?: false
+
+private fun isOnlyWritten(name: String) = ONLY_WRITTEN.any { name.endsWith(it, ignoreCase = true) }
+
+private fun isIncluded(program: String, file: Path): Boolean {
+    val read = readNqc(program) as? ReadProgram.Read ?: return false
+    return read.source.files.any { isSame(it.name, "$file") }
+}
+
+/** A file has many names: relative ones, links, capital letters on some systems. */
+private fun isSame(one: String, other: String): Boolean = try {
+    val (first, second) = Path.of(one) to Path.of(other)
+    if (first.exists() && second.exists()) {
+        first.isSameFileAs(second)
+    } else {
+        first.toAbsolutePath().normalize() == second.toAbsolutePath().normalize()
+    }
+} catch (_: InvalidPathException) {
+    one == other
+} catch (_: IOException) {
+    false
+}
+
+/** The endings of outputs that no command reads, so that a folder of hand-ins may hold the results, too. */
+private val ONLY_WRITTEN = listOf(".csv", ".xml", ".png", ".svg")
+
+/** The name of an output that goes to the console. */
+internal const val ON_CONSOLE = "-"
