@@ -44,7 +44,7 @@ class ProgramCompiler private constructor(
     private val robolang = RobolangProgramCompiler(target, RobolangMessages.of(language))
     private val classFiles = linkerFor(java)
     private val firmwarePrograms = FirmwareProgramCompiler(firmware, language)
-    private val fixes = FixVerification { compile(it) }
+    private val fixes = FixVerification { compileUnverified(it) }
     private val otherBrick = OtherBrick(target.kind, ProgramMessages.of(language))
 
     /** Returns a compiler with messages in [language]. */
@@ -87,11 +87,11 @@ class ProgramCompiler private constructor(
      */
     fun compileNow(source: ProgramSource): ProgramResult {
         otherBrick.mistakeIn(source)?.let { return ProgramResult.HasErrors(listOf(it)) }
-        val result = compile(source)
+        val result = compileUnverified(source)
         return if (source is ProgramSource.Java) result else fixes.verified(source, result)
     }
 
-    private fun compile(source: ProgramSource): ProgramResult = when (source) {
+    private fun compileUnverified(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
 
         is ProgramSource.Java -> javaCompiler().read(source)

@@ -51,7 +51,7 @@ interface JavaSyntaxMessages {
     /** [character] comes from a word processor or a web page. */
     fun pasted(character: PastedCharacter): String
 
-    /** A comment that begins with `/*` and does not end. */
+    /** A comment that is opened and does not end. */
     fun unclosedComment(): String
 
     fun wrongCharacter(): String
