@@ -29,6 +29,7 @@ internal fun writeFile(name: String, bytes: ByteArray, messages: CommandMessages
         when (val result = writeSafely(path, bytes)) {
             StoreResult.Done -> null
             StoreResult.Full -> messages.diskFull(name)
+            StoreResult.NoAnswer -> messages.unwritable(name, "timeout")
             is StoreResult.Failed -> messages.unwritable(name, result.reason)
         }
     }
@@ -58,8 +59,8 @@ private fun isReadAs(input: String, output: String): Boolean = try {
         !written.isRegularFile() -> false
         isSame(input, output) -> true
         read.isDirectory() -> liesIn(read, written) && !isOnlyWritten(output)
-        input.endsWith(COURSE_EXTENSION) -> output.endsWith(FileKind.PROJECT.extension) && isBeside(read, written)
-        else -> input.endsWith(NQC) && isIncluded(input, written)
+        isNamed(input, COURSE_EXTENSION) -> output.endsWith(FileKind.PROJECT.extension) && isBeside(read, written)
+        else -> isNamed(input, NQC) && isIncluded(input, written)
     }
 } catch (_: InvalidPathException) {
     false

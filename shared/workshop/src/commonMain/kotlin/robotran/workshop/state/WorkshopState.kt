@@ -122,7 +122,7 @@ data class WorkshopState(
         }
 
         is RunState.Running -> {
-            val line = lineOf(run.frame?.takeIf { run.told == run.watched }?.sourceLine ?: now.sourceLine)
+            val line = lineOf(run.frame?.sourceLine ?: now.sourceLine)
             when {
                 run.isPaused && run.isSolved -> {
                     WorkshopStatus.Solved
