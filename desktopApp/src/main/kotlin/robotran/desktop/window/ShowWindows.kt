@@ -5,9 +5,6 @@ import androidx.compose.runtime.mutableStateListOf
 import androidx.compose.runtime.remember
 import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skiko.DefaultConsoleLogger
-import org.jetbrains.skiko.LogLevel
-import org.jetbrains.skiko.Logger
 import robotran.cli.console.ProcessConsole
 import robotran.cli.console.tellUnexpected
 import robotran.desktop.platform.dataFolder
@@ -20,8 +17,6 @@ import kotlin.coroutines.EmptyCoroutineContext
 
 /** Shows a window with [arrival], or with the last project if null, and returns when all windows are closed. */
 internal fun showWindows(arrival: OpenRequest?) {
-    // Without OpenGL, Skiko draws in another way; nobody has to know its exception.
-    Logger.loggerFactory = { DefaultConsoleLogger.fromLevel(LogLevel.ERROR.name) }
     val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }
     val windows = mutableStateListOf(OpenWindow(store, arrival, restoresLastProject = true))
