@@ -48,12 +48,7 @@ internal class FixVerification(private val compile: (ProgramSource) -> ProgramRe
  * Whether a program that had the mistakes [before] has fewer of them [after] a [fix] of [file], and none that is new: at
  * most one is told in a line, and each must have been told there before.
  */
-fun isBetter(
-    before: List<ProgramDiagnostic>,
-    after: List<ProgramDiagnostic>,
-    file: String,
-    fix: SourceFix,
-): Boolean {
+fun isBetter(before: List<ProgramDiagnostic>, after: List<ProgramDiagnostic>, file: String, fix: SourceFix): Boolean {
     val known = before.mapTo(mutableSetOf()) { keyOf(it, it.range?.line) }
     val added = fix.replacement.count { it == '\n' }
     return after.size < before.size && after.all { mistake ->

@@ -96,10 +96,13 @@ internal class MemberAdvisor(
                 )
             }
 
-            problem.members.any { it.startsWith("$name(") } ->
+            problem.members.any { it.startsWith("$name(") } -> {
                 ProblemExplanation(messages.callWithBrackets(shortened(name)))
+            }
 
-            else -> null
+            else -> {
+                null
+            }
         }
     }
 

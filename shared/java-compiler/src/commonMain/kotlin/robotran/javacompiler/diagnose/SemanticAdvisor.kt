@@ -9,11 +9,7 @@ import robotran.javacompiler.messages.JavaMessages
  *
  * @param boxes whether Java makes objects of numbers by itself.
  */
-internal class SemanticAdvisor(
-    private val messages: JavaMessages,
-    private val library: LibraryNames,
-    boxes: Boolean,
-) {
+internal class SemanticAdvisor(private val messages: JavaMessages, private val library: LibraryNames, boxes: Boolean) {
     private val types = TypeAdvisor(messages, boxes)
     private val classes = ClassAdvisor(messages)
     private val constructors = ConstructorAdvisor(messages)
@@ -101,12 +97,22 @@ internal class SemanticAdvisor(
         val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
         val message = messages.staticNeeded(name)
         return when {
-            onClass -> ProblemExplanation(messages.objectNeeded(name, owner))
-            owner == OBJECT -> ofObject(problem, source, name, message)
+            onClass -> {
+                ProblemExplanation(messages.objectNeeded(name, owner))
+            }
+
+            owner == OBJECT -> {
+                ofObject(problem, source, name, message)
+            }
+
             // It is inherited from the library.
-            owner in library.simpleNames && owner != source.className ->
+            owner in library.simpleNames && owner != source.className -> {
                 ProblemExplanation(message, messages.callOnNew(shortened(source.className), name))
-            else -> ProblemExplanation(message, messages.makeItStatic())
+            }
+
+            else -> {
+                ProblemExplanation(message, messages.makeItStatic())
+            }
         }
     }
 

@@ -9,13 +9,9 @@ import robotran.javacompiler.messages.NewerJava
 internal class TypeAdvisor(private val messages: JavaMessages, private val boxes: Boolean) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemId.TYPE_MISMATCH -> mismatch(problem, source)
-
         ProblemId.INVALID_OPERATOR -> operator(problem)
-
         ProblemId.PARAMETER_MISMATCH -> arguments(problem, source)
-
         ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> outOfRange(problem, source)
-
         else -> null
     }
 
@@ -107,21 +103,30 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
                 ProblemExplanation(message, messages.decimalPoint(comma.pointed), comma.fixFor(type, source))
             }
 
-            method in PAUSES && given in setOf("float", "double") ->
+            method in PAUSES && given in setOf("float", "double") -> {
                 ProblemExplanation(message, messages.countsMilliseconds(), milliseconds(problem, source))
+            }
 
-            given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
+            given in NUMBERS && needed in NUMBERS -> {
+                ProblemExplanation(message, messages.castNumber(needed))
+            }
 
-            isBoxing(given, needed) -> ProblemExplanation(
-                message,
-                messages.insteadOf(NewerJava.AUTOBOXING).takeUnless {
-                    boxes
-                },
-            )
+            isBoxing(given, needed) -> {
+                ProblemExplanation(
+                    message,
+                    messages.insteadOf(NewerJava.AUTOBOXING).takeUnless {
+                        boxes
+                    },
+                )
+            }
 
-            needed == "String" && given in NUMBERS -> ProblemExplanation(message, messages.makeText())
+            needed == "String" && given in NUMBERS -> {
+                ProblemExplanation(message, messages.makeText())
+            }
 
-            else -> ProblemExplanation(message)
+            else -> {
+                ProblemExplanation(message)
+            }
         }
     }
 

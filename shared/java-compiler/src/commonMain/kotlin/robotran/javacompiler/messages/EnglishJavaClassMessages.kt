@@ -14,12 +14,11 @@ internal object EnglishJavaClassMessages : JavaClassMessages {
     override fun cannotInstantiate(name: String) =
         "Java cannot make a ${quoted(name)} with \"new\", because a part of it is still to be written."
 
-    override fun wrongConstructor(name: String, given: String) =
-        if (given.isEmpty()) {
-            "A ${quoted(name)} is not made of nothing."
-        } else {
-            "A ${quoted(name)} is not made of ($given)."
-        }
+    override fun wrongConstructor(name: String, given: String) = if (given.isEmpty()) {
+        "A ${quoted(name)} is not made of nothing."
+    } else {
+        "A ${quoted(name)} is not made of ($given)."
+    }
 
     override fun makeItLike(ways: String) = "Make it like this: $ways"
 

@@ -28,8 +28,7 @@ internal object EnglishJavaNameMessages : JavaNameMessages {
 
     override fun declareIt(name: String) = "Declare it first, such as with \"int $name = 0;\"."
 
-    override fun writeMethod(name: String, parameters: String) =
-        "Write the method: static void $name($parameters) { }"
+    override fun writeMethod(name: String, parameters: String) = "Write the method: static void $name($parameters) { }"
 
     override fun valueInBrackets(name: String, call: String) =
         "${quoted(name)} is a method. Its value stands in brackets: $call"

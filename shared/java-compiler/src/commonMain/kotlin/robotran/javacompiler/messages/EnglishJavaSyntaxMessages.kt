@@ -55,8 +55,7 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun outsideClass() = "This is in no class, and in Java everything is in one."
 
-    override fun moveIntoClass(className: String) =
-        "Move it between the braces of the class ${quoted(className)}."
+    override fun moveIntoClass(className: String) = "Move it between the braces of the class ${quoted(className)}."
 
     override fun methodInMethod(name: String) =
         "The method ${quoted(name)} is inside another method, which Java does not have."

@@ -14,12 +14,11 @@ internal object GermanJavaClassMessages : JavaClassMessages {
     override fun cannotInstantiate(name: String) =
         "Java kann kein ${quoted(name)} mit \"new\" machen, weil ein Teil davon noch nicht geschrieben ist."
 
-    override fun wrongConstructor(name: String, given: String) =
-        if (given.isEmpty()) {
-            "Ein ${quoted(name)} wird nicht aus nichts gemacht."
-        } else {
-            "Ein ${quoted(name)} wird nicht aus ($given) gemacht."
-        }
+    override fun wrongConstructor(name: String, given: String) = if (given.isEmpty()) {
+        "Ein ${quoted(name)} wird nicht aus nichts gemacht."
+    } else {
+        "Ein ${quoted(name)} wird nicht aus ($given) gemacht."
+    }
 
     override fun makeItLike(ways: String) = "Mach es so: $ways"
 

@@ -14,12 +14,11 @@ internal object SpanishJavaClassMessages : JavaClassMessages {
     override fun cannotInstantiate(name: String) =
         "Java no puede crear un ${quoted(name)} con \"new\", porque le falta una parte por escribir."
 
-    override fun wrongConstructor(name: String, given: String) =
-        if (given.isEmpty()) {
-            "Un ${quoted(name)} no se crea sin nada."
-        } else {
-            "Un ${quoted(name)} no se crea con ($given)."
-        }
+    override fun wrongConstructor(name: String, given: String) = if (given.isEmpty()) {
+        "Un ${quoted(name)} no se crea sin nada."
+    } else {
+        "Un ${quoted(name)} no se crea con ($given)."
+    }
 
     override fun makeItLike(ways: String) = "Créalo así: $ways"
 

@@ -28,8 +28,7 @@ internal object SpanishJavaNameMessages : JavaNameMessages {
 
     override fun declareIt(name: String) = "Declárala antes, por ejemplo con \"int $name = 0;\"."
 
-    override fun writeMethod(name: String, parameters: String) =
-        "Escribe el método: static void $name($parameters) { }"
+    override fun writeMethod(name: String, parameters: String) = "Escribe el método: static void $name($parameters) { }"
 
     override fun valueInBrackets(name: String, call: String) =
         "${quoted(name)} es un método. Su valor va entre paréntesis: $call"

@@ -88,8 +88,7 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "The character ${quoted(character)} means nothing here."
 
-    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
-        pasted.adviceIn(Language.ENGLISH, written)
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) = pasted.adviceIn(Language.ENGLISH, written)
 
     override fun decimalNumber() =
         "The brick computes with whole numbers only. Count in smaller steps instead, such as tenths or hundredths."

@@ -95,8 +95,7 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "Das Zeichen ${quoted(character)} bedeutet hier nichts."
 
-    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
-        pasted.adviceIn(Language.GERMAN, written)
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) = pasted.adviceIn(Language.GERMAN, written)
 
     override fun decimalNumber() =
         "Der Stein rechnet nur mit ganzen Zahlen. Zähl in kleineren Schritten, etwa in Zehnteln oder Hundertsteln."

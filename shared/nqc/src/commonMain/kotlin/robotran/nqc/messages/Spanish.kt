@@ -92,8 +92,7 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
 
     override fun unknownCharacter(character: String) = "El carácter ${quoted(character)} no significa nada aquí."
 
-    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
-        pasted.adviceIn(Language.SPANISH, written)
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) = pasted.adviceIn(Language.SPANISH, written)
 
     override fun decimalNumber() =
         "El ladrillo solo calcula con números enteros. Cuenta en pasos más pequeños, como décimas o centésimas."

@@ -49,7 +49,13 @@ internal class PastedText(private val text: String, private val sink: Diagnostic
         while (end < text.length && !isLineEnd(text[end]) && !closes(text[start], end)) end++
         val isClosed = end < text.length && closes(text[start], end)
         // A pasted mark alone is only a mark.
-        return if (isClosed) end + 1 else if (text[start] == QUOTE) end else 0
+        return if (isClosed) {
+            end + 1
+        } else if (text[start] == QUOTE) {
+            end
+        } else {
+            0
+        }
     }
 
     private fun closes(opening: Char, index: Int) = if (opening == QUOTE) text[index] == QUOTE else isQuote(index)

@@ -57,8 +57,7 @@ private object EnglishSyntaxMessages : SyntaxMessages {
 
     override fun invisibleCharacter(code: String) = "There is a character here that cannot be seen ($code). Delete it."
 
-    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
-        pasted.adviceIn(Language.ENGLISH, written)
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) = pasted.adviceIn(Language.ENGLISH, written)
 
     override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 

@@ -64,8 +64,7 @@ private object GermanSyntaxMessages : SyntaxMessages {
 
     override fun invisibleCharacter(code: String) = "Hier ist ein Zeichen, das man nicht sieht ($code). Lösch es."
 
-    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
-        pasted.adviceIn(Language.GERMAN, written)
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) = pasted.adviceIn(Language.GERMAN, written)
 
     override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 

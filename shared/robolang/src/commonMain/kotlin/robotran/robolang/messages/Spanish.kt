@@ -62,8 +62,7 @@ private object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun invisibleCharacter(code: String) = "Aquí hay un signo que no se ve ($code). Bórralo."
 
-    override fun pastedCharacter(pasted: PastedCharacter, written: String) =
-        pasted.adviceIn(Language.SPANISH, written)
+    override fun pastedCharacter(pasted: PastedCharacter, written: String) = pasted.adviceIn(Language.SPANISH, written)
 
     override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 

@@ -42,18 +42,19 @@ class SettingsPageTest {
     }
 
     @Test
-    fun `the size of texts follows a finger to the end, and is chosen when it is lifted`() = onScreen(411, 1500) { workshop ->
-        openSettings()
-        onNodeWithTag("text-size").performTouchInput {
-            down(centerLeft)
-            for (step in 1..10) moveTo(percentOffset(step / 10f, 0.5f))
+    fun `the size of texts follows a finger to the end, and is chosen when it is lifted`() =
+        onScreen(411, 1500) { workshop ->
+            openSettings()
+            onNodeWithTag("text-size").performTouchInput {
+                down(centerLeft)
+                for (step in 1..10) moveTo(percentOffset(step / 10f, 0.5f))
+            }
+            pass(300)
+            assertEquals(1f, workshop.state.settings.textScale)
+            onNodeWithTag("text-size").performTouchInput { up() }
+            pass(300)
+            assertEquals(2f, workshop.state.settings.textScale)
         }
-        pass(300)
-        assertEquals(1f, workshop.state.settings.textScale)
-        onNodeWithTag("text-size").performTouchInput { up() }
-        pass(300)
-        assertEquals(2f, workshop.state.settings.textScale)
-    }
 
     private fun ComposeUiTest.openSettings() {
         for (tag in listOf("menu", "menu-settings")) {

@@ -45,17 +45,25 @@ internal class EcjRewriter {
             val method = "$className.$name"
             seen += method
             return when (method) {
-                in EMPTIED_METHODS -> EmptyMethodVisitor(
-                    target,
-                    Type.getArgumentsAndReturnSizes(descriptor) shr 2,
-                    Type.getReturnType(descriptor),
-                )
+                in EMPTIED_METHODS -> {
+                    EmptyMethodVisitor(
+                        target,
+                        Type.getArgumentsAndReturnSizes(descriptor) shr 2,
+                        Type.getReturnType(descriptor),
+                    )
+                }
 
-                TEXT_CONSTANT -> BoundedStringVisitor(target)
+                TEXT_CONSTANT -> {
+                    BoundedStringVisitor(target)
+                }
 
-                FILE_READING -> ByteWiseReadVisitor(target)
+                FILE_READING -> {
+                    ByteWiseReadVisitor(target)
+                }
 
-                STEPS -> counted(ByteStepVisitor(PlatformCallVisitor(target)))
+                STEPS -> {
+                    counted(ByteStepVisitor(PlatformCallVisitor(target)))
+                }
 
                 else -> {
                     val safe = if (className == CONSTANTS) SafeDivisionVisitor(target) else target
