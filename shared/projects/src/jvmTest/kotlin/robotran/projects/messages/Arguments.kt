@@ -1,6 +1,8 @@
 package robotran.projects.messages
 
 import robotran.brick.program.ProgramFailure
+import robotran.language.pasted.PastedCharacter
+import robotran.language.pasted.pastedCharacter
 import robotran.simulation.messages.Mover
 import robotran.simulation.messages.PaperSector
 import robotran.simulation.messages.Region
@@ -56,6 +58,8 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
         ProgramFailure("marker-failure.", LARGE, sourceFile = it)
     }
 
+    PastedCharacter::class.java -> PASTED.map { checkNotNull(pastedCharacter(it)) }
+
     is WildcardType -> choicesOf(type.upperBounds.single(), number)
 
     is ParameterizedType -> if (type.rawType == Map::class.java) {
@@ -90,3 +94,6 @@ private fun marker(number: Int) = "marker$number"
 /** No sentence contains a number from here on by itself. */
 private const val LARGE = 7001
 private const val MAX_CALLS = 500
+
+/** One of each kind: a quotation mark, a dash, a sign, a wide letter, a space, a line break, and one that is not seen. */
+private const val PASTED = "\u201C\u2013\u2264\uFF21\u2003\u2028\u200B"
