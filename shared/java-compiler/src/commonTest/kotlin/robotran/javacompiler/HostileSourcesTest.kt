@@ -168,8 +168,14 @@ class HostileSourcesTest {
                 "package ;",
                 "import ;",
                 "\uD800",
+                "==",
+                "if",
+                "stop();",
+                "class Robot { stop(",
+                "class Robot { void f() { for (;;",
             )
         texts.forEach { assertIs<CompilationResult>(compile(it)) }
+        texts.forEach { assertIs<CompilationResult>(compileForNxt(it)) }
     }
 
     private fun finallyProgram(statements: String) =

@@ -27,7 +27,8 @@ class JavaAdviceTest {
 
     @Test
     fun `a method that is inherited needs an object of the class`() = runTest {
-        val text = "public class Robot extends Thread {\npublic static void main(String[] args) {\nstart();\n}\n}"
+        val text = "public class Robot extends Thread {\npublic void run() { }\n" +
+            "public static void main(String[] args) {\nstart();\n}\n}"
         assertContains(assertNotNull(diagnostics(text).single().hint), "new Robot().start()")
         val own = "public class Robot {\nvoid go() { }\npublic static void main(String[] args) {\ngo();\n}\n}"
         assertContains(assertNotNull(diagnostics(own).single().hint), "Write \"static\"")

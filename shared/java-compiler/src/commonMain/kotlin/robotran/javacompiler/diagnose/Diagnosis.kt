@@ -4,6 +4,7 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
 /** The max number of characters that a message quotes from the source. */
@@ -56,8 +57,11 @@ internal class Diagnosis(
 
     /** [problems] of [source] without some that ECJ only guesses, and with what it does not see. */
     private fun cleared(problems: List<EcjProblem>, source: SourceText): List<EcjProblem> {
-        val own = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
-        val structure = if (own.isEmpty()) emptyList() else StructureMistakes(source).problems()
+        // ECJ takes a call such as `stop();` in a class for a method whose type is missing, not for a syntax error.
+        val isSuspect = problems.any {
+            (it.isSyntax && !BrickAdvisor.isOnlyNewer(it)) || it.number == ProblemId.MISSING_RETURN_TYPE
+        }
+        val structure = if (isSuspect) StructureMistakes(source).problems() else emptyList()
         return structure + withoutLostLoopVariables(source, withoutMethodReferences(problems))
     }
 

@@ -128,8 +128,9 @@ internal class MemberAdvisor(
         val instead = owner?.let { gaps.instead(name, it) }
         if (instead != null) return ProblemExplanation(message, instead)
         val candidates = candidatesFor(problem).ifEmpty { suggestions.namesIn(source) }
-        val likely = PREFIXES.firstNotNullOfOrNull { prefix ->
-            candidates.find { it.equals(prefix + name, ignoreCase = true) }
+        // A name that differs only in its capital letters comes before one with a word before it: isForward.
+        val likely = (listOf("") + PREFIXES).firstNotNullOfOrNull { prefix ->
+            candidates.find { it != name && it.equals(prefix + name, ignoreCase = true) }
         }
         return suggestions.suggested(problem, source, message, likely ?: nearest(name, candidates))
     }

@@ -2,7 +2,10 @@ package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.JavaSource
 
-/** A source with its lines, which end in `\n`, `\r\n` or `\r`. */
+/**
+ * A source with its lines, which end in `\n`, `\r\n` or `\r`. Offsets may lie outside: ECJ reports some
+ * problems before the start of the source.
+ */
 internal class SourceText(source: JavaSource) {
     val path = source.path
     private val text = source.text
@@ -61,10 +64,16 @@ internal class SourceText(source: JavaSource) {
     }
 
     /** The code of the line of [offset] from there on. */
-    fun codeBehind(offset: Int): String = code.text.substring(offset.coerceAtMost(text.length), lineEnd(offset))
+    fun codeBehind(offset: Int): String {
+        val from = offset.coerceIn(0, text.length)
+        return code.text.substring(from, lineEnd(from))
+    }
 
     /** The code of the line before [offset]. */
-    fun lineBefore(offset: Int): String = code.text.substring(lineStarts[lineOf(offset)], offset)
+    fun lineBefore(offset: Int): String {
+        val until = offset.coerceIn(0, text.length)
+        return code.text.substring(lineStarts[lineOf(until)], until)
+    }
 
     fun codeAt(offset: Int): Char? = code.text.getOrNull(offset)
 
