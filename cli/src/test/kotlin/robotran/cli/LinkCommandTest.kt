@@ -143,7 +143,10 @@ class LinkCommandTest : CommandTest() {
         assertContains(complaint(link(folder.resolve("no.robo").toString())), "There is no file")
         assertContains(complaint(link(file("empty.robotran", "{}"))), "This is not a Robotran project")
         assertContains(complaint(link(file("empty.world.json", "{}"))), "This is not a Robotran world")
-        assertContains(complaint(link(square, "--world", file("broken.world.json", "{"))), "Line 1 cannot be read")
+        assertContains(
+            complaint(link(square, "--world", file("broken.world.json", "{"))),
+            "Line 1 opens a { that no } closes",
+        )
         assertContains(
             complaint(link(file("a.world.json", "{}"), "--world", "b.world.json")),
             "--world goes with programs only",
