@@ -59,11 +59,12 @@ class JavaCheckTest : CommandTest() {
         assertEquals(2, check("$folder/Missing.java"))
         assertEquals(listOf("There is no file $folder/Missing.java."), console.complaints)
         console.complaints.clear()
-        assertEquals(2, check("$folder/Main.txt"))
+        val text = program("hop();", "Main.txt")
+        assertEquals(2, check(text))
         assertEquals(
             listOf(
-                "$folder/Main.txt cannot be checked: its name does not end in .robo, .java, .class, .jar, .nqc, " +
-                    ".lasm or .rcx.",
+                "$text cannot be checked: its name does not end in .robo, .java, .class, .jar, .nqc, .lasm, .rcx, " +
+                    ".world.json, .robot.json, .robotran or .course.json.",
             ),
             console.complaints,
         )
