@@ -92,7 +92,9 @@ class RunCommandTest : CommandTest() {
     @Test
     fun `a program that is not there, or not a program, is refused in one sentence`() {
         val folderName = folder.resolve("folder.robo").also(Files::createDirectory).toString()
-        val notText = folder.resolve("picture.robo").also { it.writeBytes(byteArrayOf(-119, 80, 78, 71)) }.toString()
+        // How a PNG begins. Its first four bytes alone could be a text in Windows-1252.
+        val png = byteArrayOf(-119, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13)
+        val notText = folder.resolve("picture.robo").also { it.writeBytes(png) }.toString()
         for (name in listOf("$folder/missing.robo", folderName, notText, "$folder/letter.txt", "bad\u0000name.robo")) {
             console.complaints.clear()
             assertEquals(2, run(name), name)
