@@ -1,6 +1,8 @@
 package robotran.workshop
 
+import kotlinx.coroutines.delay
 import kotlinx.coroutines.runBlocking
+import kotlinx.coroutines.withTimeout
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.projects.Project
@@ -159,19 +161,24 @@ class NxtInAppTest {
     fun `a program for an NXT goes out as a kit for its own tools`() = runBlocking {
         val machine = Machine()
         val workshop = machine.window()
-        machine.files.location = "kit"
         workshop.use(BrickKind.NXT)
-        workshop.handle(DocumentEvent.KitRequested)
-        assertTrue(machine.zip().getValue("Square/build.xml").contains("nxjupload"))
+        assertTrue(machine.kit(workshop).getValue("Square/build.xml").contains("nxjupload"))
         workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", example("Hello.java"))))
-        workshop.handle(DocumentEvent.KitRequested)
-        val files = machine.zip()
+        val files = machine.kit(workshop)
         assertEquals(example("Hello.java"), files["Hello/Hello.java"])
         assertContains(files.getValue("Hello/upload.sh"), "nxjc -encoding UTF-8 -d . Hello.java")
         workshop.close()
     }
 
-    private fun Machine.zip(): Map<String, String> {
+    /** The files of the kit for the shown program. Java is compiled in a thread of its own, so this waits for it. */
+    private suspend fun Machine.kit(workshop: Workshop): Map<String, String> {
+        files.location = "kit"
+        workshop.handle(WorkshopEvent.NoticeDismissed)
+        workshop.handle(DocumentEvent.KitRequested)
+        withTimeout(60_000) {
+            while (workshop.state.notice == null) delay(5)
+        }
+        assertEquals(Notice.FileSaved("kit"), workshop.state.notice)
         val zip = ZipInputStream(ByteArrayInputStream(files.disk.getValue("kit")))
         return generateSequence { zip.nextEntry }.associate { it.name to zip.readBytes().decodeToString() }
     }

@@ -27,6 +27,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
@@ -255,11 +256,31 @@ class DoingAssignmentTest {
     }
 
     @Test
-    fun `opened a second time, it offers to go on where the pupil was`() {
+    fun `a second copy of it offers to go on where the pupil was`() {
         val workshop = window()
         workshop.attempt("forward 5\n")
         workshop.keep()
-        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(pupils))))
+        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(pupils, "circle (1).robotran"))))
+        assertEquals(0, workshop.doing.tries.tries)
+        assertIs<Notice.AssignmentBegunBefore>(workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(1, workshop.doing.tries.tries)
+        assertEquals("forward 5\n", workshop.state.programText)
+        assertEquals(1, workshop.projects().size)
+    }
+
+    @Test
+    fun `the same file opened a second time asks, and whoever begins anew can still go on`() {
+        val workshop = window()
+        workshop.attempt("forward 5\n")
+        workshop.keep()
+        val again = DocumentEvent.FilesBrought(listOf(AnyAssignment.file(pupils)))
+        workshop.handle(again)
+        assertIs<DocumentDialog.NewerInMyWork>(workshop.state.document.dialog)
+        workshop.handle(DocumentEvent.WorkOrFileChosen(isWork = true))
+        assertEquals("forward 5\n", workshop.state.programText)
+        workshop.handle(again)
+        workshop.handle(DocumentEvent.WorkOrFileChosen(isWork = false))
         assertEquals(0, workshop.doing.tries.tries)
         assertIs<Notice.AssignmentBegunBefore>(workshop.state.notice)
         workshop.handle(WorkshopEvent.NoticeTaken)
