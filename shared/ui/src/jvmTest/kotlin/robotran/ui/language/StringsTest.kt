@@ -124,6 +124,7 @@ class StringsTest {
             "Tasks",
             "Threads",
             "Variables",
+            "Version",
             "firmware",
             "Bluetooth",
             "orange",

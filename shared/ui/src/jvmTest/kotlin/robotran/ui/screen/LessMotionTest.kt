@@ -49,6 +49,8 @@ class LessMotionTest {
         handle(ProgramEvent.ProgramEdited(checkNotNull(state.learning.tutorial).current.solution.text))
         handle(RunEvent.RunPressed)
         advance(30_000)
+        // The clock goes on until the robot has rested for a while, also with less motion.
+        advance(1_000)
     }
 
     private fun checkMotion(prepare: Workshop.() -> Unit) {

@@ -1,7 +1,11 @@
 package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.input.InputMode
+import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.unit.Density
 import org.jetbrains.skia.Bitmap
 import org.jetbrains.skia.EncodedImageFormat
@@ -41,7 +45,21 @@ internal fun photograph(
  * timer, changes the screen while the event thread draws it, and fails in whatever test runs next.
  */
 internal fun sceneOf(width: Int, height: Int, content: @Composable () -> Unit): ImageComposeScene =
-    ImageComposeScene(width, height, Density(1f), coroutineContext = MainUIDispatcher, content = content)
+    ImageComposeScene(width, height, Density(1f), coroutineContext = MainUIDispatcher) {
+        AfterTouch()
+        content()
+    }
+
+/**
+ * Makes touches the input in use. All scenes share it, so without this a ring in a picture would depend on whether the
+ * test before has ended with a key.
+ */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+private fun AfterTouch() {
+    val manager = LocalInputModeManager.current
+    remember(manager) { manager.requestInputMode(InputMode.Touch) }
+}
 
 /** Saves the picture as [name].png in build/pictures for review. Fails for a nearly empty screen. */
 internal fun Image.keepAs(name: String) {

@@ -35,6 +35,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.Pane
 import kotlin.random.Random
 import kotlin.test.Test
@@ -53,7 +54,9 @@ class MakingScreenTest {
         project: Project = AnyAssignment.teachers,
         check: ComposeUiTest.(Workshop) -> Unit,
     ) {
-        val workshop = machine.window(AnyAssignment.request(project))
+        // My work asks about a file whose changes it keeps from the size before, so each size has a file of its own.
+        val file = AnyAssignment.file(project, "circle-${size.first}.robotran")
+        val workshop = machine.window(OpenRequest.OfFiles(listOf(file)))
         workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(site = "https://school.example/")))
         workshop.handle(AssignmentEvent.MakingRequested)
         onScreenOf(workshop, size.first, size.second) { check(workshop) }
