@@ -1,6 +1,7 @@
 package robotran.ui.screen
 
 import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.click
@@ -46,10 +47,13 @@ class SettingsPageTest {
         onScreen(411, 1500) { workshop ->
             openSettings()
             onNodeWithTag("text-size").performTouchInput {
-                down(centerLeft)
-                for (step in 1..10) moveTo(percentOffset(step / 10f, 0.5f))
+                // Not at the very edge, which is not the slider's.
+                down(percentOffset(0.1f, 0.5f))
+                for (step in 2..10) moveTo(percentOffset(step / 10f, 0.5f))
             }
             pass(300)
+            val shown = onNodeWithTag("text-size").fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+            assertEquals("200 %", shown)
             assertEquals(1f, workshop.state.settings.textScale)
             onNodeWithTag("text-size").performTouchInput { up() }
             pass(300)
