@@ -79,7 +79,7 @@ class DocumentStateHolder(
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
     private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement, guard)
     private val restoration = ProjectRestoration(platform, notices, autosaver, guard)
-    private val stopped = StoppedWorkDesk(platform, preferences, notices, autosaver, view, opener, projects)
+    private val stopped = StoppedProjects(platform, preferences, notices, autosaver, view, opener, projects)
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
     val state: DocumentState get() = view.state

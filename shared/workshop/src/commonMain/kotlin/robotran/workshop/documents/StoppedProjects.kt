@@ -15,7 +15,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.StoppedWork
 
 /** What can be done with work that stopped the app when it was opened last. */
-internal class StoppedWorkDesk(
+internal class StoppedProjects(
     private val platform: Platform,
     private val preferences: Preferences,
     private val notices: Notices,
