@@ -111,7 +111,6 @@ async function buildMaze(page, hand) {
   await builder.add(['drive', 'move', 'turn']);
   await builder.choose(/^wait until/, /^left bumper/, /^left bumper and right bumper$/);
   await builder.choose(/^wait until/, /^and/, /^or$/);
-  await builder.choose(/^wait until/, /^left,/, /^right$/, 0, 1);
   for (const [turn, distance, angle] of [
     [0, 4, 90],
     [0, 2, 25],
@@ -243,8 +242,6 @@ test('keys alone build the same', () =>
     await keys.press('ArrowUp', 'ArrowDown');
     await keys.goToPart(/^and,/);
     await keys.choose(/^or$/);
-    await keys.goToPart(/^left,/);
-    await keys.choose(/^right$/);
     await keys.add('else');
     for (const [distance, angle] of [
       [4, 90],

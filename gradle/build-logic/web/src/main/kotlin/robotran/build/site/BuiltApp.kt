@@ -33,9 +33,9 @@ internal class BuiltApp(folder: File) {
     val streamed: List<SiteFile> = STREAMED_MODULES.map(::module)
 
     /** Scripts that load later, and that a worker cannot load by itself. */
-    val chunksForWorkers: List<SiteFile> = code.filter {
-        it.name.startsWith("$COMPILER.") &&
-            it.content.extension == "js"
+    val chunksForWorkers: List<SiteFile> = COMPILER.map { chunk ->
+        code.firstOrNull { it.name.startsWith("$chunk.") && it.content.extension == "js" }
+            ?: throw GradleException("There is no $chunk.js in the built app.")
     }
 
     /** The module that draws the app. */
@@ -60,7 +60,9 @@ internal class BuiltApp(folder: File) {
         const val DATA = "bin"
         val CODE = listOf("js", "wasm", DATA)
         const val SKIKO = "skiko"
-        const val COMPILER = "ecj"
+
+        /** The classes of leJOS NXJ, and the compiler: named in the Kotlin code, and in webApp/webpack.config.d. */
+        val COMPILER = listOf("ecj", "ecj-module")
         val STREAMED_MODULES = listOf("robotran", SKIKO)
         val FIRST_MODULES = STREAMED_MODULES + "physics"
     }
