@@ -1,4 +1,4 @@
-// What stops the page, or would: work that is never opened to its end, and a compiler that never answers.
+// What stops the page, or would: work that is never opened to its end, a compiler and a database that never answer.
 import assert from 'node:assert/strict';
 import { isKept } from './kept.mjs';
 import { isReady, photograph } from './page.mjs';
@@ -23,6 +23,11 @@ function neverCompiles() {
     setTimeout(() => silent.onmessage({ data: { kind: 'ready' } }));
     return silent;
   };
+}
+
+/** Runs in a page: its database never answers. */
+function neverAnswers() {
+  IDBFactory.prototype.open = () => ({});
 }
 
 test('work that stopped the page is asked about at the next visit, with the way to all other work in sight', () =>
@@ -64,5 +69,17 @@ test('a Java program that keeps the compiler busy has a mistake that says so, an
     await isSaid(page, /keeps the compiler for Java busy for too long/);
     assert.ok((await page.evaluate(() => globalThis.ended)) >= 1, 'the worker is ended');
     await photograph(page, 'compiler-busy');
+    assert.deepEqual(troubles, []);
+  }));
+
+test('a page whose database never answers runs without it, and says so', () =>
+  onPage({ ...TABLET, prepare: neverAnswers }, async ({ page, troubles }) => {
+    await isSaid(page, /storage of this browser does not answer/);
+    await photograph(page, 'database-silent');
+    await writeProgram(page, 'forward 33');
+    await says(page, 'program', /forward 33/);
+    const saved = page.waitForEvent('download');
+    await press(page, 'trouble-save-as');
+    assert.match((await saved).suggestedFilename(), /\.robotran$/);
     assert.deepEqual(troubles, []);
   }));
