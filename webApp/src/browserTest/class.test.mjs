@@ -274,3 +274,37 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     assert.deepEqual(troubles, []);
   });
 });
+
+/** Runs in the page: what a camera makes, 4000 points wide and too long for a task, in Base64. */
+async function photo() {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [4_000, 3_000];
+  const context = canvas.getContext('2d');
+  for (let place = 0; place < 20_000; place += 1) {
+    context.fillStyle = `hsl(${(place * 137) % 360} 70% ${(place * 31) % 100}%)`;
+    context.fillRect((place * 7919) % 4_000, (place * 104_729) % 3_000, 60, 40);
+  }
+  const file = await new Promise((resolve) => canvas.toBlob(resolve, 'image/jpeg', 0.95));
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+}
+
+test('a photo for a task is made smaller, and one that the browser cannot read is told with what to do', () =>
+  onPage({ ...TEACHER, address: worldLink }, async ({ page, troubles }) => {
+    const finger = fingerOn(page);
+    const jpeg = Buffer.from(await page.evaluate(photo), 'base64');
+    assert.ok(jpeg.length > 1_000_000, `${jpeg.length} bytes`);
+    const file = (name, buffer) => ({ name, mimeType: 'application/octet-stream', buffer });
+    await openMenu(page, finger, 'work-make-assignment');
+    await appears(page, 'make-picture');
+    await chosen(page, [file('IMG_1.HEIC', Buffer.from('\0\0\0\x18ftypheic\0\0\0\0mif1heic'))], () =>
+      finger.press('make-picture'),
+    );
+    await says(page, 'make-picture-error', /HEIC/);
+    await chosen(page, [file('IMG_2.JPG', jpeg)], () => finger.press('make-picture'));
+    await says(page, 'make-picture-smaller', /made smaller/);
+    await appears(page, 'make-picture-remove-0');
+    await disappears(page, 'make-picture-error');
+    await photograph(page, 'class-photo');
+    assert.deepEqual(troubles, []);
+  }));
