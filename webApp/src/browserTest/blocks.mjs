@@ -115,13 +115,15 @@ export function fingerOn(page) {
     const { width, height } = page.viewportSize();
     return { left: 0, top: 0, width, height, x: width / 2, y: height / 2 };
   };
-  /** Swipes over the list that has `tag`, which is not there before it can be seen. */
+  /** Swipes over the list that has `tag`, which is not there before it can be seen: down, and then up again. */
   const find = async (tag) => {
-    for (let attempt = 0; attempt < 12 && (await words(page, tag).count()) === 0; attempt++) {
+    for (let attempt = 0; attempt < 24 && (await words(page, tag).count()) === 0; attempt++) {
       await rests(page);
       if (attempt < 2) continue;
       const { x, top, height } = await viewOf(tag);
-      await drag({ x, y: top + height - 40 }, { x, y: top + height * 0.5 });
+      const [low, middle] = [top + height - 40, top + height * 0.5];
+      if (attempt < 13) await drag({ x, y: low }, { x, y: middle });
+      else await drag({ x, y: middle }, { x, y: low });
     }
   };
   /** Brings `tag` into sight by swiping over what it is in, and returns its place. */
@@ -176,15 +178,20 @@ export const readerOn = (page) => {
     page.evaluate(() => [...document.querySelectorAll('#robotran-words [data-tag]')].map(({ dataset }) => dataset.tag).join());
   return {
     async press(tag) {
-      // A list tells only what can be seen, and has an action that scrolls.
-      const further = page.locator('#robotran-words button', { hasText: /^Further down/ });
+      // A list tells only what can be seen, and has actions that scroll. It may have been scrolled past `tag` before that came.
+      const ways = [/^Further down/, /^Back up/].map((words) => page.locator('#robotran-words button', { hasText: words }));
+      let way = 0;
       const end = Date.now() + PATIENCE;
       for (let attempt = 0; !(await pressNow(tag)); attempt++) {
         assert.ok(Date.now() < end, `${tag} is not among ${await seen()}`);
         await rests(page);
-        if (attempt < 2 || (await further.count()) === 0 || (await words(page, tag).count()) > 0) continue;
+        if (attempt < 2 || (await words(page, tag).count()) > 0) continue;
+        if ((await ways[way].count()) === 0) {
+          way = 1 - way;
+          continue;
+        }
         const before = await seen();
-        await further.last().evaluate((element) => element.click());
+        await ways[way].last().evaluate((element) => element.click());
         for (let wait = 0; wait < 20 && (await seen()) === before; wait++) await page.waitForTimeout(25);
       }
     },

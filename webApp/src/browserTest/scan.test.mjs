@@ -14,11 +14,15 @@ import { appears, choose, disappears, PATIENCE, placeOf, press, says, words, wri
 async function codeOf(page, program) {
   await writeProgram(page, program);
   await choose(page, 'work-menu', 'work-share-link');
-  await placeOf(page, 'qr-code');
-  const { x, y, width, height } = await words(page, 'qr-code').boundingBox();
+  // The dialog may be too long for the screen: as large as the screen, no part of the code is cut off.
+  await press(page, 'qr-code');
+  await placeOf(page, 'qr-code-large');
+  const { x, y, width, height } = await words(page, 'qr-code-large').boundingBox();
   const picture = await look(page, () => page.screenshot({ clip: { x, y, width, height } }));
-  await page.keyboard.press('Escape');
-  await disappears(page, 'qr-code');
+  for (const open of ['qr-code-large', 'qr-code']) {
+    await page.keyboard.press('Escape');
+    await disappears(page, open);
+  }
   return picture;
 }
 
