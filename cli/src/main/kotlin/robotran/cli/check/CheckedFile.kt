@@ -12,8 +12,8 @@ import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
 import robotran.cli.files.isFolder
 import robotran.cli.files.isNamed
+import robotran.cli.files.readJavaFile
 import robotran.cli.files.readProgramFiles
-import robotran.cli.files.readTextFile
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.isCourse
 import robotran.cli.input.readRobolangFile
@@ -185,7 +185,8 @@ private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?)
 
 private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language
-    val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
+    val messages = CommandMessages.of(language)
+    val read = names.associateWith { readJavaFile(it, isAlone = names.size == 1, messages) }
     val sources = read.mapNotNull { (_, file) -> (file as? TextFile.Read)?.let { SourceFile(it.name, it.text) } }
     if (sources.isEmpty()) {
         return read.mapValues { (_, file) ->

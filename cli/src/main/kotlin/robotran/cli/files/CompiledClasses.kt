@@ -14,6 +14,11 @@ import kotlin.io.path.nameWithoutExtension
 internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadProgram =
     reading(names.first(), messages, ReadProgram::Rejected) {
         val paths = names.map(Path::of).flatMap { listOf(it) + innerClassesOf(it) }.distinct()
+        if (paths.size > 1) {
+            paths.firstOrNull(::isLinkOutside)?.let {
+                return@reading ReadProgram.Rejected(messages.leadsOutside("$it"))
+            }
+        }
         val areNamesUnique = paths.distinctBy { it.name }.size == paths.size
         compiled(nameOf(names.first()), paths, messages) { if (areNamesUnique) it.name else it.toString() }
     }

@@ -77,13 +77,32 @@ private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
     val remarks = mutableListOf<String>()
     val files =
         names.map { name ->
-            when (val file = readTextFile(name, messages)) {
+            when (val file = readJavaFile(name, isAlone = names.size == 1, messages)) {
                 is TextFile.Read -> SourceFile(file.name, file.text).also { remarks += file.remarks }
                 is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
             }
         }
     return ReadProgram.Read(ProgramSource.Java(nameOf(files.first().name), files), remarks)
 }
+
+/**
+ * Reads the Java file [name].
+ *
+ * @param isAlone whether the user has named this file only. Of several, which may be all in a folder, none is read through
+ * a link to another folder: a program of somebody else's cannot get at other files of the user.
+ */
+internal fun readJavaFile(name: String, isAlone: Boolean, messages: FileMessages): TextFile =
+    if (!isAlone && isLinkOutside(name)) {
+        TextFile.Rejected(messages.leadsOutside(name))
+    } else {
+        readTextFile(name, messages)
+    }
+
+/** The first of [files] that is a link out of its folder and that the user has not named; null if there is none. */
+internal fun linkOutside(files: List<String>, named: List<String>): String? =
+    files.firstOrNull { it !in named && isLinkOutside(it) }
+
+private fun isLinkOutside(name: String): Boolean = runCatching { isLinkOutside(Path.of(name)) }.getOrDefault(false)
 
 /**
  * Returns the files to pass to [readProgramFiles] for one program: all sources in a folder of Java sources, otherwise

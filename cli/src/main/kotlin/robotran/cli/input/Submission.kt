@@ -6,6 +6,7 @@ import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.filesOfProgram
 import robotran.cli.files.hasClassFiles
+import robotran.cli.files.linkOutside
 import robotran.cli.files.readProgramFiles
 import robotran.projects.Project
 import robotran.projects.isLink
@@ -47,7 +48,9 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
     }
     names.filter { filesOfProgram(it) != listOf(it) && hasClassFiles(it) }
         .forEach { console.complain(console.messages.sourceCounts(it)) }
-    return when (val files = readProgramFiles(names.flatMap(::filesOfProgram), console.messages)) {
+    val found = names.flatMap(::filesOfProgram)
+    linkOutside(found, names)?.let { return SubmissionResult.Rejected(console.messages.leadsOutside(it)) }
+    return when (val files = readProgramFiles(found, console.messages)) {
         is ProgramFiles.Read -> {
             files.remarks.forEach(console::complain)
             SubmissionResult.Read(Submission(files.programs))
