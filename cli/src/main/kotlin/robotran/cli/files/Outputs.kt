@@ -7,6 +7,7 @@ import robotran.documents.COURSE_EXTENSION
 import robotran.documents.FileKind
 import robotran.documents.StoreResult
 import robotran.documents.files.writeSafely
+import robotran.language.Language
 import java.io.IOException
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -15,28 +16,54 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.isSameFileAs
 import kotlin.io.path.isSymbolicLink
+import kotlin.io.path.name
 import kotlin.io.path.readSymbolicLink
 
+/** The result of writing a whole file. Unless it is [Written], what was there is unchanged. */
+sealed interface FileWriting {
+    data object Written : FileWriting
+
+    data object DiskFull : FileWriting
+
+    /** The file is a symbolic link to another file, or to none. [reason] is a sentence that names both. */
+    data class IsLink(val reason: String) : FileWriting
+
+    /** [problem] is the error message of the operating system. */
+    data class Failed(val problem: String) : FileWriting
+}
+
 /**
- * Writes [bytes] to the file [name], see [writeSafely]. Returns null on success, otherwise an error message that names
- * the file. A symbolic link is not followed to another file.
+ * Writes [bytes] to the file at [path], see [writeSafely]. A symbolic link is not followed to another file. Errors are in
+ * [language] and name the file without its folders.
  */
+fun writeFile(path: Path, bytes: ByteArray, language: Language): FileWriting =
+    writeFile(path, path.name, bytes, CommandMessages.of(language))
+
+/** The same. Returns null on success, otherwise an error message that calls the file [name], as the user entered it. */
 internal fun writeFile(name: String, bytes: ByteArray, messages: CommandMessages): String? = try {
-    val path = Path.of(name)
-    if (path.isSymbolicLink() && (path.isRegularFile() || !path.exists())) {
-        messages.isSymbolicLink(name, "${path.readSymbolicLink()}")
-    } else {
-        when (val result = writeSafely(path, bytes)) {
-            StoreResult.Done -> null
-            StoreResult.Full -> messages.diskFull(name)
-            StoreResult.NoAnswer -> messages.unwritable(name, "timeout")
-            is StoreResult.Failed -> messages.unwritable(name, result.reason)
-        }
+    when (val result = writeFile(Path.of(name), name, bytes, messages)) {
+        FileWriting.Written -> null
+        FileWriting.DiskFull -> messages.diskFull(name)
+        is FileWriting.IsLink -> result.reason
+        is FileWriting.Failed -> messages.unwritable(name, result.problem)
     }
 } catch (_: InvalidPathException) {
     messages.notAFileName(name)
+}
+
+private fun writeFile(path: Path, name: String, bytes: ByteArray, messages: CommandMessages): FileWriting = try {
+    if (path.isSymbolicLink() && (path.isRegularFile() || !path.exists())) {
+        FileWriting.IsLink(messages.isSymbolicLink(name, "${path.readSymbolicLink()}"))
+    } else {
+        when (val result = writeSafely(path, bytes)) {
+            StoreResult.Done -> FileWriting.Written
+            StoreResult.Full -> FileWriting.DiskFull
+            StoreResult.NoAnswer -> FileWriting.Failed("timeout")
+            is StoreResult.Failed -> FileWriting.Failed(result.reason)
+        }
+    }
 } catch (problem: IOException) {
-    messages.unwritable(name, problem.message.orEmpty())
+    FileWriting.Failed(problem.message.orEmpty())
 }
 
 /**

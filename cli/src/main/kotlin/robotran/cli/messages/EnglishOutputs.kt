@@ -10,7 +10,7 @@ internal object EnglishOutputMessages : OutputMessages {
     override fun notAFileName(name: String) = "$name is not the name of a file."
 
     override fun isSymbolicLink(name: String, target: String) =
-        "$name is a link to $target. To change that file, name it itself."
+        "$name is a link to $target. To change that file, use its own name."
 
     override fun isInput(name: String) =
         "$name is read by this command, so nothing is written there. Choose another name for the result."

@@ -11,7 +11,7 @@ internal object GermanOutputMessages : OutputMessages {
     override fun notAFileName(name: String) = "$name ist kein Name für eine Datei."
 
     override fun isSymbolicLink(name: String, target: String) =
-        "$name ist eine Verknüpfung mit $target. Soll diese Datei geändert werden, nenne sie selbst."
+        "$name ist eine Verknüpfung mit $target. Soll diese Datei geändert werden, nimm ihren eigenen Namen."
 
     override fun isInput(name: String) =
         "$name wird von diesem Befehl gelesen, deshalb wird dorthin nichts geschrieben. Wähle einen anderen Namen " +

@@ -11,7 +11,7 @@ internal object SpanishOutputMessages : OutputMessages {
     override fun notAFileName(name: String) = "$name no es un nombre de archivo."
 
     override fun isSymbolicLink(name: String, target: String) =
-        "$name es un enlace a $target. Para cambiar ese archivo, nómbralo a él mismo."
+        "$name es un enlace a $target. Para cambiar ese archivo, usa su propio nombre."
 
     override fun isInput(name: String) =
         "Esta orden lee $name, así que no escribe nada ahí. Elige otro nombre para el resultado."

@@ -104,7 +104,10 @@ class OutputsTest : CommandTest() {
     fun `a link is not followed to another file`() {
         val precious = program("Beep\n", "precious.robo")
         val link = folder.resolve("link.robo").createSymbolicLinkPointingTo(Path.of("precious.robo")).toString()
-        assertEquals("$link is a link to precious.robo. To change that file, name it itself.", refusal("format", link))
+        assertEquals(
+            "$link is a link to precious.robo. To change that file, use its own name.",
+            refusal("format", link),
+        )
         assertContains(refusal("translate", square, "-o", link), "is a link to")
         assertEquals("Beep\n", Path.of(precious).readText())
     }

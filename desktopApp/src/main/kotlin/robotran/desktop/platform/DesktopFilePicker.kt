@@ -3,10 +3,10 @@ package robotran.desktop.platform
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.cli.files.FileContent
+import robotran.cli.files.FileWriting
 import robotran.cli.files.readFile
+import robotran.cli.files.writeFile
 import robotran.documents.FileKind
-import robotran.documents.StoreResult
-import robotran.documents.files.writeSafely
 import robotran.language.Language
 import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.OpenedFile
@@ -56,11 +56,11 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
     }
 
     override suspend fun write(location: String, name: String, bytes: ByteArray): Saving =
-        when (val result = withContext(Dispatchers.IO) { writeSafely(Path.of(location), bytes) }) {
-            StoreResult.Done -> Saving.Saved(name, location)
-            StoreResult.Full -> Saving.Failed("", isFull = true)
-            StoreResult.NoAnswer -> Saving.Failed("timeout")
-            is StoreResult.Failed -> Saving.Failed(result.reason)
+        when (val result = withContext(Dispatchers.IO) { writeFile(Path.of(location), bytes, appLanguage(null)) }) {
+            FileWriting.Written -> Saving.Saved(name, location)
+            FileWriting.DiskFull -> Saving.Failed("", isFull = true)
+            is FileWriting.IsLink -> Saving.Failed(result.reason)
+            is FileWriting.Failed -> Saving.Failed(result.problem)
         }
 
     override suspend fun read(location: String): ByteArray? =
