@@ -3,6 +3,8 @@ package robotran.android
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
+import robotran.documents.StoreResult
+import robotran.documents.files.writeSafely
 import robotran.documents.projectFile
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -25,11 +27,9 @@ internal class RunPersistence(private val file: File) {
         val isReproducible = !state.untouched && !state.changed && replay.inputs.size == workshop.inputs.size
         withContext(Dispatchers.IO) {
             val bytes = if (isReproducible && replay.inputs.isNotEmpty()) projectFile(replay) else null
-            try {
-                if (bytes == null) file.delete() else file.writeBytes(bytes)
-            } catch (_: IOException) {
-                file.delete()
-            }
+            val isKept = bytes != null && writeSafely(file.toPath(), bytes) == StoreResult.Done
+            // An older run is none of this program.
+            if (!isKept) file.delete()
         }
     }
 

@@ -13,12 +13,18 @@ import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
 import robotran.language.ProgramLanguage
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.WorkshopStatus
+import java.nio.file.Files
 import java.util.concurrent.TimeUnit
+import kotlin.io.path.readBytes
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
 
 @RunWith(RobolectricTestRunner::class)
 class WorkshopViewModelTest {
@@ -66,6 +72,21 @@ class WorkshopViewModelTest {
         opened().handle(SettingsEvent.SoundSwitched(on = false))
         endTheProcess()
         assertFalse(opened().state.soundOn)
+    }
+
+    @Test
+    fun `a run is written to a file of its own, which then takes the place of the one before`() {
+        val file = app.noBackupFilesDir.resolve("run.robotran").toPath()
+        file.writeText("the run before")
+        val before = Files.createLink(file.resolveSibling("before"), file)
+        val workshop = opened()
+        workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
+        runBlocking { workshop.compilePrograms() }
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(500)
+        endTheProcess()
+        assertTrue(readProject(file.readBytes()) is ProjectFileResult.Loaded)
+        assertEquals("the run before", before.readText())
     }
 
     private fun opened(): Workshop {
