@@ -28,7 +28,7 @@ internal class ClassFileLinker(
         if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
         return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
             is ImageResult.Refused -> {
-                ProgramResult.HasErrors(image.errors.map(program.locate))
+                ProgramResult.HasErrors(program.diagnosticsOf(image.errors))
             }
 
             is ImageResult.Linked -> {

@@ -15,7 +15,10 @@ internal class CompiledProgram(
     val mainClass: String?,
     val warnings: List<ProgramDiagnostic>,
     val locate: (LinkError) -> ProgramDiagnostic,
-)
+) {
+    /** What [errors] say to the pupil, each once: several places in the Java may be one in the program, or none. */
+    fun diagnosticsOf(errors: List<LinkError>): List<ProgramDiagnostic> = errors.map(locate).distinct()
+}
 
 /** The result of compiling a program without linking it. */
 internal sealed interface CompiledSource {

@@ -52,6 +52,17 @@ class ImageBuildTest {
     }
 
     @Test
+    fun `places in the Java of a Robolang program that are none in the program itself are told once`() = runTest {
+        val names = List(100) { "step$it" }
+        val calls = names.joinToString("") { "$it()\n" } + "show 0.5\n"
+        val text = calls + names.joinToString("") { "procedure $it()\n  beep\nend\n" }
+        val result = compiler.buildImage(listOf(ProgramSource.Robolang("many.robo", text)))
+        val told = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.map { it.range to it.message }
+        assertTrue(told.any { (range, message) -> range == null && "Many.show: " in message }, "$told")
+        assertEquals(told.distinct(), told)
+    }
+
+    @Test
     fun `two programs with different classes of the same name are refused`() = runTest {
         val result = compiler.buildImage(
             listOf(
