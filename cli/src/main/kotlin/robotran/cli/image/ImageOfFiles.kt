@@ -48,5 +48,7 @@ internal fun buildImageOf(programs: List<NamedProgram>, language: Language, vers
             result.diagnostics.map { lineOf(programs, it) },
             ExitCode.PROGRAM_FAILED,
         )
+
+        is ImageBuildResult.NotLoaded -> throw result.cause
     }
 }

@@ -28,7 +28,7 @@ class TimedJavaCompiler internal constructor(private val ecj: TimedEcj, private 
 }
 
 /** The compiler cannot be loaded, for example because the browser is offline and has never fetched it. */
-class CompilerNotLoadedException(message: String) : Exception(message)
+class CompilerNotLoadedException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /** The timed compiler of this platform; null where there is none, such as in a worker. */
 expect fun timedJavaCompiler(messages: JavaMessages = EnglishJavaMessages): TimedJavaCompiler?

@@ -13,4 +13,7 @@ sealed interface ImageBuildResult {
 
     /** A brick cannot run the programs. The [diagnostics] are in the order of the programs and never empty. */
     data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageBuildResult
+
+    /** The Java compiler could not be loaded; see [CompilerLoading.Failed]. */
+    class NotLoaded(val cause: Throwable) : ImageBuildResult
 }

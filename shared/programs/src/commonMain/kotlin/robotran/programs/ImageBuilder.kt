@@ -12,13 +12,14 @@ import robotran.tinyvm.messages.LinkMessages
 internal class ImageBuilder(
     private val target: RobotTarget,
     private val robolang: RobolangMessages,
-    private val java: JavaProgramCompiler?,
-    private val translated: TranslatedProgramCompiler?,
+    private val java: TimedJavaProgramCompiler,
+    private val translated: TranslatedProgramCompiler,
     private val linker: ClassFileLinker,
     private val messages: LinkMessages,
 ) {
-    fun build(sources: List<ProgramSource>): ImageBuildResult {
-        val compiled = sources.map(::compile)
+    /** @throws robotran.javacompiler.CompilerNotLoadedException if the Java compiler cannot be loaded. */
+    suspend fun build(sources: List<ProgramSource>): ImageBuildResult {
+        val compiled = sources.map { compile(it) }
         val errors = compiled.filterIsInstance<CompiledSource.HasErrors>().flatMap { it.diagnostics }
         if (errors.isNotEmpty()) return ImageBuildResult.HasErrors(errors)
         val programs = compiled.map { (it as CompiledSource.Compiled).program }
@@ -35,12 +36,12 @@ internal class ImageBuilder(
         val mainClasses = programs.map { program ->
             program.mainClass ?: when (val alone = linker.linkImage(program.classFiles, emptyList())) {
                 is ImageResult.Linked -> alone.image.entryClasses.single()
-                is ImageResult.Refused -> return ImageBuildResult.HasErrors(alone.errors.map(program.locate))
+                is ImageResult.Refused -> return ImageBuildResult.HasErrors(program.diagnosticsOf(alone.errors))
             }
         }
         return when (val image = linker.linkImage(classFiles, mainClasses)) {
             is ImageResult.Refused -> {
-                ImageBuildResult.HasErrors(image.errors.map { ownerOf(it, programs).locate(it) })
+                ImageBuildResult.HasErrors(image.errors.map { ownerOf(it, programs).locate(it) }.distinct())
             }
 
             is ImageResult.Linked -> {
@@ -50,22 +51,26 @@ internal class ImageBuilder(
         }
     }
 
-    private fun compile(source: ProgramSource): CompiledSource = when (source) {
+    private suspend fun compile(source: ProgramSource): CompiledSource = when (source) {
         is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
 
         is ProgramSource.ForLegoFirmware -> error("${source.name} is not for leJOS.")
 
-        is ProgramSource.Java -> checkNotNull(java) { NOT_LOADED }.compile(source)
+        is ProgramSource.Java -> java.compile(source)
 
         is ProgramSource.Robolang -> when (
             val result = compileRobolang(source.name, source.text, target, robolang)
         ) {
-            is RobolangResult.Ready -> checkNotNull(translated) { NOT_LOADED }
-                .compile(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
+            is RobolangResult.Ready -> {
+                translated
+                    .compile(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
+            }
 
-            is RobolangResult.HasErrors -> CompiledSource.HasErrors(
-                result.diagnostics.map { diagnosticOf(source.name, it) },
-            )
+            is RobolangResult.HasErrors -> {
+                CompiledSource.HasErrors(
+                    result.diagnostics.map { diagnosticOf(source.name, it) },
+                )
+            }
         }
     }
 
@@ -85,9 +90,5 @@ internal class ImageBuilder(
     private fun ownerOf(error: LinkError, programs: List<CompiledProgram>): CompiledProgram {
         val name = error.className.replace('.', '/')
         return programs.find { name in it.classFiles || "$name.class" in it.classFiles } ?: programs.first()
-    }
-
-    private companion object {
-        const val NOT_LOADED = "The compiler for Java is not loaded."
     }
 }

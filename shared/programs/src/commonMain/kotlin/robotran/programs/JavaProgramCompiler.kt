@@ -1,14 +1,19 @@
 package robotran.programs
 
 import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.CompilerNotLoadedException
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.TimedJavaCompiler
 import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.diagnose.JavaRange
 import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
+import robotran.programs.messages.ProgramMessages
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
+import kotlin.coroutines.cancellation.CancellationException
 
 /** Compiles and links Java programs. */
 internal class JavaProgramCompiler(
@@ -25,18 +30,53 @@ internal class JavaProgramCompiler(
         compiledOf(source, compiler.compile(filesOf(source), library.classFiles, library.missing, library.target))
 }
 
-/** The same with a compiler that works beside the caller. */
+/**
+ * The same with a compiler that works beside the caller and within a time limit, where the platform has one. A program
+ * with which it is not ready by then has a mistake that says so.
+ */
 internal class TimedJavaProgramCompiler(
-    private val compiler: TimedJavaCompiler,
+    private val loaded: LoadedJava,
     private val linker: ProgramLinker,
     private val library: JavaLibrary,
+    private val language: Language,
 ) {
-    /** The result; null if compiling takes too long. */
-    suspend fun read(source: ProgramSource.Java): ProgramResult? {
-        val result =
-            compiler.compile(filesOf(source), library.classFiles, library.missing, library.target) ?: return null
-        return linked(compiledOf(source, result), linker)
+    private val messages = JavaMessages.of(language)
+
+    /** @throws CompilerNotLoadedException see [compile]. */
+    suspend fun read(source: ProgramSource.Java): ProgramResult = link(compile(source))
+
+    /** Links what [compile] has compiled. */
+    fun link(compiled: CompiledSource): ProgramResult = linked(compiled, linker)
+
+    /** @throws CompilerNotLoadedException if the compiler cannot be loaded. */
+    suspend fun compile(source: ProgramSource.Java): CompiledSource {
+        try {
+            loaded.timedCompiler?.let { return compiled(source, it.withLanguage(messages)) }
+        } catch (_: CompilerNotLoadedException) {
+            // A page that may not have this worker compiles by itself.
+        }
+        return JavaProgramCompiler(ownCompiler().withLanguage(messages), linker, library).compile(source)
     }
+
+    private suspend fun ownCompiler(): JavaCompiler = try {
+        loaded.loadCompiler()
+    } catch (cancelled: CancellationException) {
+        throw cancelled
+    } catch (cause: Throwable) {
+        // The exception's type depends on the platform.
+        throw CompilerNotLoadedException(cause.message.orEmpty(), cause)
+    }
+
+    private suspend fun compiled(source: ProgramSource.Java, compiler: TimedJavaCompiler): CompiledSource {
+        val result = compiler.compile(filesOf(source), library.classFiles, library.missing, library.target)
+        return if (result == null) CompiledSource.HasErrors(listOf(tooLong(source))) else compiledOf(source, result)
+    }
+
+    private fun tooLong(source: ProgramSource.Java) = ProgramDiagnostic(
+        source.files.firstOrNull()?.name.orEmpty(),
+        null,
+        ProgramMessages.of(language).compilesTooLong(),
+    )
 }
 
 private fun filesOf(source: ProgramSource.Java) = source.files.map { JavaSource(it.name, it.text) }

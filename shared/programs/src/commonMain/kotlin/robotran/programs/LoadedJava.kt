@@ -18,9 +18,7 @@ internal class LoadedJava {
     var nxj: NxjLibrary? = null
         private set
 
-    suspend fun loadCompiler() {
-        if (compiler == null) compiler = loadJavaCompiler()
-    }
+    suspend fun loadCompiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
 
     suspend fun loadNxj() {
         if (nxj == null) nxj = NxjLibrary.load()

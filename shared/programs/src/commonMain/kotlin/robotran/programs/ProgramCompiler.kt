@@ -2,8 +2,6 @@ package robotran.programs
 
 import robotran.brick.kind.BrickKind
 import robotran.javacompiler.CompilerNotLoadedException
-import robotran.javacompiler.JavaCompiler
-import robotran.javacompiler.TimedJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
@@ -109,45 +107,34 @@ class ProgramCompiler private constructor(
      * caller where it can; a program with which it is not ready after some time has a mistake that says so.
      */
     suspend fun compile(source: ProgramSource): TimedCompilation {
-        val timed = loaded.timedCompiler
-        if (timed != null && source is ProgramSource.Java && otherBrick.mistakeIn(source) == null) {
-            val loading = attempt { loadLibrary() }
-            if (loading is CompilerLoading.Failed) return TimedCompilation.NotLoaded(loading.cause)
-            try {
-                return TimedCompilation.Compiled(compile(source, timed))
-            } catch (_: CompilerNotLoadedException) {
-                // A page that may not have this worker compiles by itself.
-            }
+        val isForThis = otherBrick.mistakeIn(source) == null
+        val loading = if (source is ProgramSource.Java && isForThis) attempt { loadLibrary() } else prepareFor(source)
+        return when {
+            loading is CompilerLoading.Failed -> TimedCompilation.NotLoaded(loading.cause)
+            source is ProgramSource.Java && isForThis -> compileTimed(source)
+            else -> TimedCompilation.Compiled(compileNow(source))
         }
-        return when (val loading = prepareFor(source)) {
-            CompilerLoading.Loaded -> TimedCompilation.Compiled(compileNow(source))
-            is CompilerLoading.Failed -> TimedCompilation.NotLoaded(loading.cause)
-        }
+    }
+
+    private suspend fun compileTimed(source: ProgramSource.Java): TimedCompilation = try {
+        val (linker, library) = javaParts()
+        TimedCompilation.Compiled(timedCompiler(linker, library).read(source))
+    } catch (missing: CompilerNotLoadedException) {
+        TimedCompilation.NotLoaded(missing)
     }
 
     private suspend fun loadLibrary() {
         if (target.kind == BrickKind.NXT) loaded.loadNxj()
     }
 
-    private suspend fun compile(source: ProgramSource.Java, timed: TimedJavaCompiler): ProgramResult {
-        val (linker, library) = javaParts()
-        return TimedJavaProgramCompiler(timed.withLanguage(JavaMessages.of(language)), linker, library).read(source)
-            ?: ProgramResult.HasErrors(listOf(tooLong(source)))
-    }
-
-    private fun tooLong(source: ProgramSource.Java) = ProgramDiagnostic(
-        source.files.firstOrNull()?.name.orEmpty(),
-        null,
-        ProgramMessages.of(language).compilesTooLong(),
-    )
-
     /**
      * Builds the image of [sources] for a real RCX with leJOS [version]; the Prgm button goes through them in this
      * order. Robolang programs become Java first, so they need the Java compiler, too. A program for another brick has a
      * mistake.
      *
+     * Compiles like [compile], beside the caller and within a time limit where it can.
+     *
      * @param sources at least one program.
-     * @throws Throwable whatever the platform throws if the Java compiler cannot be loaded; see [CompilerLoading.Failed].
      */
     suspend fun buildImage(sources: List<ProgramSource>, version: LejosVersion = java.version): ImageBuildResult {
         require(sources.isNotEmpty()) { "There is no program to build an image of." }
@@ -155,12 +142,14 @@ class ProgramCompiler private constructor(
         if (others.isNotEmpty()) return ImageBuildResult.HasErrors(others)
         val settings = JavaSettings(TinyVmMode.BRICK, version = version)
         val linker = linkerFor(settings)
-        if (sources.any { it !is ProgramSource.CompiledClasses }) loaded.loadCompiler()
-        val java = loaded.compiler?.let { JavaProgramCompiler(speaking(it), linker, JavaLibrary.ofLejos(settings)) }
-        val translated = java?.let { TranslatedProgramCompiler(it, ProgramMessages.of(language)) }
+        val java = timedCompiler(linker, JavaLibrary.ofLejos(settings))
+        val translated = TranslatedProgramCompiler(java, ProgramMessages.of(language))
         val messages = TinyVmMessages.of(language)
-        return ImageBuilder(target, RobolangMessages.of(language), java, translated, linker, messages)
-            .build(sources)
+        return try {
+            ImageBuilder(target, RobolangMessages.of(language), java, translated, linker, messages).build(sources)
+        } catch (missing: CompilerNotLoadedException) {
+            ImageBuildResult.NotLoaded(missing)
+        }
     }
 
     /**
@@ -174,9 +163,9 @@ class ProgramCompiler private constructor(
     }
 
     /**
-     * Compiles the Java that [source] becomes for the robot. Mistakes are told at the lines of [source].
+     * Compiles the Java that [source] becomes for the robot, like [compile]. Mistakes are told at the lines of [source].
      *
-     * @throws Throwable like [read].
+     * @throws Throwable if a compiler cannot be loaded, see [CompilerLoading.Failed].
      */
     suspend fun readTranslation(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, target, RobolangMessages.of(language))) {
@@ -185,15 +174,19 @@ class ProgramCompiler private constructor(
             }
 
             is RobolangResult.Ready -> {
-                loaded.loadCompiler()
-                if (target.kind == BrickKind.NXT) loaded.loadNxj()
-                TranslatedProgramCompiler(javaCompiler(), ProgramMessages.of(language))
+                loadLibrary()
+                val (linker, library) = javaParts()
+                TranslatedProgramCompiler(timedCompiler(linker, library), ProgramMessages.of(language))
                     .read(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
             }
         }
 
+    private fun timedCompiler(linker: ProgramLinker, library: JavaLibrary) =
+        TimedJavaProgramCompiler(loaded, linker, library, language)
+
     private fun javaCompiler(): JavaProgramCompiler {
-        val compiler = speaking(checkNotNull(loaded.compiler) { "The compiler for Java is not loaded." })
+        val compiler = checkNotNull(loaded.compiler) { "The compiler for Java is not loaded." }
+            .withLanguage(JavaMessages.of(language))
         val (linker, library) = javaParts()
         return JavaProgramCompiler(compiler, linker, library)
     }
@@ -206,8 +199,6 @@ class ProgramCompiler private constructor(
     private fun nxjLinker() = NxjLinker(nxjLibrary(), java.speed, TinyVmMessages.of(language))
 
     private fun nxjLibrary() = checkNotNull(loaded.nxj) { "The classes of leJOS NXJ are not loaded." }
-
-    private fun speaking(compiler: JavaCompiler) = compiler.withLanguage(JavaMessages.of(language))
 
     private fun linkerFor(settings: JavaSettings) =
         ClassFileLinker(settings, TinyVmMessages.of(language), ImageMessages.of(language))

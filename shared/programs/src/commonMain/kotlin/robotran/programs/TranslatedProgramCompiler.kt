@@ -8,22 +8,22 @@ import robotran.robolang.translate.translateRobolang
 
 /** Compiles the Java that Robolang programs become, and tells its mistakes at their lines. */
 internal class TranslatedProgramCompiler(
-    private val compiler: JavaProgramCompiler,
+    private val compiler: TimedJavaProgramCompiler,
     private val messages: ProgramMessages,
 ) {
     /** Compiles and links, see [compile]. */
-    fun read(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): ProgramResult =
+    suspend fun read(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): ProgramResult =
         compiler.link(compile(name, program, warnings))
 
     /**
      * @param name the Robolang program's file.
      * @param warnings about the program itself.
      */
-    fun compile(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): CompiledSource {
+    suspend fun compile(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): CompiledSource {
         val translation = translateRobolang(program)
         return when (val compiled = compiler.compile(sourceOf(translation))) {
             is CompiledSource.HasErrors -> CompiledSource.HasErrors(
-                compiled.diagnostics.map { located(name, translation, it) },
+                compiled.diagnostics.map { located(name, translation, it) }.distinct(),
             )
 
             is CompiledSource.Compiled -> CompiledSource.Compiled(

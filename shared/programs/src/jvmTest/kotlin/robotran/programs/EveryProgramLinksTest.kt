@@ -62,6 +62,8 @@ class EveryProgramLinksTest {
             is ImageBuildResult.HasErrors -> "$name: ${result.diagnostics.joinToString("; ") {
                 "${it.range?.line} ${it.message}"
             }}"
+
+            is ImageBuildResult.NotLoaded -> throw result.cause
         }
 
     private fun sourceOf(path: String, text: String): ProgramSource {

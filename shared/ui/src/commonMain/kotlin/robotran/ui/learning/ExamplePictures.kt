@@ -3,11 +3,11 @@ package robotran.ui.learning
 import androidx.compose.ui.graphics.ImageBitmap
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
-import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.programs.TimedCompilation
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.penbotTarget
 import robotran.simulation.RobotLoad
@@ -40,9 +40,8 @@ internal object ExamplePictures : CardPictures<String> {
     private suspend fun programOf(set: ExampleSet, name: String, brick: BrickKind): BrickProgram? {
         val text = set.programs[name] ?: return null
         val source = ProgramSource.of(set.language, name, listOf(SourceFile(name, text)))
-        val compiler = reader.forTarget(brick.penbotTarget)
-        if (compiler.prepareFor(source) is CompilerLoading.Failed) return null
-        return (compiler.compileNow(source) as? ProgramResult.Ready)?.program
+        val compiled = reader.forTarget(brick.penbotTarget).compile(source) as? TimedCompilation.Compiled
+        return (compiled?.result as? ProgramResult.Ready)?.program
     }
 
     /** The Robolang version of a Java example for an RCX: `wall-bouncer.robo` for `WallBouncer.java`. */

@@ -1,7 +1,6 @@
 package robotran.workshop.send
 
 import kotlinx.coroutines.withContext
-import robotran.programs.CompilerLoading
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -24,10 +23,6 @@ internal class ProgramImageBuilder(
     override suspend fun build(program: PupilProgram): ProgramImageResult {
         val compiler = ProgramCompiler(PENBOT_TARGET, current.project.settings.java, preferences.language)
         val source = program.source()
-        // Robolang becomes Java first, so both languages need its compiler.
-        val needed = source as? ProgramSource.ForLegoFirmware ?: ProgramSource.Java(program.name, emptyList())
-        val loading = compiler.prepareFor(needed)
-        if (loading is CompilerLoading.Failed) return ProgramImageResult.NoCompiler
         return try {
             withContext(platform.background) {
                 if (source is ProgramSource.ForLegoFirmware) compiler.forLego(source) else compiler.forLejos(source)
@@ -44,6 +39,7 @@ internal class ProgramImageBuilder(
         when (val built = buildImage(listOf(source))) {
             is ImageBuildResult.Built -> ProgramImageResult.Ready(BuiltProgram.Lejos(built.image.bytes, maxBytes()))
             is ImageBuildResult.HasErrors -> ProgramImageResult.HasErrors(built.diagnostics)
+            is ImageBuildResult.NotLoaded -> ProgramImageResult.NoCompiler
         }
 
     private fun ProgramCompiler.forLego(source: ProgramSource.ForLegoFirmware) =

@@ -1,0 +1,37 @@
+package robotran.programs
+
+import kotlinx.coroutines.CoroutineStart
+import kotlinx.coroutines.async
+import kotlinx.coroutines.runBlocking
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** Who waits for Java to be compiled can go on meanwhile, for as long as it takes. */
+class CompilingBesideTest {
+    private val compiler = ProgramCompiler(testTarget)
+    private val robolang = ProgramSource.Robolang("square.robo", "forward 10\n")
+    private val java = ProgramSource.Java(
+        "Hello.java",
+        listOf(SourceFile("Hello.java", "class Hello { public static void main(String[] args) { } }")),
+    )
+
+    private fun leavesTheCallerFree(compile: suspend () -> Any) = runBlocking {
+        val steps = mutableListOf<String>()
+        val compiling = async(start = CoroutineStart.UNDISPATCHED) { compile().also { steps += "compiled" } }
+        steps += "something else"
+        compiling.await()
+        assertEquals(listOf("something else", "compiled"), steps)
+    }
+
+    @Test
+    fun `images of Java and of the Java that Robolang becomes`() {
+        leavesTheCallerFree { compiler.buildImage(listOf(java)) }
+        leavesTheCallerFree { compiler.buildImage(listOf(robolang)) }
+    }
+
+    @Test
+    fun `programs, and what the Java of a Robolang program would be`() {
+        leavesTheCallerFree { compiler.compile(java) }
+        leavesTheCallerFree { compiler.readTranslation(robolang) }
+    }
+}
