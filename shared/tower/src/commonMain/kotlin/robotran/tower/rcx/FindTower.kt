@@ -37,7 +37,7 @@ suspend fun findTower(ports: TowerPorts): FoundTower {
             }
 
             is OpenedTower.Open -> {
-                if (device.kind == TowerKind.USB || hearsItself(opened.port)) {
+                if (device.kind == TowerKind.USB || hearsItself(TowerLine(opened.port))) {
                     return FoundTower.Found(device, opened.port)
                 }
                 opened.port.close()
@@ -48,5 +48,6 @@ suspend fun findTower(ports: TowerPorts): FoundTower {
     return FoundTower.None(silent, failures)
 }
 
-private suspend fun hearsItself(port: TowerPort): Boolean =
-    TowerLine(port).wake(Wait.SEARCH).let { it == Waking.AWAKE || it == Waking.DISTURBED }
+/** Whether [line], which may be anything, is that of a tower, as far as a short look tells. */
+internal suspend fun hearsItself(line: TowerLine): Boolean =
+    line.wake(Wait.SEARCH).let { it == Waking.AWAKE || it == Waking.DISTURBED }

@@ -32,6 +32,12 @@ class RcxTower(private val port: TowerPort) {
     private val requests = Requests(port)
     private val oneAtATime = Mutex()
 
+    /**
+     * Whether there is a tower at the port, as far as a short look tells: a serial one hears itself. For a port that
+     * nobody has named as that of the tower; the other calls take longer to be sure.
+     */
+    suspend fun isThere(): Boolean = exclusively { hearsItself(requests.line) }
+
     /** Whether a brick answers. */
     suspend fun alive(): TowerResult<Unit> = exclusively { requests.reach().asResult() }
 

@@ -11,6 +11,7 @@ import robotran.tower.port.TowerPorts
 import robotran.tower.simulated.SimulatedLejos
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
@@ -49,6 +50,19 @@ class FindTowerTest {
         val ports = Ports(this, listOf(usb, tower))
         assertEquals(usb, assertIs<FoundTower.Found>(findTower(ports)).device)
         assertEquals(emptyList(), ports.opened.single().port.sent)
+    }
+
+    @Test
+    fun `a short look tells whether there is a tower, and takes less than to be sure that there is none`() = runTest {
+        suspend fun isThere(kind: TowerKind, hasEcho: Boolean) =
+            RcxTower(TestLine(this, SimulatedLejos(), kind, hasEcho = hasEcho).port).isThere()
+        assertTrue(isThere(TowerKind.SERIAL, hasEcho = true))
+        assertTrue(isThere(TowerKind.USB, hasEcho = false))
+        val begin = testScheduler.currentTime
+        assertFalse(isThere(TowerKind.SERIAL, hasEcho = false))
+        val short = testScheduler.currentTime - begin
+        RcxTower(TestLine(this, SimulatedLejos(), TowerKind.SERIAL, hasEcho = false).port).alive()
+        assertTrue(testScheduler.currentTime - begin - short > 2 * short)
     }
 
     @Test

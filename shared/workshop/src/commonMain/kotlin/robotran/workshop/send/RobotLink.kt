@@ -11,6 +11,9 @@ import robotran.tower.port.TowerPort
 
 /** An RCX at the other side of an open tower. */
 interface RobotLink {
+    /** Whether there is a tower at the port, which the pupil has not chosen, as far as a short look tells. */
+    suspend fun isTowerThere(): Boolean
+
     /** Asks whether a brick answers, and without deleting anything, whether it can run [program]. Null if so. */
     suspend fun check(program: BuiltProgram): TowerError?
 

@@ -127,8 +127,9 @@ class SendStateHolder(
         val towers = platform.towers
         if (towers.kinds.isEmpty()) return show(SendStep.NoTowers)
         val devices = towers.available()
-        val found = devices.firstOrNull { it.id == connection.device?.id } ?: devices.singleOrNull()
-        if (findsAlone && found != null) return check(found)
+        val last = devices.firstOrNull { it.id == connection.device?.id }
+        val found = last ?: devices.singleOrNull()
+        if (findsAlone && found != null) return check(found, isKnown = last != null)
         show(SendStep.ChoosingTower(devices, kinds()))
     }
 
@@ -145,10 +146,15 @@ class SendStateHolder(
 
     private suspend fun check() = check(checkNotNull(connection.device) { "No tower was chosen." })
 
-    /** Opens the tower unless it is open, looks for a brick and sends the program. */
-    private suspend fun check(device: TowerDevice) {
+    /**
+     * Opens the tower unless it is open, looks for a brick and sends the program.
+     *
+     * @param isKnown whether the pupil has chosen it; otherwise it may be any serial port of the machine.
+     */
+    private suspend fun check(device: TowerDevice, isKnown: Boolean = true) {
         show(SendStep.Checking)
         connection.open(device)?.let { return show(SendStep.Failed(SendError.OfPort(it.reason, device.kind))) }
+        if (!isKnown && !link().isTowerThere()) return fail(TowerError.TowerSilent)
         val error = link().check(checkNotNull(program) { "The program was not built." })
         if (error == null) sendProgram() else fail(error)
     }

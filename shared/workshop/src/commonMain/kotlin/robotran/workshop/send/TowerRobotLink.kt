@@ -18,6 +18,8 @@ import robotran.tower.rcx.RcxTower
 internal class TowerRobotLink(port: TowerPort) : RobotLink {
     private val tower = RcxTower(port)
 
+    override suspend fun isTowerThere(): Boolean = tower.isThere()
+
     override suspend fun check(program: BuiltProgram): TowerError? = when (val status = tower.status()) {
         // A brick that was heard at all is worth a transfer, which tries harder.
         is TowerResult.Failed -> status.error.takeIf { it != TowerError.BadConnection }

@@ -168,6 +168,18 @@ class SendStateHolderTest {
     }
 
     @Test
+    fun `a port that is there without a tower is told after a short look, unless the pupil has chosen it`() {
+        towers.devices = listOf(SERIAL_TOWER)
+        robot.isTowerThere = false
+        request()
+        assertEquals(SendStep.Failed(SendError.OfTower(TowerError.TowerSilent)), step)
+        assertEquals(emptyList(), robot.programs)
+        holder.handle(SendEvent.TowerChosen(SERIAL_TOWER))
+        assertIs<SendStep.Done>(step)
+        assertEquals(1, robot.looks)
+    }
+
+    @Test
     fun `a tower unplugged in the middle is opened anew at the next try`() {
         robot.transfers += TransferResult.Failed(TowerError.TowerGone)
         request()

@@ -66,6 +66,12 @@ internal class SilentPort(val device: TowerDevice) : TowerPort {
 
 /** A robot that does what a test wants. */
 internal class ScriptedRobot : RobotLinks {
+    var isTowerThere = true
+
+    /** How often somebody has looked whether it is. */
+    var looks = 0
+        private set
+
     /** The answers to the next checks; a brick that answers once they are used up. */
     val checks = ArrayDeque<TowerError>()
 
@@ -86,6 +92,8 @@ internal class ScriptedRobot : RobotLinks {
     var messages: List<ReceivedMessage> = emptyList()
 
     override fun over(port: TowerPort): RobotLink = object : RobotLink {
+        override suspend fun isTowerThere(): Boolean = isTowerThere.also { looks++ }
+
         override suspend fun check(program: BuiltProgram): TowerError? = checks.removeFirstOrNull()
 
         override suspend fun sendProgram(
