@@ -30,6 +30,9 @@ fun readFile(path: Path, language: Language): FileContent {
 /** The message in [language] that the file [name] does not exist. */
 fun noFile(name: String, language: Language): String = CommandMessages.of(language).noFile(name)
 
+/** The message in [language] that the file [name] is a link to a file outside of its folder, see [liesIn]. */
+fun leadsOutside(name: String, language: Language): String = CommandMessages.of(language).leadsOutside(name)
+
 /**
  * Reads the file at [path], unless it has more than [limit] bytes. Messages call it [name].
  *

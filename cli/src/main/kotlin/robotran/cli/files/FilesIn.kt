@@ -14,7 +14,7 @@ import kotlin.io.path.isRegularFile
  * @param withFolders whether the folders are among them, too.
  * @param fails is called with what cannot be read, such as somebody else's subfolder; all else is found nevertheless.
  */
-internal fun filesIn(
+fun filesIn(
     folder: Path,
     limit: Int,
     withFolders: Boolean = false,

@@ -2,6 +2,7 @@ package robotran.cli.files
 
 import java.io.IOException
 import java.nio.file.Path
+import kotlin.io.path.isRegularFile
 import kotlin.io.path.isSymbolicLink
 
 /** Whether [path] names a place in [folder] or below it, before links are followed. */
@@ -15,6 +16,6 @@ fun liesIn(folder: Path, path: Path): Boolean = try {
     false
 }
 
-/** Whether [path] is a symbolic link that leads out of the folder in which it is. */
+/** Whether [path] is a symbolic link to a file out of the folder in which it is. Devices and pipes are refused anyway. */
 internal fun isLinkOutside(path: Path): Boolean =
-    path.isSymbolicLink() && path.toAbsolutePath().parent?.let { liesIn(it, path) } == false
+    path.isSymbolicLink() && path.isRegularFile() && path.toAbsolutePath().parent?.let { liesIn(it, path) } == false

@@ -9,10 +9,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draganddrop.DragAndDropEvent
 import androidx.compose.ui.draganddrop.DragAndDropTarget
 import androidx.compose.ui.draganddrop.awtTransferable
+import robotran.desktop.platform.filesInFolder
 import robotran.desktop.platform.openedFile
 import robotran.projects.isLink
 import robotran.workshop.platform.OpenRequest
-import robotran.workshop.platform.OpenedFile
 import java.awt.datatransfer.DataFlavor
 import java.awt.datatransfer.Transferable
 import java.awt.datatransfer.UnsupportedFlavorException
@@ -46,26 +46,13 @@ internal fun openRequestsIn(dropped: Transferable): List<OpenRequest> {
     val errors = mutableListOf<OpenRequest>()
     val opened = files.flatMap { file ->
         if (file.isDirectory) {
-            filesInFolder(file)
+            filesInFolder(file.toPath()) { errors += OpenRequest.Unreadable(it) }
         } else {
             listOfNotNull(openedFile(file.toPath()) { errors += OpenRequest.Unreadable(it) })
         }
     }
     return errors + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(OpenRequest::OfFiles))
 }
-
-/** The files in [folder] that Robotran may read, with their paths; what cannot be read is left out. */
-private fun filesInFolder(folder: File): List<OpenedFile> = folder.walkTopDown()
-    .maxDepth(MAX_FOLDERS)
-    .onEnter { it == folder || !it.name.startsWith('.') }
-    .filter { file -> file.isFile && READABLE.any { file.name.endsWith(it, ignoreCase = true) } }
-    .take(MAX_FILES)
-    .sortedBy { it.path }
-    .mapNotNull { file ->
-        val path = "${folder.name}/${file.relativeTo(folder).invariantSeparatorsPath}"
-        openedFile(file.toPath()) { }?.let { OpenedFile(it.name, it.bytes, it.location, path) }
-    }
-    .toList()
 
 private fun Transferable.contentIn(flavour: DataFlavor): Any? = try {
     if (isDataFlavorSupported(flavour)) getTransferData(flavour) else null
@@ -75,10 +62,4 @@ private fun Transferable.contentIn(flavour: DataFlavor): Any? = try {
     null
 }
 
-/** The same as for files that are dropped on the page in a browser. */
-private val READABLE =
-    listOf(".robotran", ".json", ".robo", ".java", ".nqc", ".nqh", ".lasm", ".rcx") +
-        listOf(".zip", ".txt", ".url", ".webloc", ".html", ".htm", ".md")
-private const val MAX_FILES = 2_000
-private const val MAX_FOLDERS = 8
 private val FLAVOURS = listOf(DataFlavor.javaFileListFlavor, DataFlavor.stringFlavor)

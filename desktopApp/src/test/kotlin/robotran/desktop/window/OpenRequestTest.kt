@@ -102,6 +102,37 @@ class OpenRequestTest {
         assertEquals("square.robo", arrival.files.first().name)
     }
 
+    @Test
+    fun `a dropped folder brings the folders in it that hold nothing to read, once each`() {
+        val pupils = folder.resolve("Class 7").createDirectory()
+        pupils.resolve("Ada").createDirectory().resolve("square.robo").writeText("forward 1")
+        pupils.resolve("Ben").createDirectory()
+        pupils.resolve("Cem").createDirectory().resolve("work").createDirectory()
+        pupils.resolve("Dora").createDirectory().resolve("holiday.jpg").writeText("no picture")
+        val arrival = assertIs<OpenRequest.OfFiles>(openRequestsIn(DroppedFiles(pupils.toFile())).single())
+        assertEquals(
+            listOf("Class 7/Ada/square.robo", "Class 7/Ben/", "Class 7/Cem/work/", "Class 7/Dora/holiday.jpg"),
+            arrival.files.map { it.path },
+        )
+        assertEquals(listOf(false, true, true, true), arrival.files.map { it.isUnread })
+        val only = openRequestsIn(DroppedFiles(pupils.resolve("Ben").toFile())).single()
+        assertEquals("Ben/", assertIs<OpenRequest.OfFiles>(only).files.single().path)
+    }
+
+    @Test
+    fun `a link in a dropped folder that leads out of it is not read, and that is told`() {
+        val work = folder.resolve("work").createDirectory()
+        work.resolve("mine.robo").writeText("beep")
+        work.resolve("leak.robo").createSymbolicLinkPointingTo(program)
+        work.resolve("up").createSymbolicLinkPointingTo(folder)
+        val arrivals = openRequestsIn(DroppedFiles(work.toFile()))
+        assertEquals(
+            "leak.robo is a link to a file outside of its folder, and is not read.",
+            assertIs<OpenRequest.Unreadable>(arrivals.first()).sentence,
+        )
+        assertEquals(listOf("work/mine.robo"), assertIs<OpenRequest.OfFiles>(arrivals.last()).files.map { it.path })
+    }
+
     private class DroppedFiles(private vararg val files: File) : Transferable {
         override fun getTransferDataFlavors() = arrayOf(DataFlavor.javaFileListFlavor)
 

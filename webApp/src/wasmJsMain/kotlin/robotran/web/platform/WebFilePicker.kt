@@ -24,10 +24,16 @@ internal object WebFilePicker : FilePicker {
     }
 }
 
-/** Parses the files that scripts pass as lines: a name after its folders, a tab, and the content in Base64. */
+/**
+ * Parses the files that scripts pass as lines: a name after its folders, a tab, and the content in Base64; for an
+ * [OpenedFile.isUnread] file another tab instead.
+ */
 internal fun filesIn(lines: String): List<OpenedFile> = lines.split('\n').filter { '\t' in it }.map { line ->
     val path = line.substringBefore('\t')
-    OpenedFile(path.substringAfterLast('/'), Base64.decode(line.substringAfter('\t')), path = path)
+    val name = path.removeSuffix("/").substringAfterLast('/')
+    val content = line.substringAfter('\t')
+    val isUnread = content == "\t"
+    OpenedFile(name, if (isUnread) ByteArray(0) else Base64.decode(content), path = path, isUnread = isUnread)
 }
 
 private fun chooseFiles(accept: String): Promise<JsString> = js(
@@ -56,24 +62,29 @@ private fun download(name: String, type: String, content: String): Unit = js(
 
 /**
  * Installs the scripts that encode files as lines, see [filesIn], and that find the files in what was dropped. A folder
- * gives the files in it that Robotran may read.
+ * gives the files in it that Robotran may read; one without any gives itself, so that its pupil is not forgotten.
  */
 internal fun prepareReadingOfFiles(): Unit = js(
     """{
         const most = 16000000;
         const mostFiles = 2000;
         const mostFolders = 8;
-        const readable = /\.(robotran|json|robo|java|nqc|nqh|lasm|rcx|zip|txt|url|webloc|html|htm|md)$/i;
+        const readable = /\.(robotran|json|robo|java|nqc|nqh|lasm|rcx|zip|txt|url|webloc|html|htm|md|eml)$/i;
+        const plain = (name) => name.replace(/[\t\n\/]/g, ' ');
         globalThis.robotranFiles = async (files) => {
             const lines = [];
             for (const file of Array.from(files)) {
+                if (file.robotranUnread) {
+                    lines.push(file.robotranPath + '\t\t');
+                    continue;
+                }
                 if (file.size > most) continue;
                 const bytes = new Uint8Array(await file.arrayBuffer());
                 const letters = [];
                 for (let place = 0; place < bytes.length; place += 8192) {
                     letters.push(String.fromCharCode(...bytes.subarray(place, place + 8192)));
                 }
-                const path = file.robotranPath || file.name.replace(/[\t\n\/]/g, ' ');
+                const path = file.robotranPath || plain(file.name);
                 lines.push(path + '\t' + btoa(letters.join('')));
             }
             return lines.join('\n');
@@ -92,13 +103,19 @@ internal fun prepareReadingOfFiles(): Unit = js(
             if (found.length >= mostFiles || entry.name.startsWith('.')) return;
             if (entry.isDirectory) {
                 if (folders.length >= mostFolders) return;
-                const inside = [...folders, entry.name.replace(/[\t\n\/]/g, ' ')];
-                for (const next of await entriesIn(entry)) await collect(next, inside, found);
+                const inside = [...folders, plain(entry.name)];
+                const before = found.length;
+                const entries = await entriesIn(entry);
+                for (const next of entries) await collect(next, inside, found);
+                if (found.length > before) return;
+                const other = entries.find((next) => next.isFile && !next.name.startsWith('.'));
+                const path = [...inside, other ? plain(other.name) : ''].join('/');
+                found.push({ robotranPath: path, robotranUnread: true });
             } else if (folders.length === 0 || readable.test(entry.name)) {
                 const file = await fileIn(entry);
                 if (!file) return;
                 if (folders.length > 0) {
-                    file.robotranPath = [...folders, file.name.replace(/[\t\n\/]/g, ' ')].join('/');
+                    file.robotranPath = [...folders, plain(file.name)].join('/');
                 }
                 found.push(file);
             }

@@ -63,9 +63,9 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
     fun groups(files: List<FoundFile>, depth: Int, prefix: String): List<FileGroup> {
         val direct = files.filter { it.path.size == depth + 1 && !it.isEmptyFolder }
         val folders = files.filter { it.path.size > depth + 1 }.groupBy { it.path[depth] }
-        if (folders.size == 1 && (direct.all(isNoHandIn) || isClass(folders.values.single(), depth + 1))) {
-            return directGroups(direct, depth, prefix, isOnly = false) +
-                groups(folders.values.single(), depth + 1, prefix)
+        val only = folders.values.singleOrNull()?.takeUnless { files -> files.all { it.isEmptyFolderAt(depth + 1) } }
+        if (only != null && (direct.all(isNoHandIn) || isClass(only, depth + 1))) {
+            return directGroups(direct, depth, prefix, isOnly = false) + groups(only, depth + 1, prefix)
         }
         val isOnly = folders.isEmpty() && direct.size == 1 && depth >= 2
         val classes = folders.filterValues { holdsPupils(it, depth + 1) }.keys
@@ -120,6 +120,9 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
         return works.size >= MINIMUM_WORKS_OF_CLASS &&
             works.any { it.name.endsWith(FileKind.PROJECT.extension, ignoreCase = true) }
     }
+
+    /** Whether it is the folder at [depth] itself, with nothing in it. */
+    private fun FoundFile.isEmptyFolderAt(depth: Int): Boolean = isEmptyFolder && path.size == depth + 1
 
     private fun startsHere(file: FoundFile): Boolean = file.kind == FoundKind.JAVA && hasMain(file.text)
 

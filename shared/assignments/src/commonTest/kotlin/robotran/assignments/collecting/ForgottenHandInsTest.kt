@@ -40,6 +40,8 @@ class ForgottenHandInsTest {
         )
         assertEquals(setOf("ben", "anna", "dora"), collect(zip).map { it.name }.toSet())
         assertEquals(listOf("Eva: The folder is empty."), collect(inZip).map(::told))
+        assertEquals(listOf("ben: The folder is empty."), collect(file("ben/", "")).map(::told))
+        assertEquals(listOf("ben: The folder is empty."), collect(file("class/ben/", "")).map(::told))
     }
 
     @Test

@@ -201,7 +201,7 @@ class DocumentStateHolder(
     private suspend fun receive(arrival: OpenRequest) {
         if (takesElsewhere(arrival)) return
         when (arrival) {
-            is OpenRequest.OfFiles -> opener.open(arrival.files)
+            is OpenRequest.OfFiles -> arrival.files.filterNot { it.isUnread }.ifEmpty { null }?.let { opener.open(it) }
             is OpenRequest.OfLink -> opener.openLink(arrival.link)
             is OpenRequest.Unreadable -> notices.show(Notice.ForeignError(arrival.sentence))
         }

@@ -24,8 +24,16 @@ interface FilePicker {
  * @property name without folders.
  * @property location the location for saving it again; null if the platform does not report it.
  * @property path its name, after the folders that were dropped with it, with `/` between.
+ * @property isUnread whether it only stands for a folder with nothing to read, such as a pupil's who has handed in
+ * nothing: [path] is that of the folder with `/` behind it, or of a file in it whose kind is not read.
  */
-class OpenedFile(val name: String, val bytes: ByteArray, val location: String? = null, val path: String = name)
+class OpenedFile(
+    val name: String,
+    val bytes: ByteArray,
+    val location: String? = null,
+    val path: String = name,
+    val isUnread: Boolean = false,
+)
 
 /** The result of saving a file. */
 sealed interface Saving {

@@ -67,6 +67,28 @@ internal class BringingHandInsTest : HandInsTesting() {
         }
 
     @Test
+    fun `a pupil's folder with nothing to read is a row, and in the workshop it is nothing`() = looking { workshop ->
+        val folders = listOf(
+            OpenedFile("Ben", ByteArray(0), path = "Class 7/Ben/", isUnread = true),
+            OpenedFile("holiday.jpg", ByteArray(0), path = "Class 7/Dora/holiday.jpg", isUnread = true),
+        )
+        val work = OpenedFile("a.robo", "forward 1".encodeToByteArray(), path = "Class 7/Ina/a.robo")
+        arrivals.bring(OpenRequest.OfFiles(folders + work))
+        advanceUntilIdle()
+        assertEquals(listOf("Ben", "Dora", "Ina"), workshop.names)
+        assertEquals(
+            listOf("The folder is empty.", "There is no program, no project and no link in it."),
+            workshop.page.rows.mapNotNull { (it.submission as? Submission.Unusable)?.reason },
+        )
+        workshop.handle(HandInsEvent.Closed)
+        val title = workshop.state.world.title
+        arrivals.bring(OpenRequest.OfFiles(folders))
+        advanceUntilIdle()
+        assertEquals(title, workshop.state.world.title)
+        assertNull(workshop.state.document.dialog)
+    }
+
+    @Test
     fun `what a pupil hands in again takes the place of the first, and the comment stays`() = looking { workshop ->
         workshop.bring(listOf(AnyClass.file("Ada", AnyClass.short, tries = 1)))
         workshop.handle(HandInsEvent.CommentChanged("Ada", "Try again."))
