@@ -75,6 +75,33 @@ test('what is closed in another way leaves no entry, and Forward brings nothing 
     assert.deepEqual(troubles, []);
   }));
 
+/** Runs in the page: the browser is slow to go back where the page asks for it. */
+function goesSlowly() {
+  const { go } = History.prototype;
+  History.prototype.go = function (steps) {
+    setTimeout(() => go.call(this, steps), 2_500);
+  };
+}
+
+test('a browser that goes back late closes nothing that was opened meanwhile, and stays in the page', () =>
+  onPage({ ...TABLET, prepare: goesSlowly }, async ({ page, site, troubles }) => {
+    await tap(page, 'find-open');
+    await appears(page, 'find-close');
+    assert.equal(await entries(page), 1);
+    await page.keyboard.press('Escape');
+    await disappears(page, 'find-close');
+    await page.waitForTimeout(500); // It is asked for, and not yet there.
+    await tap(page, 'worlds');
+    await appears(page, 'worlds-page');
+    await page.waitForTimeout(3_000);
+    assert.equal(await words(page, 'worlds-page').count(), 1);
+    assert.equal(await entries(page), 1);
+    await page.goBack();
+    await disappears(page, 'worlds-page');
+    assert.equal(page.url(), site.address);
+    assert.deepEqual(troubles, []);
+  }));
+
 test('what lies over another closes first', () =>
   onPage(TABLET, async ({ page, troubles }) => {
     await tap(page, 'find-open');

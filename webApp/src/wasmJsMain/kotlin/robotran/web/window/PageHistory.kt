@@ -16,7 +16,10 @@ import kotlinx.browser.window
 internal class PageHistory(private val closeTop: () -> Unit) {
     private var closable = 0
     private var here = numberOfEntry().coerceAtLeast(0)
-    private var goes = 0
+
+    /** The entry that this has asked the browser for, which may come late; null once something has come. */
+    private var asked: Int? = null
+    private var waits = 0
     private var timer = 0
 
     init {
@@ -39,9 +42,9 @@ internal class PageHistory(private val closeTop: () -> Unit) {
             numberEntry(here)
         } else {
             here = number
-            if (goes == 0 && here < before && closable > 0) closeTop()
+            if (number != asked && here < before && closable > 0) closeTop()
         }
-        goes = 0
+        asked = null
         settleSoon()
     }
 
@@ -55,16 +58,16 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     }
 
     private fun settle() {
-        // Do not wait forever for a navigation that never happens.
-        if (goes in 1..MAX_WAITS) {
-            goes++
+        if (asked != null && waits++ < MAX_WAITS) {
             settleSoon()
             return
         }
-        goes = 0
+        if (closable > here) asked = null
         repeat(closable - here) { pushEntry(++here) }
-        if (closable < here) {
-            goes = 1
+        // An entry that is asked for again while the first wish is still on its way may lead out of the page.
+        if (closable < here && asked == null) {
+            asked = closable
+            waits = 0
             go(closable - here)
             settleSoon()
         }

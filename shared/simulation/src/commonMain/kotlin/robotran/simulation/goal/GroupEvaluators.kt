@@ -12,6 +12,9 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
         private set
     private var isInactive = false
 
+    /** Whether one part is enough. */
+    protected open val isChoice: Boolean get() = false
+
     init {
         tellAgain()
     }
@@ -62,7 +65,7 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
         if (isInactive) return GoalShortfall.NotBegun
         val part = decisivePart(told)
         val shortfall = told.getOrNull(part)?.shortfall ?: return GoalShortfall.ImpossibleGoal
-        return GoalShortfall.PartNotMet(part, shortfall)
+        return GoalShortfall.PartNotMet(part, shortfall, isChoice)
     }
 
     protected companion object {
@@ -95,6 +98,8 @@ internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : Grou
 }
 
 internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
+    override val isChoice: Boolean get() = true
+
     /** The one that was closest to being met. */
     override fun decisivePart(parts: List<GoalProgress>): Int = parts.indices.maxByOrNull { parts[it].progress } ?: -1
 

@@ -72,8 +72,15 @@ internal class Scene(
      * @param place the spot that mattered.
      */
     fun moment(actor: Actor, place: Point?): RunMoment {
-        val line = lines.getOrNull((actor as? Actor.OfRobots)?.number ?: 0)
-        return RunMoment(state.milliseconds, place, line?.sourceLine ?: 0, line?.sourceFile)
+        val robot = (actor as? Actor.OfRobots)?.number ?: 0
+        val line = lines.getOrNull(robot)
+        return RunMoment(
+            state.milliseconds,
+            place,
+            line?.sourceLine ?: 0,
+            line?.sourceFile,
+            places.nameAmongRobots(robot),
+        )
     }
 
     /** Where [actor] touches or nearly touches a thing of these [kinds]; null if there is none. */
@@ -115,6 +122,9 @@ internal class ObjectLocations(private val world: World, private val trigonometr
     } else {
         world.robots.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfRobots)
     }
+
+    /** What tells the robot with the index [number] from others; null if it is the only one. */
+    fun nameAmongRobots(number: Int): String? = world.robots.takeIf { it.size > 1 }?.getOrNull(number)?.name
 
     private fun outlineOf(wall: Wall): Outline {
         val along = length(wall.to.x - wall.from.x, wall.to.y - wall.from.y)

@@ -26,8 +26,9 @@ sealed interface GoalShortfall {
      * @property part its index: the first that was not met or, if any one would have been enough, the one that was
      * closest.
      * @property shortfall what that part lacked.
+     * @property isChoice whether any one would have been enough.
      */
-    data class PartNotMet(val part: Int, val shortfall: GoalShortfall) : GoalShortfall {
+    data class PartNotMet(val part: Int, val shortfall: GoalShortfall, val isChoice: Boolean = false) : GoalShortfall {
         override val moment get() = shortfall.moment
         override val place get() = shortfall.place
     }

@@ -122,6 +122,18 @@ class GoalShortfallTest {
     }
 
     @Test
+    fun `the line is that of the robot that a goal is about, which is named beside others`() = runTest {
+        val red = sheet.robots.single().copy(name = "red")
+        val run = run(Goal(Reach(garage, who = "red")), world = sheet.copy(robots = sheet.robots + red))
+        run.programIs(RunState.Running(5))
+        run.programIs(RunState.Running(2), number = 1)
+        run.robotAt(70.0, 40.0, number = 1)
+        run.finish()
+        val missing = run.lacks<PlaceShortfall.NotReached>()
+        assertEquals("red" to 2, missing.moment.robot to missing.moment.sourceLine)
+    }
+
+    @Test
     fun `the first breach of a region is told, not later ones`() = runTest {
         val out = run(Goal(StayOut(garage)))
         for (x in listOf(70.0, 81.0, 70.0, 90.0)) out.robotAt(x, 40.0)

@@ -32,6 +32,8 @@ import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.shortfall_line
 import robotran.ui.resources.shortfall_line_of_file
+import robotran.ui.resources.shortfall_line_of_robot
+import robotran.ui.resources.shortfall_line_of_robots_file
 import robotran.ui.resources.shortfall_show
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.Corners
@@ -92,11 +94,12 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
 @Composable
 private fun lineText(mark: ShortfallMark): String? {
     val moment = mark.shortfall.moment?.takeIf { it.sourceLine > 0 } ?: return null
-    val file = moment.sourceFile
-    return if (file == null) {
-        stringResource(Res.string.shortfall_line, moment.sourceLine)
-    } else {
-        stringResource(Res.string.shortfall_line_of_file, moment.sourceLine, file)
+    val (line, file, robot) = Triple(moment.sourceLine, moment.sourceFile, moment.robot)
+    return when {
+        robot != null && file != null -> stringResource(Res.string.shortfall_line_of_robots_file, robot, line, file)
+        robot != null -> stringResource(Res.string.shortfall_line_of_robot, robot, line)
+        file != null -> stringResource(Res.string.shortfall_line_of_file, line, file)
+        else -> stringResource(Res.string.shortfall_line, line)
     }
 }
 

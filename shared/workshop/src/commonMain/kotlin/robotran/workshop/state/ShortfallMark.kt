@@ -24,5 +24,9 @@ fun shortfallMarks(goals: List<GoalProgress>): List<ShortfallMark> {
 private fun leaves(goal: GoalProgress, where: List<Int>): List<Triple<List<Int>, GoalProgress, GoalShortfall>> {
     val shortfall = goal.shortfall ?: return emptyList()
     if (goal.parts.isEmpty()) return listOf(Triple(where, goal, shortfall))
+    if (shortfall is GoalShortfall.PartNotMet && shortfall.isChoice) {
+        // One of them is enough, so only the one that was closest is told.
+        return leaves(goal.parts[shortfall.part], where + shortfall.part)
+    }
     return goal.parts.flatMapIndexed { index, part -> leaves(part, where + index) }
 }

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.ProgramShortfall
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -62,8 +63,11 @@ class TruthOfResultsTest {
     @Test
     fun `a dice that beeps ten times is not done, whatever it shows`() {
         begin("dice")
-        val tenBeeps = "show random(1, 6)\nrepeat 10 times\n  beep\n  wait 0.5 seconds\nend\n"
+        val tenBeeps = "show random(1, 12)\nrepeat 10 times\n  beep\n  wait 0.5 seconds\nend\n"
         assertEquals(false, wasDoneMeanwhile(tenBeeps))
+        val told = workshop.state.run.shortfalls.map { it.shortfall }
+        assertEquals(1, told.size, "one of the numbers is enough, so the nearest alone is told: $told")
+        assertIs<ProgramShortfall.TooManyTones>(told.single())
         assertTrue(wasDoneMeanwhile(assertNotNull(learning.tutorial).current.solution.text))
     }
 
