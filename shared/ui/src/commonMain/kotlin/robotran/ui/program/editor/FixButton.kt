@@ -14,6 +14,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.mistake_fix
 import robotran.ui.resources.mistake_fix_add
 import robotran.ui.resources.mistake_fix_new_line
+import robotran.ui.resources.mistake_fix_normal_spaces
 import robotran.ui.resources.mistake_fix_remove
 import robotran.ui.resources.mistake_fix_remove_words
 import robotran.ui.resources.mistake_fix_space
@@ -66,6 +67,10 @@ private fun textOf(label: FixLabel): String = when (label) {
 
     is FixLabel.Space -> {
         stringResource(Res.string.mistake_fix_space, label.mended)
+    }
+
+    FixLabel.NormalSpaces -> {
+        stringResource(Res.string.mistake_fix_normal_spaces)
     }
 
     FixLabel.NewLine -> {

@@ -17,6 +17,9 @@ internal sealed interface FixLabel {
     /** Inserts a space, which gives [mended]. */
     data class Space(val mended: String) : FixLabel
 
+    /** Replaces special blanks, which look like others or cannot be seen, by normal ones. */
+    data object NormalSpaces : FixLabel
+
     /** Moves the following text to a new line. */
     data object NewLine : FixLabel
 }
@@ -32,6 +35,7 @@ internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Str
     val removed = line.substring(from, to).trim()
     val added = fix.replacement.trim().replace(BLANKS, " ")
     return when {
+        differInBlanksOnly(line.substring(from, to), fix.replacement) -> FixLabel.NormalSpaces
         added.isNotEmpty() -> if (removed.isEmpty()) FixLabel.Add(added) else FixLabel.Change(added)
         removed.isNotEmpty() -> FixLabel.Remove(shortened(removed))
         '\n' in fix.replacement -> FixLabel.NewLine
@@ -47,6 +51,13 @@ private fun fixedText(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Strin
     val end = (about.endColumn - 1).coerceIn(to, line.length)
     return (line.substring(start, from) + fix.replacement + line.substring(to, end)).trim()
 }
+
+/** Whether [replacement] has normal spaces in place of the special blanks of [replaced], and all else is the same. */
+private fun differInBlanksOnly(replaced: String, replacement: String): Boolean =
+    replaced != replacement && replaced.isNotEmpty() && ' ' in replacement &&
+        replaced.filterNot(::isBlank) == replacement.filterNot(::isBlank) && replaced.any { it != ' ' && isBlank(it) }
+
+private fun isBlank(character: Char) = character.isWhitespace() || character.category == CharCategory.FORMAT
 
 private fun shortened(words: String) = if (words.length <= MAX_CHARACTERS) {
     words

@@ -39,6 +39,20 @@ class FixLabelTest {
     }
 
     @Test
+    fun `a fix of special blanks speaks of them, not of what is between them`() {
+        for ((line, replaced, replacement) in listOf(
+            Triple("forward\u200920", "\u2009", " "),
+            Triple("n = 5\u00a0- 2;", "n = 5\u00a0-", "n = 5 -"),
+            Triple("n = 5\u00a0+ 2;", "\u00a0+", " +"),
+        )) {
+            val from = line.indexOf(replaced) + 1
+            val fix = SourceFix(SourceRange(1, from, from + replaced.length), replacement)
+            val diagnostic = ProgramDiagnostic("a.nqc", fix.range, "", fix)
+            assertEquals(FixLabel.NormalSpaces, fixLabelOf(diagnostic, fix, line), line)
+        }
+    }
+
+    @Test
     fun `several lines are added in one`() {
         val fix = SourceFix(SourceRange(1, 1, 1), "task main()\n{\n    \n}\n")
         val diagnostic = ProgramDiagnostic("a.nqc", SourceRange(1, 1, 1), "", fix)
