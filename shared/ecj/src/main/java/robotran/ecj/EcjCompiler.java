@@ -43,6 +43,7 @@ public final class EcjCompiler {
     private static final List<Integer> NAMES_OF_MEMBERS = Arrays.asList(
             IProblem.UndefinedMethod,
             IProblem.UndefinedField,
+            IProblem.ParameterMismatch,
             IProblem.UndefinedConstructor,
             IProblem.NotVisibleConstructor);
 

@@ -47,7 +47,7 @@ final class MemberNames extends ASTVisitor {
 
     @Override
     public boolean visit(MessageSend call, BlockScope scope) {
-        if (call.binding != null && !call.binding.isValidBinding()) {
+        if (call.binding != null && (!call.binding.isValidBinding() || isHidden(call.binding))) {
             put((int) (call.nameSourcePosition >>> 32), call.actualReceiverType);
         }
         return true;
@@ -89,6 +89,12 @@ final class MemberNames extends ASTVisitor {
             byPlace.put(creation.sourceStart, constructors((ReferenceBinding) creation.resolvedType));
         }
         return true;
+    }
+
+    /** Whether a class of the library keeps {@code method} to itself: ECJ took it for a call that fits no other. */
+    private static boolean isHidden(MethodBinding method) {
+        boolean isOpen = method.isPublic() || method.isProtected();
+        return !isOpen && !(method.declaringClass.erasure() instanceof SourceTypeBinding);
     }
 
     private void put(int place, TypeBinding type) {

@@ -116,6 +116,84 @@ class JavaAdviceTest {
     }
 
     @Test
+    fun `a number with a point is not cut where a whole one is needed`() = runTest {
+        val declared = diagnostic("int x = 5.5;")
+        assertEquals("5.5 has a point, and \"int\" holds whole numbers only.", declared.message)
+        assertContains(assertNotNull(declared.hint), "such as 5. For numbers with a point")
+        assertContains(assertNotNull(declared.hint), "float x = 5.5f;")
+        assertNull(declared.fix, "5 is another number")
+        compiled(program("float x = 5.5f;"))
+        assertContains(assertNotNull(nxtDiagnostic("int x = 1; x = -.5;").hint), "such as 0.")
+        assertContains(assertNotNull(nxtDiagnostic("int x; x = 2.5;").hint), "double x = 2.5;")
+        assertEquals("long x = 5;", fixedForNxt("long x = 5.0;"))
+        assertEquals("Motor.A.setPower(3);", fixedStatements("Motor.A.setPower(3.0);"))
+        assertContains(assertNotNull(diagnostic("Motor.A.setPower(3.5);").hint), "such as 3.")
+        assertNull(diagnostic("Motor.A.setPower(3.5);").fix)
+        assertEquals("int x = 1; int y = (int) (x * 0.5);", fixedStatements("int x = 1; int y = x * 0.5;"))
+    }
+
+    @Test
+    fun `another one of a series is told, not taken for the one that is meant`() = runTest {
+        val ports = nxtDiagnostic("new TouchSensor(SensorPort.S5);")
+        assertContains(assertNotNull(ports.hint), "SensorPort.S1, SensorPort.S2, SensorPort.S3, SensorPort.S4")
+        assertContains(assertNotNull(nxtDiagnostic("new TouchSensor(S5);").hint), "SensorPort.S4")
+        assertContains(assertNotNull(diagnostic("Sensor.S4.activate();").hint), "Sensor.S1, Sensor.S2, Sensor.S3")
+        assertContains(assertNotNull(diagnostic("Motor.D.forward();").hint), "Motor.A, Motor.B, Motor.C")
+        val others = listOf("new TouchSensor(SensorPort.S5);", "new TouchSensor(S0);", "Motor.D.forward();")
+        for (statement in others) assertNull(nxtDiagnostic(statement).fix, statement)
+        assertContains(assertNotNull(diagnostic("int way1 = 1; way2 = 3;").hint), "int way2 = 0;")
+        assertNull(diagnostic("int pointA = 1; int x = pointB;").fix)
+    }
+
+    @Test
+    fun `of several names that are as near none is put in`() = runTest {
+        assertContains(assertNotNull(diagnostic("int wall = 1; int walk = 2; int x = walt;").hint), "Did you mean")
+        assertNull(diagnostic("int wall = 1; int walk = 2; int x = walt;").fix)
+    }
+
+    @Test
+    fun `what turns a motor on is told for the words of other robots`() = runTest {
+        for (command in listOf("run()", "on()", "start()")) {
+            assertContains(diagnostic("Motor.A.$command;").message, "\"Motor\" has no method", message = command)
+            assertContains(assertNotNull(diagnostic("Motor.A.$command;").hint), "Motor.A.forward();")
+            assertContains(assertNotNull(nxtDiagnostic("Motor.A.$command;").hint), "Motor.A.forward();")
+        }
+        assertContains(assertNotNull(diagnostic("Motor.A.rotate(90);").hint), "counts no degrees")
+        assertContains(assertNotNull(diagnostic("Motor.A.setSpeed(300);").hint), "setPower()")
+        assertContains(assertNotNull(nxtDiagnostic("Motor.A.turn(90);").hint), "rotate(90)")
+    }
+
+    @Test
+    fun `a class that is used like a value is told as such, not as missing`() = runTest {
+        val diagnostic = nxtDiagnostic("new TouchSensor(SensorPort.5);")
+        assertContains(diagnostic.message, "is a class")
+        assertContains(assertNotNull(diagnostic.hint), "SensorPort.S1")
+        assertNull(diagnostic.fix, "it is imported already")
+    }
+
+    @Test
+    fun `a whole number that does not fit is not cut`() = runTest {
+        assertEquals("300 does not fit into \"byte\".", diagnostic("byte b = 300;").message)
+        assertNull(diagnostic("byte b = 300;").fix, "it would be 44")
+        assertNull(nxtDiagnostic("short s = -40000;").fix)
+    }
+
+    @Test
+    fun `parts of a brick that it does not have are told with those it has`() = runTest {
+        assertContains(assertNotNull(diagnostic("Button.ENTER.isPressed();").hint), "Button.RUN, Button.VIEW")
+        assertContains(assertNotNull(nxtDiagnostic("Button.A.isDown();").hint), "Button.ENTER, Button.LEFT")
+        val light = nxtDiagnostic("new LightSensor(SensorPort.S1).getValue();")
+        assertContains(assertNotNull(light.hint), "\"getLightValue\"")
+        assertNull(light.fix)
+    }
+
+    @Test
+    fun `brackets with too little or too much are told with the method`() = runTest {
+        assertContains(diagnostic("Motor.A.setPower();").message, "in its brackets, as in: setPower(int)")
+        assertContains(diagnostic("Motor.A.forward(5);").message, "has nothing in its brackets: forward()")
+    }
+
+    @Test
     fun `a loop that a semicolon cuts short is told at the semicolon`() = runTest {
         val statements = "for (int i = 0; i < 5; i++); { LCD.showNumber(i); }"
         assertContains(diagnostic(statements).message, "is all that is done here")

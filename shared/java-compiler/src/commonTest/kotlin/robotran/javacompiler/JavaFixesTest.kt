@@ -16,6 +16,9 @@ class JavaFixesTest {
         "Thread.sleep(0.5);",
         "Thread.sleep(1,5);",
         "int x = 5.5;",
+        "int x = 5.0;",
+        "int way1 = 1; way2 = 3;",
+        "int wall = 1; int walk = 2; int x = walt;",
         "for (int i = 0; i < 5; i++); { int k = i; }",
         "int i = 0; while (i < 3); { i++; }",
         "int i = 0; if i > 2 { }",
@@ -35,13 +38,23 @@ class JavaFixesTest {
         "int x = 1; x == 3;",
         "if (2 > 1) then { }",
     )
-    private val ofRcx =
-        listOf("Motor.A.foward();", "S1.activate();", "if (Sensor.S1.readBooleanValue) { }", "LCD.clear;")
+    private val ofRcx = listOf(
+        "Motor.A.foward();",
+        "Motor.A.run();",
+        "Motor.A.setPower(5.0);",
+        "S1.activate();",
+        "Sensor.S4.activate();",
+        "if (Sensor.S1.readBooleanValue) { }",
+        "LCD.clear;",
+    )
     private val ofNxt = listOf(
         "Motor.A.setSpeed = 300;",
         "if (!Motor.A.isMoving) { }",
         "if (Motor.A.isMoving = true) { }",
         "new TouchSensor(S1);",
+        "new TouchSensor(SensorPort.S5);",
+        "new TouchSensor(SensorPort.5);",
+        "Motor.A.on();",
         "new TouchSensor();",
         "new UltrasonicSensor(4);",
         "new Motor();",
@@ -51,6 +64,7 @@ class JavaFixesTest {
     )
     private val sources = listOf(
         "Public Class Robot {\n}\n",
+        "Public Class Robot {\npublic static void main(String[] args) {\nint x = 1;\n}\n}\n",
         "public class My Robot {\n}\n",
         "void drive() { }\npublic class Robot { }\n",
         "public class Robot {\nint x = 1;\nx = 2;\n}\n",

@@ -40,7 +40,7 @@ class SemanticErrorsTest {
         assertContains(hint("TextLCD.print(3);"), "Integer.toString(")
         assertContains(diagnostic("int x = nothing(); } static void nothing() {").message, "void")
         assertContains(diagnostic("boolean b = 3 & true;").message, "\"int, boolean\"")
-        assertContains(diagnostic("Motor.A.setPower();").message, "takes (int), not no values")
+        assertContains(diagnostic("Motor.A.setPower();").message, "setPower(int)")
     }
 
     @Test

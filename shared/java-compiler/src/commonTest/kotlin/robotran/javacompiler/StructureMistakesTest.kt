@@ -37,7 +37,8 @@ class StructureMistakesTest {
         assertContains(assertNotNull(diagnostic.hint), "class \"Robot\"")
         val alone = only("import josx.platform.rcx.*;\n\npublic static void main(String[] args) {\nLCD.clear();\n}\n")
         assertEquals(3, alone.range.line)
-        assertContains(assertNotNull(alone.hint), "public class Robot {")
+        assertEquals("Write \"public class Robot {\" above it, and \"}\" at the very end.", alone.hint)
+        assertContains(assertNotNull(only("LCD.clear();\n").hint), "public static void main")
     }
 
     @Test
@@ -72,7 +73,7 @@ class StructureMistakesTest {
 
     @Test
     fun `capital letters at the head of a class are made small together`() = runTest {
-        val text = "import josx.platform.rcx.*;\n\nPublic Class Robot {\n    int speed;\n}\n"
+        val text = "import josx.platform.rcx.*;\n\nPublic Class Robot {\n    int speed;\n    void go() {\n    }\n}\n"
         val diagnostic = only(text)
         assertEquals(3, diagnostic.range.line)
         compiled(withFix(text, assertNotNull(diagnostic.fix)))

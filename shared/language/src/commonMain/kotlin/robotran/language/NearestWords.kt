@@ -2,13 +2,13 @@ package robotran.language
 
 /**
  * Those of [candidates] that [typed] may have been meant to be, with at most [errors] typing errors: the ones with the
- * fewest errors, and of these the ones that begin with the most letters of [typed]. Capitals make no difference. Several
- * if none is more likely than the others, in the order of [candidates].
+ * fewest errors, and of these the ones that begin with the most letters of [typed]. Capitals make no difference.
+ * Several if none is more likely than the others, in the order of [candidates]. Another one of a series is none of them.
  */
 fun nearestWords(typed: String, candidates: Iterable<String>, errors: Int): List<String> {
     val lowercase = typed.lowercase()
     val near = candidates.distinct()
-        .filter { it.length - typed.length in -errors..errors }
+        .filter { it.length - typed.length in -errors..errors && !isOtherOfSeries(typed, it) }
         .map { candidateFor(lowercase, it) }
         .filter { it.errors <= errors }
     val best = near.minWithOrNull(compareBy({ it.errors }, { -it.sameLetters })) ?: return emptyList()

@@ -107,7 +107,87 @@ class OtherLanguagesTest {
     fun `a command that was begun is completed, and nothing is guessed`() {
         assertMended("task main() { Of(OUT_A + OUT_C); }", "\"Off\"", "task main() { Off(OUT_A + OUT_C); }")
         assertNull(diagnosticsOf("task main() { OnF; }").first().fix)
-        assertNull(diagnosticsOf("int way1, way2; task main() { way3 = 5; way1 = way2; }").first().fix)
+        val ways = "int way1, way2;\ntask main() { way3 = 5; way1 = way2; Wait(way1 + way3); }"
+        assertTrue("int way3;" in diagnosticsOf(ways).first().message)
+    }
+
+    @Test
+    fun `a constant is a define`() {
+        val source = "const int X = 5;\ntask main()\n{\n    Wait(X);\n}\n"
+        assertMended(source, "Write: #define X 5", source.replace("const int X = 5;", "#define X 5"))
+        assertMended(source.replace("= 5", "= 5 + 2"), "Write: #define X (5 + 2)")
+        assertMended(source.replace("const int", "int const"), "#define X 5")
+        assertMended(source.replace("const int", "const"), "#define X 5")
+        val within = "task main()\n{\n    const int X = 5;\n    Wait(X);\n}\n"
+        assertMended(within, "#define X 5", within.replace("const int X = 5;", "#define X 5"))
+        assertMended("task main() { const int X = 5; Wait(X); }", "int X", "task main() { int X = 5; Wait(X); }")
+        val two = "const int A = 1, B = 2;\ntask main() { Wait(A + B); }"
+        assertMended(two, "int A", two.replace("const int", "int"))
+        assertEquals(emptyList(), diagnosticsOf("void f(const int x) { Wait(x); }\ntask main() { f(5); }"))
+    }
+
+    @Test
+    fun `a word before a declaration that NQC does not have is left out`() {
+        assertMended("static int x = 5; task main() { Wait(x); }", "static", "int x = 5; task main() { Wait(x); }")
+        assertMended("unsigned int x = 5; task main() { Wait(x); }", "unsigned")
+        assertMended("public task main() { Wait(5); }", "public", "task main() { Wait(5); }")
+        val function = "public static void go() { Wait(5); }\ntask main() { go(); }"
+        assertEquals(listOf(1), diagnosticsOf(function).map { it.range.line }.distinct())
+    }
+
+    @Test
+    fun `a task has no parameters`() {
+        val source = "task main() { start drive; } task drive(void) { Wait(5); }"
+        assertMended(source, "task drive()", source.replace("void", ""))
+        val used = diagnosticsOf("task main() { start drive; }\ntask drive(int x) { Wait(x); }").single()
+        assertTrue("global variable" in used.message && used.range.line == 2, used.message)
+        val given = diagnosticsOf("task main() { start drive(5); }\ntask drive(int x) { Wait(x); }")
+        assertEquals(listOf(1, 2), given.map { it.range.line })
+        assertTrue("start drive;" in given.first().message && given.first().fix == null, "5 would be lost")
+    }
+
+    @Test
+    fun `a task is started with the words of NQC`() {
+        for (call in listOf(
+            "StartTask(drive)",
+            "StartTask(drive())",
+            "StartTask drive",
+            "start(drive)",
+            "run(drive)",
+        )) {
+            val source = "task main() { $call; } task drive() { Wait(5); }"
+            assertMended(source, "start drive;", source.replace(call, "start drive"))
+        }
+        val stopped = "task main() { start drive; StopTask(drive); } task drive() { Wait(5); }"
+        assertMended(stopped, "stop drive;", stopped.replace("StopTask(drive)", "stop drive"))
+        assertEquals(emptyList(), diagnosticsOf("void run(int x) { Wait(x); }\ntask main() { run(5); }"))
+    }
+
+    @Test
+    fun `a sensor has the name that NQC gives it now`() {
+        val setting = "task main() { SetSensor(IN_1, SENSOR_TOUCH); until(SENSOR_1 == 1); }"
+        assertMended(setting, "\"SENSOR_1\"", setting.replace("IN_1", "SENSOR_1"))
+        for (call in listOf("Sensor(IN_2)", "Sensor(SENSOR_2)", "sensor(2)", "Sensor(S2)")) {
+            val source = "task main() { SetSensor(SENSOR_2, SENSOR_TOUCH); if ($call == 1) Wait(5); }"
+            assertMended(source, "its name alone: SENSOR_2", source.replace(call, "SENSOR_2"))
+        }
+    }
+
+    @Test
+    fun `what the brick has no more of is told, not taken for another one`() {
+        val others = mapOf(
+            "OnFwd(OUT_D)" to "OUT_A, OUT_B, OUT_C",
+            "OnFwd(OUT_AD)" to "OUT_AB, OUT_AC",
+            "SetSensor(SENSOR_4, SENSOR_TOUCH)" to "SENSOR_1, SENSOR_2, SENSOR_3",
+            "SetSensor(IN_4, SENSOR_TOUCH)" to "SENSOR_1, SENSOR_2, SENSOR_3",
+            "ClearTimer(T5)" to "T1, T2, T3, T4",
+        )
+        for ((command, names) in others) {
+            val found = diagnosticsOf("task main() { $command; }").single()
+            assertTrue("There are: $names" in found.message, found.message)
+            assertNull(found.fix, command)
+        }
+        assertTrue("int way2;" in diagnosticsOf("task main() { int way1; way1 = 1; way2 = way1; }").single().message)
     }
 
     /** The only mistake of [source] says [advice], and its fix leaves none. */

@@ -11,8 +11,8 @@ internal interface BrickGaps {
     /** What to use instead of [method], called without a class or an object; null if nothing is known. */
     fun insteadOfCall(method: String): String?
 
-    /** [name] with the class before it, if that has a constant of this name; null if none has. */
-    fun qualified(name: String): String?
+    /** The names of the constants that stand for parts of the brick, and their classes. */
+    val constants: Map<String, String>
 
     companion object {
         fun of(target: BrickTarget, messages: JavaMessages): BrickGaps = when (target) {
@@ -27,7 +27,7 @@ private class RcxGaps(private val messages: JavaMessages) : BrickGaps {
 
     override fun insteadOfCall(method: String) = absentCall(method)?.let(messages::absent)
 
-    override fun qualified(name: String) = RCX_CONSTANTS[name]?.let { "$it.$name" }
+    override val constants = RCX_CONSTANTS
 }
 
 private val RCX_CONSTANTS = constants("Sensor" to "S1 S2 S3", "Motor" to "A B C", "Button" to "RUN VIEW PRGM")
@@ -44,5 +44,5 @@ private class NxjGaps(private val messages: JavaMessages) : BrickGaps {
 
     override fun insteadOfCall(method: String) = nxjRemedyOfCall(method)?.let(messages::insteadInNxj)
 
-    override fun qualified(name: String) = NXT_CONSTANTS[name]?.let { "$it.$name" }
+    override val constants = NXT_CONSTANTS
 }

@@ -77,14 +77,21 @@ internal class CodeItems(tokens: List<CodeToken>) {
 
     private fun bodyContext(): CodeContext {
         val last = header.lastOrNull()?.text
-        val kind = header.indices.firstOrNull { header[it].text in TYPE_WORDS && header.getOrNull(it - 1)?.text != "." }
+        val kind = header.indices.map(::typeWord).firstOrNull { it.isNotEmpty() }
         return when {
-            kind != null -> if (header[kind].text == "enum") CodeContext.CONSTANTS else CodeContext.CLASS
+            kind != null -> if (kind == "enum") CodeContext.CONSTANTS else CodeContext.CLASS
             contexts.last() == CodeContext.CONSTANTS -> CodeContext.CLASS
             last in BEFORE_ARRAY || contexts.last() == CodeContext.ARRAY -> CodeContext.ARRAY
             last == ")" && isNewObject() -> CodeContext.CLASS
             else -> CodeContext.CODE
         }
+    }
+
+    /** The word of the header at [place], if it begins a class; in a file also with capital letters. */
+    private fun typeWord(place: Int): String {
+        val written = header[place].text
+        val word = if (contexts.last() == CodeContext.FILE) written.lowercase() else written
+        return if (word in TYPE_WORDS && header.getOrNull(place - 1)?.text != ".") word else ""
     }
 
     /** Whether the header ends with `new Name(...)`, so that its body is one of a class without a name. */

@@ -40,6 +40,11 @@ private val ABSENT: Map<String, UnsupportedOnBrick> = buildMap {
     put(UnsupportedOnBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
     put(UnsupportedOnBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
     put(UnsupportedOnBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")
+    put(UnsupportedOnBrick.MOTOR_DIRECTIONS, "Motor.run Motor.start Motor.on Motor.turnOn Motor.go Motor.drive")
+    put(UnsupportedOnBrick.MOTOR_DIRECTIONS, "Motor.move Motor.off Motor.turnOff Motor.brake")
+    put(UnsupportedOnBrick.MOTOR_TIME, "Motor.rotate Motor.rotateTo Motor.turn Motor.getTachoCount")
+    put(UnsupportedOnBrick.MOTOR_TIME, "Motor.resetTachoCount")
+    put(UnsupportedOnBrick.MOTOR_POWER, "Motor.setSpeed Motor.speed Motor.power")
     put(UnsupportedOnBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot")
     put(UnsupportedOnBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
 }

@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.othersOfSeries
 
 /** Explains problems with methods and fields that a class does not have or that are private. */
 internal class MemberAdvisor(
@@ -24,12 +25,7 @@ internal class MemberAdvisor(
             ProblemId.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1])
                 ?: field(problem, source, name)
 
-            // The class may have the method with other parameters, such as toString() of Object.
-            ProblemId.PARAMETER_MISMATCH -> source.qualifier(problem.start)?.let { owner ->
-                gaps.instead(problem.arguments[1], owner)?.let {
-                    ProblemExplanation(messages.unknownMethod(shortened(problem.arguments[1]), shortened(owner)), it)
-                }
-            }
+            ProblemId.PARAMETER_MISMATCH -> otherParameters(problem, source, name)
 
             ProblemId.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
 
@@ -47,12 +43,33 @@ internal class MemberAdvisor(
         }
     }
 
+    /** Explains a method that the class has with other parameters, as far as the program should not use that. */
+    private fun otherParameters(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
+        val method = problem.arguments[1]
+        // It is the library's own.
+        if (problem.members.isNotEmpty() && problem.members.none { it.startsWith("$method(") }) {
+            return method(problem, source, name)
+        }
+        // The class may have got it from another one, such as toString() of Object.
+        val owner = source.qualifier(problem.start) ?: return null
+        return gaps.instead(method, owner)?.let {
+            ProblemExplanation(messages.unknownMethod(shortened(method), shortened(owner)), it)
+        }
+    }
+
     private fun field(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val owner = source.qualifier(problem.start)
         val message = messages.unknownField(shortened(name), owner?.let(::shortened))
         if (name == LENGTH) return ProblemExplanation(message, messages.lengthOfTextOrArray())
         methodWithoutBrackets(problem, source, name)?.let { return it }
-        return member(problem, source, name, owner, message)
+        val others = othersOfSeries(name, candidatesFor(problem)).take(MAX_NAMED)
+        if (owner?.first()?.isUpperCase() == true && others.isNotEmpty()) {
+            return ProblemExplanation(message, messages.useOneOf(others.joinToString { "$owner.$it" }))
+        }
+        val told = member(problem, source, name, owner, message)
+        val parts = gaps.constants.filterValues { it == owner }.keys.joinToString { "$owner.$it" }
+        val isExplained = told.hint != null || parts.isEmpty()
+        return if (isExplained) told else ProblemExplanation(message, messages.useOneOf(parts))
     }
 
     private fun method(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
@@ -125,19 +142,31 @@ internal class MemberAdvisor(
         owner: String?,
         message: String,
     ): ProblemExplanation {
-        val instead = owner?.let { gaps.instead(name, it) }
+        val instead = owner?.let { gaps.instead(name, it) ?: gaps.instead(name.replaceFirstChar(Char::lowercase), it) }
         if (instead != null) return ProblemExplanation(message, instead)
         val candidates = candidatesFor(problem).ifEmpty { suggestions.namesIn(source) }
         // A name that differs only in its capital letters comes before one with a word before it: isForward.
         val likely = (listOf("") + PREFIXES).firstNotNullOfOrNull { prefix ->
             candidates.find { it != name && it.equals(prefix + name, ignoreCase = true) }
         }
-        return suggestions.suggested(problem, source, message, likely ?: nearest(name, candidates))
+        val near = likely?.let(::listOf) ?: nearest(name, candidates)
+        val longer = withMoreWords(name, candidates).takeIf { near.isEmpty() }
+            ?: return suggestions.suggested(problem, source, message, near)
+        return ProblemExplanation(message, messages.didYouMean(longer))
+    }
+
+    /** The shortest of [candidates] that has all words of [name] and more, such as `getLightValue` for `getValue`. */
+    private fun withMoreWords(name: String, candidates: List<String>): String? {
+        if (name.none { it.isUpperCase() } || !name.all { it.isLetterOrDigit() }) return null
+        val pattern = name.drop(1).fold(name.take(1)) { all, next ->
+            if (next.isUpperCase()) "$all.*$next" else "$all$next"
+        }
+        return candidates.filter { Regex(pattern).matches(it) }.minByOrNull { it.length }
     }
 
     /** The names of the members that may be meant; methods have the number of their parameters behind them. */
     private fun candidatesFor(problem: EcjProblem): List<String> {
-        val isCall = problem.number == ProblemId.UNDEFINED_METHOD || problem.number == ProblemId.METHOD_NOT_VISIBLE
+        val isCall = problem.number in PROBLEMS_OF_CALLS
         val isKnown = problem.members.any { it.endsWith(')') }
         return problem.members.filter { !isKnown || it.endsWith(')') == isCall }.map { it.substringBefore('(') }
     }
@@ -166,6 +195,9 @@ internal class MemberAdvisor(
 
     private companion object {
         const val LENGTH = "length"
+        const val MAX_NAMED = 6
+        val PROBLEMS_OF_CALLS =
+            setOf(ProblemId.UNDEFINED_METHOD, ProblemId.METHOD_NOT_VISIBLE, ProblemId.PARAMETER_MISMATCH)
 
         /** How the names of methods begin that pupils leave away. */
         val PREFIXES = listOf("get", "is", "set")

@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.othersOfSeries
 
 /**
  * Explains undeclared classes, imports and variables: names the brick's alternative, the missing import, or the likely
@@ -34,9 +35,14 @@ internal class NameAdvisor(
 
     /** A constant of the brick's classes without its class. A single letter may be anything, unless a dot follows. */
     private fun constant(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
-        val full = gaps.qualified(name) ?: return null
         if (name.length == 1 && source.codeAt(source.codeFrom(problem.end)) != '.') return null
-        val owner = full.substringBefore('.')
+        val others = othersOfSeries(name, gaps.constants.keys).map { "${gaps.constants[it]}.$it" }
+        val owner = gaps.constants[name]
+            ?: return ProblemExplanation(
+                messages.unknownVariable(name),
+                messages.useOneOf(others.joinToString()),
+            ).takeIf { others.isNotEmpty() }
+        val full = "$owner.$name"
         val isImported = library.homesOf(owner).any { source.imports(owner, it) }
         val fix = JavaFix(source.range(problem.start, problem.end), full).takeIf { isImported }
         return ProblemExplanation(messages.unknownVariable(name), messages.didYouMean(full), fix)
@@ -54,7 +60,7 @@ internal class NameAdvisor(
                 problem,
                 source,
                 message,
-                home ?: nearest(name, library.packages + library.qualifiedNames, MAX_ERRORS_IN_IMPORT),
+                home?.let(::listOf) ?: nearest(name, library.packages + library.qualifiedNames, MAX_ERRORS_IN_IMPORT),
             )
         }
     }
@@ -87,6 +93,14 @@ internal class NameAdvisor(
 
             instead != null -> {
                 ProblemExplanation(message, instead)
+            }
+
+            home != null && source.imports(name, home) -> {
+                val constants = gaps.constants.filterValues { it == name }.keys.joinToString { "$name.$it" }
+                ProblemExplanation(
+                    messages.classIsNoValue(shortened(name)),
+                    messages.useOneOf(constants).takeIf { constants.isNotEmpty() },
+                )
             }
 
             home != null -> {
@@ -122,7 +136,7 @@ internal class NameAdvisor(
         val message = messages.unknownVariable(shortened(name))
         foreignWord(problem, source, name, message)?.let { return it }
         val near = nearest(name, suggestions.namesIn(source) + library.simpleNames)
-        return if (near == null) {
+        return if (near.isEmpty()) {
             ProblemExplanation(message, messages.declareIt(shortened(name)))
         } else {
             suggestions.suggested(problem, source, message, near)

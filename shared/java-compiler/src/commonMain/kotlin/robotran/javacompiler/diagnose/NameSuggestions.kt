@@ -9,13 +9,17 @@ import robotran.javacompiler.messages.JavaMessages
  * @param undeclared the undeclared names, which are never suggested.
  */
 internal class NameSuggestions(private val undeclared: Set<String>, private val messages: JavaMessages) {
-    /** Returns [message] with the hint and fix to use [suggestion], or [message] alone if there is no suggestion. */
-    fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?): ProblemExplanation {
-        if (suggestion == null) return ProblemExplanation(message)
+    /**
+     * Returns [message] with the hint to use the first of [likely], which are equally likely, or [message] alone if
+     * there is none. A fix is certain only of a single one.
+     */
+    fun suggested(problem: EcjProblem, source: SourceText, message: String, likely: List<String>): ProblemExplanation {
+        val suggestion = likely.firstOrNull() ?: return ProblemExplanation(message)
         val written = source.words(problem.start, problem.end)
         val sameLetters = suggestion.equals(written, ignoreCase = true)
         val hint = if (sameLetters) messages.wrongCase(suggestion) else messages.didYouMean(suggestion)
-        return ProblemExplanation(message, hint, JavaFix(source.range(problem.start, problem.end), suggestion))
+        val fix = JavaFix(source.range(problem.start, problem.end), suggestion)
+        return ProblemExplanation(message, hint, fix.takeIf { likely.size == 1 })
     }
 
     /** The names in the source that may be declared. */

@@ -69,6 +69,11 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.NXT_MOTOR, "NXTRegulatedMotor.setPower NXTRegulatedMotor.getPower RegulatedMotor.setPower")
     put(NxjRemedy.ALWAYS_REGULATED, "NXTRegulatedMotor.regulateSpeed NXTRegulatedMotor.smoothAcceleration")
     put(NxjRemedy.ALWAYS_REGULATED, "NXTRegulatedMotor.isRegulating NXTRegulatedMotor.setBrakePower")
+    for (motor in listOf("NXTRegulatedMotor", "RegulatedMotor", "NXTMotor")) {
+        put(NxjRemedy.MOTOR_DIRECTIONS, "$motor.run $motor.start $motor.on $motor.turnOn $motor.go $motor.drive")
+        put(NxjRemedy.MOTOR_DIRECTIONS, "$motor.move $motor.off $motor.turnOff $motor.brake")
+    }
+    put(NxjRemedy.MOTOR_ROTATE, "NXTRegulatedMotor.turn RegulatedMotor.turn NXTRegulatedMotor.rotateFor")
     put(NxjRemedy.ROTATION_SPEED, "NXTRegulatedMotor.getActualSpeed RegulatedMotor.getActualSpeed")
     put(NxjRemedy.IS_MOVING, "NXTRegulatedMotor.isRotating RegulatedMotor.isRotating NXTRegulatedMotor.isForward")
     put(NxjRemedy.IS_MOVING, "NXTRegulatedMotor.isBackward NXTRegulatedMotor.isStopped NXTRegulatedMotor.isFloating")

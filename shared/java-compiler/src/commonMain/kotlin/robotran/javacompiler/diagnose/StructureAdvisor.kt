@@ -12,7 +12,11 @@ internal class StructureAdvisor(private val messages: JavaMessages) {
         return when (problem.number) {
             ProblemId.OUTSIDE_CLASS -> ProblemExplanation(
                 messages.outsideClass(),
-                if (word.isEmpty()) messages.beginWithClass(source.className) else messages.moveIntoClass(word),
+                when {
+                    word.isNotEmpty() -> messages.moveIntoClass(word)
+                    StructureMistakes.METHOD in problem.arguments -> messages.putIntoClass(source.className)
+                    else -> messages.beginWithClass(source.className)
+                },
             )
 
             ProblemId.OUTSIDE_METHOD -> ProblemExplanation(messages.outsideMethod(), messages.moveIntoMethod())

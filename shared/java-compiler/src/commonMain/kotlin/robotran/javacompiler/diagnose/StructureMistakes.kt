@@ -53,7 +53,8 @@ internal class StructureMistakes(private val source: SourceText) {
             }
 
             isPaired || className.isEmpty() -> {
-                problem(ProblemId.OUTSIDE_CLASS, first.start, item.tokens.last().end, className)
+                val kind = METHOD.takeIf { item.end == "{" && item.has(setOf("(")) }
+                problem(ProblemId.OUTSIDE_CLASS, first.start, item.tokens.last().end, className, kind)
             }
 
             else -> {
@@ -143,6 +144,9 @@ internal class StructureMistakes(private val source: SourceText) {
             ProblemId.WORD_IN_OTHER_CASE,
             ProblemId.NAME_OF_SEVERAL_WORDS,
         )
+
+        /** What is [ProblemId.OUTSIDE_CLASS]: a method. */
+        const val METHOD = "method"
 
         val NUMBERS = DERAILING + ProblemId.CONDITION_WITHOUT_BRACKETS + ProblemId.RESERVED_NAME
 

@@ -7,26 +7,14 @@ import robotran.javacompiler.messages.NewerJava
 
 /** Explains problems with the types of values. */
 internal class TypeAdvisor(private val messages: JavaMessages, private val boxes: Boolean) {
+    private val numbers = NumberAdvisor(messages, decimals = if (boxes) "double" else "float")
+
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemId.TYPE_MISMATCH -> mismatch(problem, source)
         ProblemId.INVALID_OPERATOR -> operator(problem)
         ProblemId.PARAMETER_MISMATCH -> arguments(problem, source)
-        ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> outOfRange(problem, source)
+        ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> numbers.outOfRange(problem, source)
         else -> null
-    }
-
-    private fun outOfRange(problem: EcjProblem, source: SourceText): ProblemExplanation {
-        val number = source.words(problem.start, problem.end)
-        val decimal = number.trimStart('0').ifEmpty { "0" }
-        val isOctal = number.length > 1 && number.startsWith('0') && number.all { it.isDigit() }
-        return if (isOctal && decimal.length < MAX_INT_DIGITS) {
-            ProblemExplanation(
-                messages.noLeadingZero(decimal),
-                fix = JavaFix(source.range(problem.start, problem.end), decimal),
-            )
-        } else {
-            ProblemExplanation(messages.numberTooLarge(shortened(number)))
-        }
     }
 
     private fun mismatch(problem: EcjProblem, source: SourceText): ProblemExplanation {
@@ -35,6 +23,7 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         val message = messages.doesNotFit(shortened(given), shortened(needed))
         val text = source.words(problem.start, problem.end)
         val range = source.range(problem.start, problem.end)
+        numbers.written(problem, source, needed)?.let { return it }
         return when {
             needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
                 ProblemExplanation(
@@ -97,6 +86,7 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         val call = problem.end + source.codeBehind(problem.end).substringBefore(')').length
         val comma = decimalCommaIn(source, problem.end, call)
             ?.takeIf { needed.isNotEmpty() && commasIn(given) == commasIn(needed) + 1 }
+        if (comma == null && method !in PAUSES) numbers.argument(problem, source, message, needed)?.let { return it }
         return when {
             comma != null -> {
                 val type = if (',' in needed) "" else needed
@@ -153,14 +143,12 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         val SINGLE_VALUES = NUMBERS + "boolean"
         val BOXES = setOf("Integer", "Float", "Boolean", "Long", "Double", "Byte", "Short", "Character")
 
-        /** A number with fewer digits is no larger than an `int` may be. */
-        const val MAX_INT_DIGITS = 10
-
         /** Methods that wait for a number of milliseconds. */
         val PAUSES = setOf("sleep", "msDelay")
         const val MILLISECOND_DIGITS = 3
         val SECONDS = Regex("""^\s*\(\s*(\d*)\.(\d+)\s*\)""")
         val DECIMAL_NUMBER = Regex("[0-9]*[.][0-9]+")
+
         val SINGLE_EQUALS_SIGN = Regex("(?<![=!<>+*/%&|^-])=(?!=)")
 
         /** A number, a variable, or a call whose arguments contain no parentheses. */

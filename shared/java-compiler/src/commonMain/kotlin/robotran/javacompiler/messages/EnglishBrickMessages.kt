@@ -164,6 +164,18 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
             "The brick has no windows. It shows numbers and short texts with LCD and TextLCD."
         }
 
+        UnsupportedOnBrick.MOTOR_DIRECTIONS -> {
+            "A motor has forward(), backward() and stop(), such as Motor.A.forward();"
+        }
+
+        UnsupportedOnBrick.MOTOR_TIME -> {
+            "A motor of an RCX counts no degrees. Let it turn for a time: forward(), Thread.sleep(500), stop()"
+        }
+
+        UnsupportedOnBrick.MOTOR_POWER -> {
+            "A motor has setPower(), from 0 to 7."
+        }
+
         UnsupportedOnBrick.OTHER_BRICKS -> {
             "That is for newer bricks. The classes of this one are in josx.platform.rcx."
         }

@@ -9,6 +9,9 @@ internal object EnglishJavaNameMessages : JavaNameMessages {
 
     override fun unknownVariable(name: String) = "There is no variable ${quoted(name)}."
 
+    override fun classIsNoValue(name: String) =
+        "${quoted(name)} is a class, not a value. A point and a name come behind it."
+
     override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} has no method ${quoted(name)}."
 
     override fun unknownMethodHere(name: String, owner: String) =

@@ -9,6 +9,18 @@ internal object EnglishJavaSemanticMessages : JavaSemanticMessages {
     override fun castNumber(type: String) =
         "Write \"($type)\" before it, with brackets around it, if a part of it may get lost."
 
+    override fun notWhole(number: String, type: String) =
+        "$number has a point, and ${quoted(type)} holds whole numbers only."
+
+    override fun writeWhole(number: String) = "Write a whole number, such as $number."
+
+    override fun writeWholeOrDeclare(number: String, declaration: String) =
+        "Write a whole number, such as $number. For numbers with a point, declare the variable like this: $declaration"
+
+    override fun tooLargeFor(number: String, type: String) = "$number does not fit into ${quoted(type)}."
+
+    override fun declareAsInt() = "Declare the variable as \"int\"."
+
     override fun castObject(type: String) = "Write \"($type)\" before it, if you know that it is one."
 
     override fun writeFloat(number: String) = "Write \"${number}f\"."
@@ -50,8 +62,11 @@ internal object EnglishJavaSemanticMessages : JavaSemanticMessages {
 
     override fun removeCatch() = "Take this \"catch\" away."
 
-    override fun wrongArguments(method: String, needed: String, given: String) =
-        "${quoted(method)} takes ${inBrackets(needed)}, not ${inBrackets(given)}."
+    override fun wrongArguments(method: String, needed: String, given: String) = when {
+        given.isEmpty() -> "${quoted(method)} needs something in its brackets, as in: $method($needed)"
+        needed.isEmpty() -> "${quoted(method)} has nothing in its brackets: $method()"
+        else -> "${quoted(method)} takes ($needed), not ($given)."
+    }
 
     override fun staticNeeded(name: String) =
         "${quoted(name)} belongs to an object, and in a \"static\" method there is none."
@@ -89,6 +104,4 @@ internal object EnglishJavaSemanticMessages : JavaSemanticMessages {
 
     override fun wrongOperator(operator: String, types: String) =
         "${quoted(operator)} does not work with ${quoted(types)}."
-
-    private fun inBrackets(types: String) = if (types.isEmpty()) "no values" else "($types)"
 }

@@ -67,6 +67,9 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun decimalPoint(number: String) = "A decimal number has a point, not a comma: $number"
 
+    override fun putIntoClass(className: String) =
+        "Write \"public class $className {\" above it, and \"}\" at the very end."
+
     override fun beginWithClass(className: String) =
         "Begin with: public class $className { public static void main(String[] args) { and end with: } }"
 

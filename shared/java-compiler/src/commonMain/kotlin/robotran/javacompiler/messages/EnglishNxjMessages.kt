@@ -35,6 +35,8 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.LINE_FEED -> "Write \"\\n\"."
         NxjRemedy.NXT_MOTOR -> "A motor whose power you set is new NXTMotor(MotorPort.A). Motor.A has setSpeed()."
         NxjRemedy.ALWAYS_REGULATED -> "Leave it out: the motor keeps its speed. setAcceleration() makes it gentle."
+        NxjRemedy.MOTOR_DIRECTIONS -> "A motor has forward(), backward() and stop(), such as Motor.A.forward();"
+        NxjRemedy.MOTOR_ROTATE -> "rotate(90) turns a motor by 90 degrees."
         NxjRemedy.ROTATION_SPEED -> "It is getRotationSpeed() now."
         NxjRemedy.IS_MOVING -> "It is isMoving() now."
         NxjRemedy.DIFFERENTIAL_PILOT -> "Use new DifferentialPilot(wheelDiameter, trackWidth, Motor.A, Motor.C)."

@@ -163,6 +163,18 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
             "Der Stein hat keine Fenster. Er zeigt Zahlen und kurze Texte mit LCD und TextLCD."
         }
 
+        UnsupportedOnBrick.MOTOR_DIRECTIONS -> {
+            "Ein Motor hat forward(), backward() und stop(), zum Beispiel Motor.A.forward();"
+        }
+
+        UnsupportedOnBrick.MOTOR_TIME -> {
+            "Ein Motor eines RCX zählt keine Grad. Lass ihn eine Zeit lang laufen: forward(), Thread.sleep(500), stop()"
+        }
+
+        UnsupportedOnBrick.MOTOR_POWER -> {
+            "Ein Motor hat setPower(), von 0 bis 7."
+        }
+
         UnsupportedOnBrick.OTHER_BRICKS -> {
             "Das ist für neuere Steine. Die Klassen von diesem stehen in josx.platform.rcx."
         }

@@ -9,6 +9,9 @@ internal object GermanJavaNameMessages : JavaNameMessages {
 
     override fun unknownVariable(name: String) = "Es gibt keine Variable ${quoted(name)}."
 
+    override fun classIsNoValue(name: String) =
+        "${quoted(name)} ist eine Klasse und kein Wert. Dahinter kommen ein Punkt und ein Name."
+
     override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} hat keine Methode ${quoted(name)}."
 
     override fun unknownMethodHere(name: String, owner: String) =

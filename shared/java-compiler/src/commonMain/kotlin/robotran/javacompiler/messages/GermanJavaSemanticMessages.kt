@@ -9,6 +9,18 @@ internal object GermanJavaSemanticMessages : JavaSemanticMessages {
     override fun castNumber(type: String) =
         "Schreib \"($type)\" davor und setz es in Klammern, wenn ein Teil verloren gehen darf."
 
+    override fun notWhole(number: String, type: String) =
+        "$number hat einen Punkt, und in ${quoted(type)} passen nur ganze Zahlen."
+
+    override fun writeWhole(number: String) = "Schreib eine ganze Zahl, zum Beispiel $number."
+
+    override fun writeWholeOrDeclare(number: String, declaration: String) =
+        "Schreib eine ganze Zahl, zum Beispiel $number. Für Zahlen mit Punkt leg die Variable so an: $declaration"
+
+    override fun tooLargeFor(number: String, type: String) = "$number passt nicht in ${quoted(type)}."
+
+    override fun declareAsInt() = "Leg die Variable als \"int\" an."
+
     override fun castObject(type: String) = "Schreib \"($type)\" davor, wenn du weißt, dass es eins ist."
 
     override fun writeFloat(number: String) = "Schreib \"${number}f\"."
@@ -55,8 +67,11 @@ internal object GermanJavaSemanticMessages : JavaSemanticMessages {
 
     override fun removeCatch() = "Nimm dieses \"catch\" weg."
 
-    override fun wrongArguments(method: String, needed: String, given: String) =
-        "${quoted(method)} nimmt ${inBrackets(needed)}, nicht ${inBrackets(given)}."
+    override fun wrongArguments(method: String, needed: String, given: String) = when {
+        given.isEmpty() -> "${quoted(method)} braucht etwas in den Klammern, also: $method($needed)"
+        needed.isEmpty() -> "${quoted(method)} hat nichts in den Klammern: $method()"
+        else -> "${quoted(method)} nimmt ($needed), nicht ($given)."
+    }
 
     override fun staticNeeded(name: String) =
         "${quoted(name)} gehört zu einem Objekt, und in einer \"static\"-Methode gibt es keins."
@@ -94,6 +109,4 @@ internal object GermanJavaSemanticMessages : JavaSemanticMessages {
         "Dieses \";\" ist alles, was hier getan wird. Nimm es weg, wenn danach ein Block kommt."
 
     override fun wrongOperator(operator: String, types: String) = "${quoted(operator)} geht nicht mit ${quoted(types)}."
-
-    private fun inBrackets(types: String) = if (types.isEmpty()) "keine Werte" else "($types)"
 }

@@ -70,6 +70,9 @@ internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun decimalPoint(number: String) = "Eine Kommazahl hat in Java einen Punkt, kein Komma: $number"
 
+    override fun putIntoClass(className: String) =
+        "Schreib \"public class $className {\" darüber und \"}\" ganz ans Ende."
+
     override fun beginWithClass(className: String) =
         "Beginn mit: public class $className { public static void main(String[] args) { und hör auf mit: } }"
 

@@ -35,6 +35,8 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.LINE_FEED -> "Schreib \"\\n\"."
         NxjRemedy.NXT_MOTOR -> "Die Leistung setzt du mit new NXTMotor(MotorPort.A). Motor.A hat setSpeed()."
         NxjRemedy.ALWAYS_REGULATED -> "Lass es weg: Der Motor hält sein Tempo schon. setAcceleration() macht ihn sanft."
+        NxjRemedy.MOTOR_DIRECTIONS -> "Ein Motor hat forward(), backward() und stop(), zum Beispiel Motor.A.forward();"
+        NxjRemedy.MOTOR_ROTATE -> "rotate(90) dreht einen Motor um 90 Grad."
         NxjRemedy.ROTATION_SPEED -> "Das heißt jetzt getRotationSpeed()."
         NxjRemedy.IS_MOVING -> "Das heißt jetzt isMoving()."
         NxjRemedy.DIFFERENTIAL_PILOT -> "Nimm new DifferentialPilot(raddurchmesser, spurweite, Motor.A, Motor.C)."

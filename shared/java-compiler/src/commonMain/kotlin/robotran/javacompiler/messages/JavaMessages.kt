@@ -89,6 +89,9 @@ interface JavaSyntaxMessages {
     /** A number is written with a comma; with a point it is [number]. */
     fun decimalPoint(number: String): String
 
+    /** Shows what comes around methods that are in no class: the class [className]. */
+    fun putIntoClass(className: String): String
+
     /** Shows the first lines of a program with the class [className]. */
     fun beginWithClass(className: String): String
 
@@ -148,6 +151,9 @@ interface JavaNameMessages {
     fun severalClasses(name: String): String
 
     fun unknownVariable(name: String): String
+
+    /** The class [name] is used like a variable. */
+    fun classIsNoValue(name: String): String
 
     /** [owner] is a class. */
     fun unknownMethod(name: String, owner: String): String

@@ -7,6 +7,20 @@ interface JavaSemanticMessages {
     /** A number conversion that may lose information. */
     fun castNumber(type: String): String
 
+    /** [number] has a part behind the point, and the whole-number [type], such as `int`, is needed. */
+    fun notWhole(number: String, type: String): String
+
+    /** [number] is a whole one. */
+    fun writeWhole(number: String): String
+
+    /** The same for a variable that can also be declared for numbers with a point, by [declaration]. */
+    fun writeWholeOrDeclare(number: String, declaration: String): String
+
+    /** The whole [number] does not fit into the [type], such as `byte`. */
+    fun tooLargeFor(number: String, type: String): String
+
+    fun declareAsInt(): String
+
     /** A conversion of an `Object`, such as an element of a `Vector`, to its class. */
     fun castObject(type: String): String
 

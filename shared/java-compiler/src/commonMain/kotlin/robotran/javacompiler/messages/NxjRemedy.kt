@@ -101,6 +101,12 @@ enum class NxjRemedy {
     /** Leave it out: the motor is always regulated. */
     ALWAYS_REGULATED,
 
+    /** `forward`, `backward` and `stop`. */
+    MOTOR_DIRECTIONS,
+
+    /** `rotate`, by an angle. */
+    MOTOR_ROTATE,
+
     /** `getRotationSpeed`. */
     ROTATION_SPEED,
 

@@ -163,6 +163,18 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "El ladrillo no tiene ventanas. Muestra números y textos cortos con LCD y TextLCD."
         }
 
+        UnsupportedOnBrick.MOTOR_DIRECTIONS -> {
+            "Un motor tiene forward(), backward() y stop(), por ejemplo Motor.A.forward();"
+        }
+
+        UnsupportedOnBrick.MOTOR_TIME -> {
+            "Un motor de un RCX no cuenta grados. Déjalo girar un tiempo: forward(), Thread.sleep(500), stop()"
+        }
+
+        UnsupportedOnBrick.MOTOR_POWER -> {
+            "Un motor tiene setPower(), de 0 a 7."
+        }
+
         UnsupportedOnBrick.OTHER_BRICKS -> {
             "Eso es para ladrillos más nuevos. Las clases de este están en josx.platform.rcx."
         }

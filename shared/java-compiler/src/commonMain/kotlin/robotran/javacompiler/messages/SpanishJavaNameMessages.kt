@@ -9,6 +9,9 @@ internal object SpanishJavaNameMessages : JavaNameMessages {
 
     override fun unknownVariable(name: String) = "No existe la variable ${quoted(name)}."
 
+    override fun classIsNoValue(name: String) =
+        "${quoted(name)} es una clase, no un valor. Detrás van un punto y un nombre."
+
     override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} no tiene ningún método ${quoted(name)}."
 
     override fun unknownMethodHere(name: String, owner: String) =

@@ -9,6 +9,18 @@ internal object SpanishJavaSemanticMessages : JavaSemanticMessages {
     override fun castNumber(type: String) =
         "Escribe \"($type)\" delante, y ponlo todo entre paréntesis, si no importa que se pierda una parte."
 
+    override fun notWhole(number: String, type: String) =
+        "$number tiene un punto, y en ${quoted(type)} solo caben números enteros."
+
+    override fun writeWhole(number: String) = "Escribe un número entero, por ejemplo $number."
+
+    override fun writeWholeOrDeclare(number: String, declaration: String) =
+        "Escribe un número entero, por ejemplo $number. Para números con punto, declara así la variable: $declaration"
+
+    override fun tooLargeFor(number: String, type: String) = "$number no cabe en ${quoted(type)}."
+
+    override fun declareAsInt() = "Declara la variable como \"int\"."
+
     override fun castObject(type: String) = "Escribe \"($type)\" delante, si sabes que lo es."
 
     override fun writeFloat(number: String) = "Escribe \"${number}f\"."
@@ -50,8 +62,11 @@ internal object SpanishJavaSemanticMessages : JavaSemanticMessages {
 
     override fun removeCatch() = "Quita este \"catch\"."
 
-    override fun wrongArguments(method: String, needed: String, given: String) =
-        "${quoted(method)} recibe ${inBrackets(needed)}, no ${inBrackets(given)}."
+    override fun wrongArguments(method: String, needed: String, given: String) = when {
+        given.isEmpty() -> "${quoted(method)} necesita algo entre los paréntesis: $method($needed)"
+        needed.isEmpty() -> "${quoted(method)} no lleva nada entre los paréntesis: $method()"
+        else -> "${quoted(method)} recibe ($needed), no ($given)."
+    }
 
     override fun staticNeeded(name: String) =
         "${quoted(name)} pertenece a un objeto, y en un método \"static\" no hay ninguno."
@@ -89,6 +104,4 @@ internal object SpanishJavaSemanticMessages : JavaSemanticMessages {
 
     override fun wrongOperator(operator: String, types: String) =
         "${quoted(operator)} no funciona con ${quoted(types)}."
-
-    private fun inBrackets(types: String) = if (types.isEmpty()) "ningún valor" else "($types)"
 }

@@ -67,6 +67,9 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun decimalPoint(number: String) = "Un número decimal lleva en Java un punto, no una coma: $number"
 
+    override fun putIntoClass(className: String) =
+        "Escribe \"public class $className {\" encima, y \"}\" al final del todo."
+
     override fun beginWithClass(className: String) =
         "Empieza con: public class $className { public static void main(String[] args) { y termina con: } }"
 

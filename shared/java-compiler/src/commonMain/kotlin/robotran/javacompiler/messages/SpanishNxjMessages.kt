@@ -35,6 +35,8 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.LINE_FEED -> "Escribe \"\\n\"."
         NxjRemedy.NXT_MOTOR -> "La potencia se fija con new NXTMotor(MotorPort.A). Motor.A tiene setSpeed()."
         NxjRemedy.ALWAYS_REGULATED -> "Quítalo: el motor ya mantiene su velocidad. setAcceleration() lo hace suave."
+        NxjRemedy.MOTOR_DIRECTIONS -> "Un motor tiene forward(), backward() y stop(), por ejemplo Motor.A.forward();"
+        NxjRemedy.MOTOR_ROTATE -> "rotate(90) gira un motor 90 grados."
         NxjRemedy.ROTATION_SPEED -> "Ahora se llama getRotationSpeed()."
         NxjRemedy.IS_MOVING -> "Ahora se llama isMoving()."
         NxjRemedy.DIFFERENTIAL_PILOT -> "Usa new DifferentialPilot(diametroRueda, anchoVia, Motor.A, Motor.C)."

@@ -47,6 +47,15 @@ enum class UnsupportedOnBrick {
 
     WINDOWS,
 
+    /** `Motor.A.run()` and other words for what `forward()` and `stop()` do. */
+    MOTOR_DIRECTIONS,
+
+    /** `Motor.A.rotate(90)` and what else counts degrees. */
+    MOTOR_TIME,
+
+    /** `Motor.A.setSpeed(300)`. */
+    MOTOR_POWER,
+
     /** The leJOS classes for other bricks, such as `lejos.nxt`. */
     OTHER_BRICKS,
 }

@@ -114,6 +114,15 @@ private object EnglishSyntaxMessages : NqcSyntaxMessages {
     override fun taskWithBrackets(command: String, task: String) =
         "After $command comes the name of the task without brackets: $command $task;"
 
+    override fun taskCommand(written: String, right: String) = "${quoted(written)} is no command of NQC. Write: $right;"
+
+    override fun taskParameters(name: String) =
+        "A task takes nothing in its brackets: task $name(). Use a global variable instead."
+
+    override fun constantVariable(right: String) = "Only parameters are const in NQC. Write: $right"
+
+    override fun extraWord(word: String) = "NQC has no ${quoted(word)}. Leave this word out."
+
     override fun missingSemicolon() = "A semicolon is missing here."
 
     override fun missing(sign: String) = "A ${quoted(sign)} is missing here."
@@ -199,6 +208,11 @@ private object EnglishNameMessages : NqcNameMessages {
 
     override fun undefinedVariable(name: String, suggestion: String?) =
         "There is no variable ${quoted(name)}. ${didYouMean(suggestion) ?: "Declare it first: int $name;"}"
+
+    override fun notOfSeries(name: String, others: List<String>) =
+        "There is no ${quoted(name)}. There are: ${others.joinToString()}"
+
+    override fun sensorByName(right: String) = "A sensor is read by its name alone: $right"
 
     override fun undefinedCommand(name: String, suggestion: String?) = "There is nothing named ${quoted(name)}. " +
         (didYouMean(suggestion) ?: "A command looks like this: OnFwd(OUT_A);")

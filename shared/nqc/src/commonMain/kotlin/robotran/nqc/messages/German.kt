@@ -122,6 +122,16 @@ private object GermanSyntaxMessages : NqcSyntaxMessages {
     override fun taskWithBrackets(command: String, task: String) =
         "Nach $command kommt der Name des Tasks ohne Klammern: $command $task;"
 
+    override fun taskCommand(written: String, right: String) =
+        "${quoted(written)} ist kein Befehl von NQC. Schreib: $right;"
+
+    override fun taskParameters(name: String) =
+        "Ein Task hat nichts in den Klammern: task $name(). Nimm stattdessen eine globale Variable."
+
+    override fun constantVariable(right: String) = "Nur Parameter sind in NQC const. Schreib: $right"
+
+    override fun extraWord(word: String) = "${quoted(word)} gibt es in NQC nicht. Lass dieses Wort weg."
+
     override fun missingSemicolon() = "Hier fehlt ein Strichpunkt."
 
     override fun missing(sign: String) = "Hier fehlt ${quoted(sign)}."
@@ -209,6 +219,11 @@ private object GermanNameMessages : NqcNameMessages {
 
     override fun undefinedVariable(name: String, suggestion: String?) =
         "Es gibt keine Variable ${quoted(name)}. ${didYouMean(suggestion) ?: "Leg sie zuerst an: int $name;"}"
+
+    override fun notOfSeries(name: String, others: List<String>) =
+        "Es gibt kein ${quoted(name)}. Es gibt: ${others.joinToString()}"
+
+    override fun sensorByName(right: String) = "Ein Sensor wird allein mit seinem Namen gelesen: $right"
 
     override fun undefinedCommand(name: String, suggestion: String?) =
         "Es gibt nichts mit dem Namen ${quoted(name)}. " +

@@ -10,6 +10,12 @@ interface NqcNameMessages {
 
     fun undefinedVariable(name: String, suggestion: String?): String
 
+    /** [name] would be one of a series, such as `OUT_D`, which has only [others]. */
+    fun notOfSeries(name: String, others: List<String>): String
+
+    /** A sensor is read by a call; [right] is its name. */
+    fun sensorByName(right: String): String
+
     /** A line has nothing but [name], which means nothing. */
     fun undefinedCommand(name: String, suggestion: String?): String
 

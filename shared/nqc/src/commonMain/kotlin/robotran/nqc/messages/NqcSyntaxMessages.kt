@@ -46,6 +46,26 @@ interface NqcSyntaxMessages {
     /** @param command `start` or `stop`, which is followed by [task] and brackets. */
     fun taskWithBrackets(command: String, task: String): String
 
+    /**
+     * [written] is what other languages write to start or stop a task.
+     *
+     * @param right how NQC writes it.
+     */
+    fun taskCommand(written: String, right: String): String
+
+    /** The task [name] has parameters. */
+    fun taskParameters(name: String): String
+
+    /**
+     * A variable is `const`.
+     *
+     * @param right how a number gets a name, or the same variable without `const`.
+     */
+    fun constantVariable(right: String): String
+
+    /** [word] of another language is before a declaration, such as `static`. */
+    fun extraWord(word: String): String
+
     fun missingSemicolon(): String
 
     /** @param sign a bracket. */

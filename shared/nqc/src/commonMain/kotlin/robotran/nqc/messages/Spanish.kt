@@ -118,6 +118,16 @@ private object SpanishSyntaxMessages : NqcSyntaxMessages {
     override fun taskWithBrackets(command: String, task: String) =
         "Después de $command va el nombre de la tarea sin paréntesis: $command $task;"
 
+    override fun taskCommand(written: String, right: String) =
+        "${quoted(written)} no es una orden de NQC. Escribe: $right;"
+
+    override fun taskParameters(name: String) =
+        "Una tarea no lleva nada entre paréntesis: task $name(). Usa una variable global."
+
+    override fun constantVariable(right: String) = "En NQC solo los parámetros son const. Escribe: $right"
+
+    override fun extraWord(word: String) = "NQC no tiene ${quoted(word)}. Quita esta palabra."
+
     override fun missingSemicolon() = "Aquí falta un punto y coma."
 
     override fun missing(sign: String) = "Aquí falta ${quoted(sign)}."
@@ -204,6 +214,11 @@ private object SpanishNameMessages : NqcNameMessages {
 
     override fun undefinedVariable(name: String, suggestion: String?) =
         "No hay ninguna variable ${quoted(name)}. ${didYouMean(suggestion) ?: "Declárala antes: int $name;"}"
+
+    override fun notOfSeries(name: String, others: List<String>) =
+        "No hay ningún ${quoted(name)}. Hay: ${others.joinToString()}"
+
+    override fun sensorByName(right: String) = "Un sensor se lee solo con su nombre: $right"
 
     override fun undefinedCommand(name: String, suggestion: String?) = "No hay nada que se llame ${quoted(name)}. " +
         (didYouMean(suggestion) ?: "Una orden es así: OnFwd(OUT_A);")

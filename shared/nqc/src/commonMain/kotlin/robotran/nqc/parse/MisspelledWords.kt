@@ -22,7 +22,9 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
         val token = reader.token
         if (token.kind != TokenKind.NAME || isName(token.text)) return
         val next = reader.peek(1)
-        if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME && reader.peek(2).isSign("(")) {
+        if (token.text in EXTRA_WORDS && (next.keyword?.group in DECLARING || next.text in EXTRA_WORDS)) {
+            skipExtraWord(token, next)
+        } else if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME && reader.peek(2).isSign("(")) {
             // A function, whose type is wrong whatever it is.
             reader.readAs(Keyword.INT)
         } else if (token.text in OTHER_TYPES && next.kind == TokenKind.NAME) {
@@ -33,6 +35,16 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
             val message = sink.messages.misspelledWord(token.text, meant.text, isCase)
             report(token, meant, NqcDiagnosticCode.MISSPELLED_WORD, message)
         }
+    }
+
+    /** Skips [word], which NQC does not have, before [next]. */
+    private fun skipExtraWord(word: Token, next: Token) {
+        val isTyped = word.macro == null && next.range.line == word.range.line
+        val range = word.range.to(next.range.copy(endColumn = next.range.column))
+        val message = sink.messages.extraWord(word.text)
+        sink.report(NqcDiagnosticCode.UNEXPECTED_TOKEN, word.range, message, SourceFix(range, "").takeIf { isTyped })
+        reader.advance()
+        correct()
     }
 
     /** Reports the token here if it means `else if`; then it can be read like `if`. */
@@ -90,7 +102,14 @@ internal class MisspelledWords(private val reader: TokenReader, private val isNa
             Keyword.MONITOR,
             Keyword.ACQUIRE,
         )
-        val OTHER_TYPES = "float double long short char byte bool boolean string String var let".split(' ').toSet()
+        val OTHER_TYPES = "float double unsigned long short char byte bool boolean string String var let".split(
+            ' ',
+        ).toSet()
+        val DECLARING = setOf(KeywordGroup.UNIT, KeywordGroup.DECLARATION)
+
+        /** Words that other languages have before a declaration. */
+        val EXTRA_WORDS = "static public private final unsigned signed long short volatile extern register global"
+            .split(' ').toSet()
         const val ELSE_IF = "else if"
         val ELSE_IFS = setOf("elseif", "elsif", "elif")
         val NO_WORD_BEFORE = setOf("++", "--", "[", ")", ",", ":")

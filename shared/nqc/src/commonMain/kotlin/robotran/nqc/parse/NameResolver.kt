@@ -1,5 +1,6 @@
 package robotran.nqc.parse
 
+import robotran.language.othersOfSeries
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.SourceFix
@@ -32,6 +33,7 @@ internal class NameResolver(
     private val apiNames: ApiNames,
 ) {
     private val sink = reader.sink
+    private val sensors = SensorNames(reader, words)
     private val unknown = Variable("", SourceRange.API)
 
     /** The variable [name]; one that stands for it after a mistake. */
@@ -43,14 +45,22 @@ internal class NameResolver(
             sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message)
             return unknown
         }
+        val renamed = sensors.nameFor(text)
+        val others = othersOfSeries(renamed ?: text, words)
+        if (renamed !in words && others.isNotEmpty()) {
+            val message = sink.messages.notOfSeries(text, others.take(MAX_NAMED))
+            sink.report(NqcDiagnosticCode.UNDEFINED_VARIABLE, name.range, message)
+            return unknown
+        }
         val known = scopes.variableNames + words + VALUE_WORDS
-        val similar = similarName(text, known)
+        val similar = renamed ?: similarName(text, known)
         sink.report(
             NqcDiagnosticCode.UNDEFINED_VARIABLE,
             name.range,
             sink.messages.undefinedVariable(text, similar),
             when {
                 name.macro != null -> null
+                renamed != null -> SourceFix(name.range, renamed)
                 similar != null -> onlySimilarName(text, known)?.let { SourceFix(name.range, it) }
                 else -> declared.declaration(text, name.range).takeIf { isChanged(name) }
             },
@@ -61,6 +71,12 @@ internal class NameResolver(
     /** Whether [name] was read last and gets a value: then it is a variable and no misspelled constant. */
     private fun isChanged(name: Token): Boolean = reader.previous === name && reader.token.kind == TokenKind.SIGN &&
         (reader.token.text in Signs.ASSIGNMENTS || reader.token.text in STEPS)
+
+    /** Whether [name] is a task of the program. */
+    fun isTask(name: String): Boolean = declared.isTask(name)
+
+    /** Whether [name] can be called. */
+    fun isCallable(name: String): Boolean = name in functions || name in declared.names || name in words
 
     fun isUnknown(variable: Variable): Boolean = variable === unknown
 
@@ -138,6 +154,7 @@ internal class NameResolver(
     /** Fails because a call with this [name] is used like a value. */
     fun failAtCallAsValue(name: Token): Nothing {
         val text = name.text
+        if (!isFunction(text)) sensors.failAtCall(name)
         when {
             isFunction(text) -> {
                 reader.fail(NqcDiagnosticCode.CALL_AS_VALUE, name.range, sink.messages.callAsValue(text))
@@ -181,6 +198,8 @@ internal class NameResolver(
     }
 
     private companion object {
+        /** Max names of a series that a message tells. */
+        const val MAX_NAMED = 6
         val STEPS = setOf("++", "--")
         val VALUES = setOf(TokenKind.NAME, TokenKind.NUMBER, TokenKind.TEXT)
         val VALUE_WORDS = Keyword.entries.filter { it.group == KeywordGroup.VALUE }.map { it.text }

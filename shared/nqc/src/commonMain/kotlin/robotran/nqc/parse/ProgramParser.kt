@@ -82,9 +82,8 @@ internal class ProgramParser(
         if (isMainFunction(token)) return mainTask()
         if (token.keyword == Keyword.INT && reader.peek(2).isSign("(")) reportType(token)
         when (reader.token.keyword) {
-            Keyword.INT -> {
-                reader.advance()
-                globals += variables.variables()
+            Keyword.INT, Keyword.CONST -> {
+                globals += variables.declarations()
                 reader.semicolon()
             }
 
@@ -157,8 +156,20 @@ internal class ProgramParser(
         reader.advance()
         val name = unitName()
         reader.opening("(")
-        reader.closing(")")
-        tasks += TaskUnit(name.text, statements.block(), name.range)
+        scopes.inScope {
+            if (!reader.isSign(")")) taskParameters(name)
+            reader.closing(")")
+            tasks += TaskUnit(name.text, statements.block(), name.range)
+        }
+    }
+
+    /** Reads the parameters of the task [name], which cannot have any. */
+    private fun taskParameters(name: Token) {
+        val first = reader.token
+        parameters.parameters()
+        val range = first.range.to(reader.previous.range)
+        val fix = SourceFix(range, "").takeIf { first.macro == null && reader.isInLineOf(first) }
+        sink.report(NqcDiagnosticCode.UNEXPECTED_TOKEN, range, sink.messages.taskParameters(name.text), fix)
     }
 
     private fun sub() {

@@ -23,6 +23,7 @@ internal class StatementParser(
 ) {
     private val sink = reader.sink
     private val assignments = AssignmentParser(reader, expressions)
+    private val tasks = TaskCommandParser(reader, names)
     private val flow = FlowParser(reader, expressions, assignments, misspelled, ::statement, ::block)
 
     /** Reads `{ statements }`, whose variables end with it. */
@@ -97,6 +98,7 @@ internal class StatementParser(
             reader.accept(";") -> Block(emptyList(), isScope = false, token.range)
             token.kind == TokenKind.KEYWORD -> ofKeyword(token)
             token.kind == TokenKind.NAME && reader.peek(1).isSign(":") -> label()
+            tasks.isCommand() -> tasks.command()
             token.kind == TokenKind.NAME && reader.peek(1).isSign("(") -> call()
             names.isCommandAlone() -> commandAlone()
             names.isBlockWord() -> blockAfterWord()
@@ -106,8 +108,8 @@ internal class StatementParser(
     }
 
     private fun ofKeyword(token: Token): Statement = when (val keyword = token.keyword) {
-        Keyword.INT -> declarations()
-        Keyword.START, Keyword.STOP -> taskCommand(keyword)
+        Keyword.INT, Keyword.CONST -> declarations()
+        Keyword.START, Keyword.STOP -> tasks.command(keyword)
         Keyword.BREAK -> leave(LeaveKind.BREAK)
         Keyword.CONTINUE -> leave(LeaveKind.CONTINUE)
         Keyword.RETURN -> leave(LeaveKind.RETURN)
@@ -151,27 +153,10 @@ internal class StatementParser(
     }
 
     private fun declarations(): Statement {
-        val word = reader.advance()
-        val declarations = variables.variables()
+        val word = reader.token
+        val declarations = variables.declarations()
         reader.semicolon()
         return declarations.singleOrNull() ?: Block(declarations, isScope = false, word.range)
-    }
-
-    private fun taskCommand(keyword: Keyword): Statement {
-        val word = reader.advance()
-        val name = reader.name()
-        if (reader.isSign("(") && reader.peek(1).isSign(")")) skipBrackets(word, name)
-        reader.semicolon()
-        return Statement.TaskCommand(name.text, keyword == Keyword.START, word.range.to(name.range), name)
-    }
-
-    /** Skips the brackets of `start name();`. */
-    private fun skipBrackets(word: Token, name: Token) {
-        val opening = reader.advance()
-        val range = opening.range.to(reader.advance().range)
-        val message = sink.messages.taskWithBrackets(word.text, name.text)
-        val fix = SourceFix(range, "").takeIf { opening.macro == null && range.endColumn > opening.range.endColumn }
-        sink.report(NqcDiagnosticCode.UNEXPECTED_TOKEN, range, message, fix)
     }
 
     private fun leave(kind: LeaveKind): Statement {

@@ -1,5 +1,6 @@
 package robotran.robolang.syntax
 
+import robotran.language.isOtherOfSeries
 import robotran.language.nearestWords
 
 /** The candidate that [word] is probably a misspelling of; null if none is similar. The first one wins a tie. */
@@ -9,7 +10,8 @@ internal fun suggestion(word: String, candidates: List<String>): String? = sugge
 internal fun suggestions(word: String, candidates: List<String>): List<String> {
     if (word.length > RobolangLimits.SUGGESTION_CHARACTERS) return emptyList()
     val lowercase = lowercaseKeyword(word)
-    return nearestWords(lowercase, candidates, errors = lowercase.length / LETTERS_FOR_A_SLIP)
+    val others = candidates.filterNot { isOtherOfSeries(word, it) }
+    return nearestWords(lowercase, others, errors = lowercase.length / LETTERS_FOR_A_SLIP)
 }
 
 /** One slip is forgiven per three letters, since short words are often similar by chance. */
