@@ -3,7 +3,7 @@ package robotran.language
 /**
  * Those of [candidates] that [typed] may have been meant to be, with at most [errors] typing errors: the ones with the
  * fewest errors, and of these the ones that begin with the most letters of [typed]. Capitals make no difference.
- * Several if none is more likely than the others, in the order of [candidates]. Another one of a series is none of them.
+ * Several if none is more likely than the others, in the order of [candidates]. None is another one of a series.
  */
 fun nearestWords(typed: String, candidates: Iterable<String>, errors: Int): List<String> {
     val lowercase = typed.lowercase()
