@@ -173,26 +173,33 @@ export const readerOn = (page) => {
       element?.click();
       return Boolean(element);
     }, tag);
+  /** A list tells only what can be seen, and has actions that scroll: presses that of the list on top, if it has it. */
+  const scrolls = (way) =>
+    page.evaluate((wanted) => {
+      const actions = [...document.querySelectorAll('#robotran-words button')].filter(({ textContent }) =>
+        /^(Further down|Back up)/.test(textContent),
+      );
+      const listOf = ({ id }) => id.replace(/-\d+$/, '');
+      const top = actions.at(-1);
+      const action = actions.find((each) => listOf(each) === listOf(top) && each.textContent.startsWith(wanted));
+      action?.click();
+      return Boolean(action);
+    }, way);
   /** All that is told now. */
   const seen = () =>
     page.evaluate(() => [...document.querySelectorAll('#robotran-words [data-tag]')].map(({ dataset }) => dataset.tag).join());
   return {
     async press(tag) {
-      // A list tells only what can be seen, and has actions that scroll. It may have been scrolled past `tag` before that came.
-      const ways = [/^Further down/, /^Back up/].map((words) => page.locator('#robotran-words button', { hasText: words }));
-      let way = 0;
+      // It may be in a list that was scrolled past it before it came.
+      let way = 'Further down';
       const end = Date.now() + PATIENCE;
       for (let attempt = 0; !(await pressNow(tag)); attempt++) {
         assert.ok(Date.now() < end, `${tag} is not among ${await seen()}`);
         await rests(page);
         if (attempt < 2 || (await words(page, tag).count()) > 0) continue;
-        if ((await ways[way].count()) === 0) {
-          way = 1 - way;
-          continue;
-        }
         const before = await seen();
-        await ways[way].last().evaluate((element) => element.click());
-        for (let wait = 0; wait < 20 && (await seen()) === before; wait++) await page.waitForTimeout(25);
+        if (!(await scrolls(way))) way = way === 'Back up' ? 'Further down' : 'Back up';
+        else for (let wait = 0; wait < 20 && (await seen()) === before; wait++) await page.waitForTimeout(25);
       }
     },
   };

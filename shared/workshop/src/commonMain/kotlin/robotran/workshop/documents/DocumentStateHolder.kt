@@ -87,8 +87,8 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewRequested -> launch { replacement.replace { begin(BrickKind.RCX) } }
-            is DocumentEvent.NewWithBrick -> launch { replacement.replace { begin(event.brick) } }
+            DocumentEvent.NewRequested -> beginNew(BrickKind.RCX)
+            is DocumentEvent.NewWithBrick -> beginNew(event.brick)
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
@@ -333,8 +333,17 @@ class DocumentStateHolder(
         launch { projects.handle(event) }
     }
 
+    private fun beginNew(brick: BrickKind) {
+        launch {
+            replacement.replace {
+                navigator.leavePages()
+                begin(brick)
+            }
+        }
+    }
+
+    /** Pages stay: who leaves the tutorial may have opened one before this project is there. */
     private suspend fun begin(brick: BrickKind) {
-        navigator.leavePages()
         val name = autosaver.unusedName()
         editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
         autosaver.startNew(name)

@@ -1,7 +1,9 @@
 package robotran.workshop.learning
 
+import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
+import robotran.documents.StoreResult
 import robotran.language.ProgramLanguage
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
@@ -16,7 +18,9 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
+import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.MemoryStore
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.Notice
@@ -130,6 +134,32 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.TutorialClosed)
         assertEquals(before, workshop.state.programText)
         assertNull(workshop.learning.tutorial)
+    }
+
+    @Test
+    fun `a page that is opened while the tutorial is still being left stays open`() {
+        val store = HeldStore()
+        val workshop = runBlocking { openWorkshop(platform = MemoryPlatform(store = store)) }.also { opened += it }
+        val before = workshop.state.programText
+        workshop.handle(LearningEvent.TutorialStarted)
+        workshop.edit("forward 31\n")
+        store.held = CompletableDeferred()
+        workshop.handle(LearningEvent.TutorialClosed)
+        assertEquals("forward 31\n", workshop.state.programText, "the store is not done yet")
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
+        store.held?.complete(Unit)
+        assertEquals(before, workshop.state.programText)
+        assertEquals(LearningPage.WORLDS, workshop.learning.page)
+    }
+
+    /** A store that writes only when [held] is over. */
+    private class HeldStore(private val memory: MemoryStore = MemoryStore()) : KeyValueStore by memory {
+        var held: CompletableDeferred<Unit>? = null
+
+        override suspend fun write(name: String, text: String): StoreResult {
+            held?.await()
+            return memory.write(name, text)
+        }
     }
 
     @Test
