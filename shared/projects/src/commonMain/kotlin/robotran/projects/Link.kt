@@ -5,6 +5,7 @@ import robotran.json.JsonLimits
 import robotran.json.readJson
 import robotran.json.writeCompactJson
 import robotran.language.Language
+import robotran.language.grouped
 import robotran.projects.messages.LinkMessages
 import robotran.projects.messages.ProjectMessages
 import robotran.world.World
@@ -41,22 +42,32 @@ sealed interface LinkResult {
  * @param language the language of the message if it is too long.
  */
 suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCreation =
-    linkOf(LinkKind.WORLD, elementOf(world), ProjectMessages.of(language)::worldTooLong)
+    linkOf(LinkKind.WORLD, elementOf(world), language) { it::worldTooLong }
 
-/** The same for [project]. */
+/** The same for [project]. The message tells if it is its pictures that make it too long. */
 suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
-    linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
+    linkOf(LinkKind.PROJECT, elementOf(project), language) {
+        val isByPictures = fits(fragmentOf(LinkKind.PROJECT, elementOf(withoutPictures(project))))
+        if (isByPictures) it::projectPicturesTooLong else it::projectTooLong
+    }
 
 /** The same for [course], with all its assignments. */
 suspend fun linkOf(course: Course, language: Language = Language.ENGLISH): LinkCreation =
-    linkOf(LinkKind.COURSE, elementOf(course), ProjectMessages.of(language)::courseTooLong)
+    linkOf(LinkKind.COURSE, elementOf(course), language) {
+        val bare = course.copy(assignments = course.assignments.map(::withoutPictures))
+        val isByPictures = fits(fragmentOf(LinkKind.COURSE, elementOf(bare)))
+        if (isByPictures) it::coursePicturesTooLong else it::courseTooLong
+    }
+
+private fun withoutPictures(project: Project): Project =
+    project.copy(assignment = project.assignment?.copy(pictures = emptyList()))
 
 /**
  * The short link to [handIn], for a QR code: without the assignment's world, see [writeCompactHandIn]. Only
  * [openHandInLink] opens it.
  */
 suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH): LinkCreation =
-    linkOf(LinkKind.HAND_IN, handInElementOf(handIn), ProjectMessages.of(language)::projectTooLong)
+    linkOf(LinkKind.HAND_IN, handInElementOf(handIn), language) { it::projectTooLong }
 
 /**
  * Opens a link from [linkOf].
@@ -81,9 +92,7 @@ private suspend fun openLink(link: String, given: World?, language: Language): L
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
         ?: return LinkResult.Rejected(messages.notALink())
     if (kind == LinkKind.HAND_IN && given == null) return LinkResult.Rejected(messages.handInLink())
-    if (fragment.length >= ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
-        return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
-    }
+    if (fragment.length >= LIMIT) return LinkResult.Rejected(messages.linkTooLong(language.grouped(LIMIT)))
     val data = fragment.removePrefix(kind.start)
     if (data.isNotEmpty() && !data.startsWith(SCHEME) && data[0] in 'b'..'z') {
         return LinkResult.Rejected(messages.newerLink())
@@ -117,11 +126,24 @@ internal suspend fun isWholeLink(link: String): Boolean {
 
 private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), COURSE("c="), HAND_IN("h=") }
 
-private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
+/** @param tooLong chooses the message for a length and the limit. */
+private suspend fun linkOf(
+    kind: LinkKind,
+    element: JsonElement,
+    language: Language,
+    tooLong: suspend (LinkMessages) -> (String, String) -> String,
+): LinkCreation {
+    val fragment = fragmentOf(kind, element)
+    if (fits(fragment)) return LinkCreation.Made(fragment)
+    val message = tooLong(ProjectMessages.of(language))
+    return LinkCreation.TooLong(message(language.grouped(fragment.length), language.grouped(LIMIT)))
+}
+
+private fun fits(fragment: String): Boolean = fragment.length <= LIMIT
+
+private suspend fun fragmentOf(kind: LinkKind, element: JsonElement): String {
     val bytes = writeCompactJson(element).encodeToByteArray()
-    val fragment = "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
-    if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkCreation.Made(fragment)
-    return LinkCreation.TooLong(tooLong(fragment.length, ProjectLimits.MAXIMUM_LINK_CHARACTERS))
+    return "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
 }
 
 private suspend fun unpack(data: String): ByteArray? {
@@ -153,4 +175,5 @@ private fun resultOf(result: CourseFileResult, messages: LinkMessages): LinkResu
  * encoding would get another letter.
  */
 private const val SCHEME = "a"
+private const val LIMIT = ProjectLimits.MAXIMUM_LINK_CHARACTERS
 private val LETTERS = Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT)

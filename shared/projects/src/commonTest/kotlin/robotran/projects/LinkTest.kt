@@ -2,6 +2,7 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.json.JsonLimits
+import robotran.language.Language
 import robotran.simulation.SessionInput
 import robotran.world.Mark
 import robotran.world.MarkFigure
@@ -57,7 +58,7 @@ class LinkTest {
         assertEquals("This link was made by a newer Robotran.", refusal("#w=bAAAA"))
         assertEquals(broken, refusal("#w="))
         assertEquals(broken, refusal("#w=1AAA"))
-        assertEquals("The link is too long: more than 100000 characters.", refusal("#w=a" + "A".repeat(100_000)))
+        assertEquals("The link is too long: more than 100,000 characters.", refusal("#w=a" + "A".repeat(100_000)))
     }
 
     @Test
@@ -119,10 +120,43 @@ class LinkTest {
         val world = BuiltInWorlds.plain.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(0.0, 0.0), 0.1, rows))))
         val message = assertIs<LinkCreation.TooLong>(linkOf(world)).message
         assertEquals(
-            "This world is too long for a link: it would take N characters, and 100000 are the most. Share its file " +
+            "This world is too long for a link: it would take N characters, and 100,000 are the most. Share its file " +
                 "instead.",
-            message.replaceFirst(Regex("\\d+"), "N"),
+            message.replaceFirst(Regex("\\d{3},\\d{3}"), "N"),
         )
+    }
+
+    private val photo = AssignmentPicture("board", Base64.encode(Random(1).nextBytes(100_000)))
+
+    private fun withPhoto(text: String = ""): Project =
+        Project(BuiltInWorlds.plain, assignment = Assignment("a", text = text, pictures = listOf(photo)))
+
+    private suspend fun tooLong(language: Language, made: suspend (Language) -> LinkCreation): String =
+        assertIs<LinkCreation.TooLong>(made(language)).message.replaceFirst(Regex("1\\d\\d(\\D)\\d{3}"), "N$1N")
+
+    @Test
+    fun `pictures that make a link too long are told to be the reason`() = runTest {
+        assertEquals(
+            "This project is too long for a link because of its pictures: it would take N,N characters, and 100,000 " +
+                "are the most. Share its file instead, or take pictures out.",
+            tooLong(Language.ENGLISH) { linkOf(withPhoto(), it) },
+        )
+        assertEquals(
+            "Dieser Kurs ist wegen der Bilder zu lang für einen Link: Er würde N.N Zeichen brauchen, und höchstens " +
+                "100.000 gehen. Teil stattdessen die Datei, oder nimm Bilder heraus.",
+            tooLong(Language.GERMAN) { linkOf(Course("c", assignments = listOf(withPhoto())), it) },
+        )
+        assertEquals(
+            "Este proyecto es demasiado largo para un enlace por sus imágenes: ocuparía N\u00A0N letras y signos, y " +
+                "como mucho pueden ser 100\u00A0000. Comparte mejor su archivo, o quita imágenes.",
+            tooLong(Language.SPANISH) { linkOf(withPhoto(), it) },
+        )
+    }
+
+    @Test
+    fun `pictures are not told to be the reason where the rest is too long, too`() = runTest {
+        val message = tooLong(Language.ENGLISH) { linkOf(withPhoto(Base64.encode(Random(2).nextBytes(90_000))), it) }
+        assertFalse("pictures" in message, message)
     }
 
     @Test

@@ -49,7 +49,7 @@ internal object EnglishProjectMessages : ProjectMessages {
         "This is what somebody has handed in. A teacher opens it under \"Look at hand-ins\", together with the " +
             "assignment."
 
-    override fun linkTooLong(limit: Int) = "The link is too long: more than $limit characters."
+    override fun linkTooLong(limit: String) = "The link is too long: more than $limit characters."
 
     override fun newerLink() = "This link was made by a newer Robotran."
 
@@ -57,11 +57,16 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun linkUnusable(why: String) = "What the link holds cannot be used. $why"
 
-    override fun worldTooLong(characters: Int, limit: Int) = tooLong("world", characters, limit)
+    override fun worldTooLong(characters: String, limit: String) = tooLong("world", characters, limit)
 
-    override fun projectTooLong(characters: Int, limit: Int) = tooLong("project", characters, limit)
+    override fun projectTooLong(characters: String, limit: String) = tooLong("project", characters, limit)
 
-    override fun courseTooLong(characters: Int, limit: Int) = tooLong("course", characters, limit)
+    override fun projectPicturesTooLong(characters: String, limit: String) =
+        picturesTooLong("project", characters, limit)
+
+    override fun courseTooLong(characters: String, limit: String) = tooLong("course", characters, limit)
+
+    override fun coursePicturesTooLong(characters: String, limit: String) = picturesTooLong("course", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
         val known = if (robots.size == 1) {
@@ -78,7 +83,11 @@ internal object EnglishProjectMessages : ProjectMessages {
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "The robot $robot has been given $count programs, but a brick has room for $limit."
 
-    private fun tooLong(what: String, characters: Int, limit: Int) =
+    private fun picturesTooLong(what: String, characters: String, limit: String) =
+        "This $what is too long for a link because of its pictures: it would take $characters characters, and $limit " +
+            "are the most. Share its file instead, or take pictures out."
+
+    private fun tooLong(what: String, characters: String, limit: String) =
         "This $what is too long for a link: it would take $characters characters, and $limit are the most. Share its " +
             "file instead."
 }

@@ -50,7 +50,7 @@ internal object GermanProjectMessages : ProjectMessages {
     override fun handInLink() =
         "Das ist eine Abgabe. Lehrer öffnen sie unter \"Abgaben ansehen\", zusammen mit der Aufgabe."
 
-    override fun linkTooLong(limit: Int) = "Der Link ist zu lang: Er hat mehr als $limit Zeichen."
+    override fun linkTooLong(limit: String) = "Der Link ist zu lang: Er hat mehr als $limit Zeichen."
 
     override fun newerLink() = "Dieser Link wurde mit einem neueren Robotran gemacht."
 
@@ -58,11 +58,17 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun linkUnusable(why: String) = "Was in dem Link steckt, kann nicht benutzt werden. $why"
 
-    override fun worldTooLong(characters: Int, limit: Int) = tooLong("Diese Welt", "Sie", characters, limit)
+    override fun worldTooLong(characters: String, limit: String) = tooLong("Diese Welt", "Sie", characters, limit)
 
-    override fun projectTooLong(characters: Int, limit: Int) = tooLong("Dieses Projekt", "Es", characters, limit)
+    override fun projectTooLong(characters: String, limit: String) = tooLong("Dieses Projekt", "Es", characters, limit)
 
-    override fun courseTooLong(characters: Int, limit: Int) = tooLong("Dieser Kurs", "Er", characters, limit)
+    override fun projectPicturesTooLong(characters: String, limit: String) =
+        picturesTooLong("Dieses Projekt", "Es", characters, limit)
+
+    override fun courseTooLong(characters: String, limit: String) = tooLong("Dieser Kurs", "Er", characters, limit)
+
+    override fun coursePicturesTooLong(characters: String, limit: String) =
+        picturesTooLong("Dieser Kurs", "Er", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
         val known = if (robots.size == 1) {
@@ -79,7 +85,11 @@ internal object GermanProjectMessages : ProjectMessages {
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "Der Roboter $robot hat $count Programme bekommen, aber in einen Stein passen nur $limit."
 
-    private fun tooLong(what: String, pronoun: String, characters: Int, limit: Int) =
+    private fun picturesTooLong(what: String, pronoun: String, characters: String, limit: String) =
+        "$what ist wegen der Bilder zu lang für einen Link: $pronoun würde $characters Zeichen brauchen, und " +
+            "höchstens $limit gehen. Teil stattdessen die Datei, oder nimm Bilder heraus."
+
+    private fun tooLong(what: String, pronoun: String, characters: String, limit: String) =
         "$what ist zu lang für einen Link: $pronoun würde $characters Zeichen brauchen, und höchstens $limit gehen. " +
             "Teil stattdessen die Datei."
 }

@@ -80,7 +80,8 @@ interface LinkMessages {
     /** The link holds a hand-in without its world. */
     fun handInLink(): String
 
-    fun linkTooLong(limit: Int): String
+    /** @param limit a number as it is to be shown, here and below. */
+    fun linkTooLong(limit: String): String
 
     fun newerLink(): String
 
@@ -89,11 +90,17 @@ interface LinkMessages {
     /** @param why a sentence about the file in the link. */
     fun linkUnusable(why: String): String
 
-    fun worldTooLong(characters: Int, limit: Int): String
+    fun worldTooLong(characters: String, limit: String): String
 
-    fun projectTooLong(characters: Int, limit: Int): String
+    fun projectTooLong(characters: String, limit: String): String
 
-    fun courseTooLong(characters: Int, limit: Int): String
+    /** Without its pictures it would not be. */
+    fun projectPicturesTooLong(characters: String, limit: String): String
+
+    fun courseTooLong(characters: String, limit: String): String
+
+    /** Without its pictures it would not be. */
+    fun coursePicturesTooLong(characters: String, limit: String): String
 }
 
 /** The error messages for assigning programs to robots, in whole sentences. */

@@ -50,7 +50,7 @@ internal object SpanishProjectMessages : ProjectMessages {
     override fun handInLink() =
         "Esto es lo que alguien ha entregado. Se abre en \"Ver las entregas\", junto con la tarea."
 
-    override fun linkTooLong(limit: Int) = "El enlace es demasiado largo: tiene más de $limit letras y signos."
+    override fun linkTooLong(limit: String) = "El enlace es demasiado largo: tiene más de $limit letras y signos."
 
     override fun newerLink() = "Este enlace se hizo con un Robotran más nuevo."
 
@@ -58,11 +58,16 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun linkUnusable(why: String) = "Lo que hay en el enlace no se puede usar. $why"
 
-    override fun worldTooLong(characters: Int, limit: Int) = tooLong("mundo", characters, limit)
+    override fun worldTooLong(characters: String, limit: String) = tooLong("mundo", characters, limit)
 
-    override fun projectTooLong(characters: Int, limit: Int) = tooLong("proyecto", characters, limit)
+    override fun projectTooLong(characters: String, limit: String) = tooLong("proyecto", characters, limit)
 
-    override fun courseTooLong(characters: Int, limit: Int) = tooLong("curso", characters, limit)
+    override fun projectPicturesTooLong(characters: String, limit: String) =
+        picturesTooLong("proyecto", characters, limit)
+
+    override fun courseTooLong(characters: String, limit: String) = tooLong("curso", characters, limit)
+
+    override fun coursePicturesTooLong(characters: String, limit: String) = picturesTooLong("curso", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
         val known = if (robots.size == 1) {
@@ -79,7 +84,11 @@ internal object SpanishProjectMessages : ProjectMessages {
     override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
         "El robot $robot ha recibido $count programas, pero en un ladrillo caben $limit."
 
-    private fun tooLong(what: String, characters: Int, limit: Int) =
+    private fun picturesTooLong(what: String, characters: String, limit: String) =
+        "Este $what es demasiado largo para un enlace por sus imágenes: ocuparía $characters letras y signos, y como " +
+            "mucho pueden ser $limit. Comparte mejor su archivo, o quita imágenes."
+
+    private fun tooLong(what: String, characters: String, limit: String) =
         "Este $what es demasiado largo para un enlace: ocuparía $characters letras y signos, y como mucho pueden ser " +
             "$limit. Comparte mejor su archivo."
 }

@@ -16,7 +16,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.language.Language
+import robotran.language.grouped
 import robotran.projects.Assignment
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.AssignmentText
@@ -93,8 +93,9 @@ private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: 
         )
     }
     state.pictureMadeSmaller?.let { (width, height) ->
+        val language = LocalLanguage.current
         Explanation(
-            stringResource(Res.string.make_picture_smaller, grouped(width), grouped(height)),
+            stringResource(Res.string.make_picture_smaller, language.grouped(width), language.grouped(height)),
             Modifier.testTag("make-picture-smaller").semantics { liveRegion = LiveRegionMode.Polite },
         )
     }
@@ -134,16 +135,3 @@ private val PictureError.sentence: StringResource
         PictureError.TOO_MANY -> Res.string.make_picture_many
         PictureError.HEIC -> Res.string.make_picture_heic
     }
-
-/** [number] with a sign between thousands; in Spanish, four digits have none. */
-@Composable
-private fun grouped(number: Int): String = when (LocalLanguage.current) {
-    Language.ENGLISH -> grouped(number, ",")
-    Language.GERMAN -> grouped(number, ".")
-    Language.SPANISH -> "$number"
-}
-
-private fun grouped(number: Int, sign: String): String =
-    "$number".reversed().chunked(THOUSAND_DIGITS).joinToString(sign).reversed()
-
-private const val THOUSAND_DIGITS = 3
