@@ -3,7 +3,6 @@ package robotran.assignments.collecting
 import robotran.assignments.messages.CollectingMessages
 import robotran.language.Language
 import robotran.projects.Course
-import robotran.projects.Project
 
 /**
  * What a teacher has collected for a course.
@@ -31,9 +30,11 @@ suspend fun collectCourse(
     val sorting = CourseSorting(course)
     val found = Unpacking(messages).unpack(files).map(sorting::sort)
     val ids = course.assignments.mapNotNull { it.assignment?.id }
-    val all = course.assignments.mapIndexed { task, assignment ->
-        val mine = found.filter { it.saysItself || it.task == task }.map { it.file }
-        collectFound(mine, assignment, language, ids.toSet() - assignment.assignment?.id.orEmpty())
+    val readers = course.assignments.map { GroupReader(it, language, ids.toSet() - it.assignment?.id.orEmpty()) }
+    // A pupil's folder is one for all assignments, also where it has little for each.
+    val groups = groupsOf(found) { file -> readers.any { it.isNoHandIn(file) } }
+    val all = readers.mapIndexed { task, reader ->
+        collectGroups(groups.mapNotNull { group -> group.only { saysItself(it) || it.task == task } }, reader)
     }
     // What no assignment takes is the same in all of them.
     val foreign = all.map { it.submissions.filterIsInstance<Submission.Unusable>().toSet() }
@@ -46,28 +47,32 @@ suspend fun collectCourse(
         }
     }
     val known = tasks.flatten().mapTo(mutableSetOf()) { keyOf(it.name) }
-    val rest = unsortedOf(found, course.assignments.firstOrNull(), language).filterNot { keyOf(it.name) in known }
+    val silent = groups.mapNotNull { group -> group.only { !saysItself(it) && it.task == null } }
+    val rest = course.assignments.firstOrNull()?.let { unsortedOf(silent, GroupReader(it, language), messages, known) }
     return CourseHandIns(
         limited(tasks, CollectingLimits.MAXIMUM_SUBMISSIONS, messages),
-        (foreign.filterNot { keyOf(it.name) in known && it.project == null } + rest).distinct(),
+        (foreign.filterNot { keyOf(it.name) in known && it.project == null } + rest.orEmpty()).distinct(),
         all.flatMap { it.notes }.distinct(),
     )
 }
 
-/** What lies where nothing says which assignment it is for. */
-private suspend fun unsortedOf(found: List<SortedFile>, any: Project?, language: Language): List<Submission.Unusable> {
-    val files = found.filter { !it.saysItself && it.task == null }.map { it.file }
-    if (any == null || files.isEmpty()) return emptyList()
-    return collectFound(files, any, language).submissions.map { submission ->
-        when (submission) {
-            is Submission.Unusable -> submission
+/** Whether [file] may hold projects or links, which say which assignment they are for. */
+private fun saysItself(file: FoundFile): Boolean = file.kind == FoundKind.TEXT
 
-            is Submission.Usable -> Submission.Unusable(
-                submission.name,
-                submission.origin,
-                CollectingMessages.of(language).noTask(),
-            )
-        }
+/**
+ * What lies where nothing says which assignment it is for.
+ *
+ * @param known keys of pupils with rows, who get none for what is no program.
+ */
+private suspend fun unsortedOf(
+    groups: List<FileGroup>,
+    reader: GroupReader,
+    messages: CollectingMessages,
+    known: Set<String>,
+): List<Submission.Unusable> = collectGroups(groups, reader).submissions.mapNotNull { submission ->
+    when (submission) {
+        is Submission.Unusable -> submission.takeUnless { keyOf(it.name) in known }
+        is Submission.Usable -> Submission.Unusable(submission.name, submission.origin, messages.noTask())
     }
 }
 
@@ -81,22 +86,16 @@ private fun limited(tasks: List<List<Submission>>, max: Int, messages: Collectin
     }
 }
 
-/**
- * @property task the index of the assignment after which it is called, or a folder in which it lies.
- * @property saysItself whether it may hold projects or links, which say which assignment they are for.
- */
-private class SortedFile(val file: FoundFile, val task: Int?, val saysItself: Boolean)
-
 private class CourseSorting(course: Course) {
     private val titles = course.assignments.map { lettersOf(it.world.title) }
 
     /** A folder that is called after an assignment is no pupil's, so it is left out of the path. */
-    fun sort(file: FoundFile): SortedFile {
+    fun sort(file: FoundFile): FoundFile {
         val folders = file.path.dropLast(1)
         val place = folders.indexOfFirst { taskIn(it) != null && PlatformName.of(it) == null }
         val task = folders.getOrNull(place)?.let(::taskIn) ?: taskIn(stemOf(file.name))
         val path = if (place < 0) file.path else file.path.take(place) + file.path.drop(place + 1)
-        return SortedFile(file.at(path), task, file.kind == FoundKind.TEXT)
+        return file.at(path).of(task)
     }
 
     /** The assignment with the longest title in [name]. */

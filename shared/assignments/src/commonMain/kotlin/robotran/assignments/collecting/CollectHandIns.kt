@@ -30,7 +30,8 @@ suspend fun collectHandIns(
     language: Language = Language.ENGLISH,
 ): CollectedHandIns {
     val messages = CollectingMessages.of(language)
-    val found = collectFound(Unpacking(messages).unpack(files), assignment, language)
+    val reader = GroupReader(assignment, language)
+    val found = collectGroups(groupsOf(Unpacking(messages).unpack(files), reader::isNoHandIn), reader)
     val rest = found.submissions.size - CollectingLimits.MAXIMUM_SUBMISSIONS
     if (rest <= 0) return found
     val reason = messages.leftOut(rest, CollectingLimits.MAXIMUM_SUBMISSIONS)
@@ -38,19 +39,9 @@ suspend fun collectHandIns(
     return CollectedHandIns(shown + Submission.Unusable(messages.others(), "", reason), found.notes)
 }
 
-/**
- * The submissions in [found], however many.
- *
- * @param elsewhere the IDs of assignments for which hand-ins are collected elsewhere.
- */
-internal suspend fun collectFound(
-    found: List<FoundFile>,
-    assignment: Project,
-    language: Language,
-    elsewhere: Set<String> = emptySet(),
-): CollectedHandIns {
-    val reader = GroupReader(assignment, language, elsewhere)
-    val contents = groupsOf(found, reader::isNoHandIn).map { reader.read(it) }
+/** The submissions that [reader] finds in [groups], however many. */
+internal suspend fun collectGroups(groups: List<FileGroup>, reader: GroupReader): CollectedHandIns {
+    val contents = groups.map { reader.read(it) }
     val ofPupils = withoutCopies(contents.flatMap { it.candidates }).groupBy { it.pupil }.values
     val submissions = ofPupils.map { ofPupil -> countingOf(ofPupil.map { it.submission }) }
     return CollectedHandIns(submissions, contents.flatMap { it.notes }.distinct())

@@ -7,8 +7,9 @@ import robotran.language.decodeText
  * A file among the collected ones or in one of their zips.
  *
  * @property path folders and name; a zip counts as a folder. The name is empty for a folder with nothing in it.
+ * @property task the index of the assignment of a course that a folder or the name tells; null if they tell none.
  */
-internal class FoundFile(val path: List<String>, val content: FoundContent) {
+internal class FoundFile(val path: List<String>, val content: FoundContent, val task: Int? = null) {
     val name: String get() = path.last()
     val shownPath: String get() = path.joinToString("/")
     val kind: FoundKind get() = FoundKind.of(name)
@@ -19,7 +20,10 @@ internal class FoundFile(val path: List<String>, val content: FoundContent) {
     val text: String get() = (content as? FoundContent.Bytes)?.bytes?.let(::decodeText)?.text.orEmpty()
 
     /** The same file where [path] is. */
-    fun at(path: List<String>) = FoundFile(path, content)
+    fun at(path: List<String>) = FoundFile(path, content, task)
+
+    /** The same file for the assignment [task] of a course. */
+    fun of(task: Int?) = FoundFile(path, content, task)
 }
 
 internal sealed interface FoundContent {

@@ -18,10 +18,15 @@ internal class FileGroup(
     val files: List<FoundFile>,
     val isFolder: Boolean,
     val isPupils: Boolean = isFolder,
-)
+) {
+    /** The same with the [files] that [belongs] takes alone; null if there are none. */
+    fun only(belongs: (FoundFile) -> Boolean): FileGroup? =
+        files.filter(belongs).ifEmpty { null }?.let { FileGroup(key, name, origin, it, isFolder, isPupils) }
+}
 
 /**
- * Sorts [files] by pupils: by the names that learning platforms make, or else by folders, or else file by file.
+ * Sorts [files] by pupils: by the names that learning platforms make, or else by folders, or else file by file. In a
+ * course, all files together tell which folders are pupils'; what is one program is told for each assignment alone.
  *
  * @param isNoHandIn whether a file is something else, such as the assignment, which may lie beside a class's folder.
  */
@@ -67,19 +72,29 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
         if (only != null && (direct.all(isNoHandIn) || isClass(only, depth + 1))) {
             return directGroups(direct, depth, prefix, isOnly = false) + groups(only, depth + 1, prefix)
         }
-        val isOnly = folders.isEmpty() && direct.size == 1 && depth >= 2
+        val isAlone = folders.isEmpty() && depth >= 2
+        if (isAlone && direct.size > 1 && isOneForEachTask(direct)) return listOf(ofOnePupil(direct, depth, prefix))
         val classes = folders.filterValues { holdsPupils(it, depth + 1) }.keys
-        return directGroups(direct, depth, prefix, isOnly) + folders.flatMap { (name, inside) ->
+        return directGroups(direct, depth, prefix, isAlone && direct.size == 1) + folders.flatMap { (name, inside) ->
             if (name in classes) {
                 groups(inside, depth + 1, if (classes.size == 1) prefix else "$prefix$name/")
             } else {
-                val origin = inside.first().path.take(depth + 1).joinToString("/")
-                listOf(FileGroup(null, prefix + name, origin, inside.map { it.at(it.path.drop(depth + 1)) }, true))
+                listOf(ofOnePupil(inside, depth + 1, prefix))
             }
         }
     }
 
-    private fun directGroups(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> {
+    /** What is in a pupil's folder, whose name stands before [depth]. */
+    private fun ofOnePupil(inside: List<FoundFile>, depth: Int, prefix: String): FileGroup {
+        val folders = inside.first().path.take(depth)
+        val files = inside.map { it.at(it.path.drop(depth)) }
+        return FileGroup(null, prefix + folders.last(), folders.joinToString("/"), files, true)
+    }
+
+    private fun directGroups(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> =
+        direct.groupBy { it.task }.values.flatMap { groupsOfTask(it, depth, prefix, isOnly) }
+
+    private fun groupsOfTask(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> {
         val java = direct.filter { it.kind == FoundKind.JAVA }
         val compiled = if (java.isEmpty()) emptyList() else direct.filter { it.isClassFile }
         val isOneProgram = java.size > 1 && java.count(::startsHere) < 2
@@ -111,18 +126,23 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
         val folders = useful.filter { it.path.size > depth + 1 }.groupBy { it.path[depth] }
         if (useful.any { it.path.size == depth + 1 }) return false
         if (folders.size == 1) return holdsPupils(useful, depth + 1)
-        return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || useful.count(::startsHere) > 1)
+        return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || most(useful.filter(::startsHere)) > 1)
     }
 
     /** Whether the only folder beside loose files holds the projects of several pupils, rather than the work of one. */
     private fun isClass(files: List<FoundFile>, depth: Int): Boolean {
         val works = files.filter { it.path.size == depth + 1 && it.content !is FoundContent.Ignored }
-        return works.size >= MINIMUM_WORKS_OF_CLASS &&
+        return most(works) >= MINIMUM_WORKS_OF_CLASS &&
             works.any { it.name.endsWith(FileKind.PROJECT.extension, ignoreCase = true) }
     }
 
     /** Whether it is the folder at [depth] itself, with nothing in it. */
     private fun FoundFile.isEmptyFolderAt(depth: Int): Boolean = isEmptyFolder && path.size == depth + 1
+
+    private fun isOneForEachTask(files: List<FoundFile>): Boolean = files.all { it.task != null } && most(files) == 1
+
+    /** How many of [files] there are for the assignment that has the most of them. */
+    private fun most(files: List<FoundFile>): Int = files.groupBy { it.task }.values.maxOfOrNull { it.size } ?: 0
 
     private fun startsHere(file: FoundFile): Boolean = file.kind == FoundKind.JAVA && hasMain(file.text)
 

@@ -50,7 +50,8 @@ internal class GroupReader(
     }
 
     private inner class GroupContents(private val group: FileGroup) {
-        private val projects = mutableListOf<Candidate>()
+        /** Made when all is read, since the names of all tell whose the folder is. */
+        private val projects = mutableListOf<() -> Candidate>()
         private val sources = mutableListOf<Pair<FoundFile, String>>()
         private val problems = mutableListOf<String>()
 
@@ -58,13 +59,15 @@ internal class GroupReader(
         private val changes = mutableListOf<String>()
 
         /** The assignment itself, which is a hand-in only where nothing else is. */
-        private val copies = mutableListOf<Candidate>()
+        private val copies = mutableListOf<() -> Candidate>()
         private val notes = mutableListOf<String>()
         private val compiled = mutableListOf<String>()
 
-        /** What hand-ins say about whose they are. */
-        private val names = mutableSetOf<String>()
+        /** What hand-ins say about whose they are, by keys. */
+        private val names = mutableMapOf<String, String>()
         private var isElsewhere = false
+        private val isCalledAfterPupil: Boolean
+            get() = group.key != null || (group.isFolder && isNameOfOne(group.name, names.values))
 
         suspend fun add(file: FoundFile) {
             if (file.isClassFile) compiled += file.name
@@ -107,17 +110,15 @@ internal class GroupReader(
         }
 
         fun read(): ReadFiles {
-            // Then the folder is called after none of them.
-            val isOfSeveral = group.key == null && names.size > 1
-            val hasWork = projects.any { it.submission is Submission.Usable }
+            val ofProjects = projects.map { it() }
+            val hasWork = ofProjects.any { it.submission is Submission.Usable }
             val programs = programsOf(sources)
-            val found = if (hasWork || programs.isEmpty()) projects else projects + candidate(ofPrograms(programs))
+            val found = if (hasWork || programs.isEmpty()) ofProjects else ofProjects + candidate(ofPrograms(programs))
             val beside = SubmissionRemark.BesideProject(programs.map { it.name }).takeIf { hasWork && programs.any() }
             val left = SubmissionRemark.CompiledLeftOut(compiled).takeIf { programs.any() && compiled.any() }
             val parts = problems.distinct().map(SubmissionRemark::PartUnusable)
-            val all = (found.ifEmpty { if (group.isPupils) copies else emptyList() })
+            val all = found.ifEmpty { if (group.isPupils) copies.map { it() } else emptyList() }
                 .map { it.with(listOfNotNull(beside, left) + parts) }
-                .map { if (isOfSeveral) it.without<SubmissionRemark.OtherName>() else it }
             val isNone = all.isEmpty() && !isElsewhere && (group.isPupils || problems.isNotEmpty() || notes.isEmpty())
             if (!isNone) return ReadFiles(all, notes)
             val reason = problems.firstOrNull() ?: notes.firstOrNull() ?: nothingIn()
@@ -151,29 +152,30 @@ internal class GroupReader(
                 is LinkResult.OfCourse -> messages.onlyCourse()
                 is LinkResult.Rejected -> result.message
             }
-            projects += candidate(Submission.Unusable(name, originOf(origin), reason), link = link)
+            projects += { candidate(Submission.Unusable(name, originOf(origin), reason), link = link) }
         }
 
         /** @param link from which [project] came; null if it is a file. */
         private fun addProject(project: Project, name: String, origin: String, link: String? = null) {
             val isAssignment = given.isAssignment(project)
+            enteredIn(project)?.takeIf { project.feedback == null }?.let { names[keyOf(it)] = it }
             when {
                 project.assignment?.id in elsewhere -> isElsewhere = true
                 project.feedback != null -> notes += messages.isFeedback(origin)
                 isAssignment && !group.isPupils -> notes += messages.isAssignment(origin)
-                else -> (if (isAssignment) copies else projects) += candidate(project, name, origin, link)
+                else -> (if (isAssignment) copies else projects) += { candidate(project, name, origin, link) }
             }
         }
 
+        private fun enteredIn(project: Project): String? = project.handIn?.name?.takeIf { it.isNotBlank() }
+
         private fun candidate(project: Project, name: String, origin: String, link: String?): Candidate {
-            val handIn = project.handIn
-            val entered = handIn?.name.orEmpty().takeIf { it.isNotBlank() }
-            val shown = entered.takeIf { group.key == null } ?: name
+            val entered = enteredIn(project)
+            val shown = entered.takeUnless { isCalledAfterPupil } ?: name
             val first = project.world.robots.first().name
             val robot = project.robots.firstOrNull { it.name == first }
             val other = remarks.otherAssignment(project)
-            if (entered != null) names += keyOf(entered)
-            val stranger = entered?.takeIf { group.isFolder && !mayBeSamePerson(it, group.name) }
+            val stranger = entered?.takeIf { isCalledAfterPupil && !mayBeSamePerson(it, group.name) }
             val about = remarks.of(project) + listOfNotNull(stranger?.let(SubmissionRemark::OtherName))
             val submission = when {
                 other != null -> {
@@ -186,7 +188,7 @@ internal class GroupReader(
 
                 else -> {
                     val found = about + remarks.of(robot.programs) + listOfNotNull(remarks.chosenOf(robot))
-                    Submission.Usable(shown, originOf(origin), robot, project, handIn, found)
+                    Submission.Usable(shown, originOf(origin), robot, project, project.handIn, found)
                 }
             }
             return candidate(submission, link)

@@ -19,7 +19,8 @@ internal class RemarkFinder(private val assignment: Project, private val given: 
     /** About a whole project. One that does not belong to any assignment has nothing to compare. */
     fun of(project: Project): List<SubmissionRemark> {
         val own = project.assignment
-        val isTeachers = own != null && (own.checks != null || own.solution.isNotEmpty())
+        val isOfThis = own != null && own.id == assignment.assignment?.id
+        val isTeachers = isOfThis && (own.checks != null || own.solution.isNotEmpty())
         return listOfNotNull(
             SubmissionRemark.Changed.takeIf { project.handIn != null && !isIntact(project) },
             SubmissionRemark.TeachersFile.takeIf { isTeachers },

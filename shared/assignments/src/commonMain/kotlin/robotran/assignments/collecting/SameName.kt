@@ -12,6 +12,14 @@ internal fun mayBeSamePerson(one: String, other: String): Boolean {
     return words.any { it in others.joinToString("") } || others.any { it in words.joinToString("") }
 }
 
+/**
+ * Whether a folder is called [folder] after one pupil, so that all that lies in it is this pupil's. It is not if it is
+ * called "7b", or if what lies in it has several [names] that are all other ones.
+ */
+internal fun isNameOfOne(folder: String, names: Collection<String>): Boolean =
+    wordsOf(folder.substringAfterLast('/')).isNotEmpty() &&
+        (names.size < 2 || names.any { mayBeSamePerson(it, folder) })
+
 private fun wordsOf(name: String): List<String> =
     foldedName(name).map { if (it.isLetter()) it else ' ' }.joinToString("").split(' ')
         .map { word -> UMLAUTS.fold(word) { text, (written, letter) -> text.replace(written, letter) } }

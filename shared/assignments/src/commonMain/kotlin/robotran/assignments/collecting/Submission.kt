@@ -7,8 +7,8 @@ import robotran.projects.ProjectRobot
 /** What one pupil has handed in. */
 sealed interface Submission {
     /**
-     * What a learning platform calls the pupil, or else what the pupil entered, or else what the folder or file is
-     * called.
+     * What a learning platform or the pupil's folder calls the pupil, or else what the pupil entered, or else what the
+     * file is called.
      */
     val name: String
 

@@ -14,7 +14,7 @@ sealed interface SubmissionRemark {
     /** The programs are those that the pupil began with. */
     data object Unchanged : SubmissionRemark
 
-    /** It is the teacher's own file, with checks or solution. */
+    /** It is the teacher's own file of this assignment, with checks or solution. */
     data object TeachersFile : SubmissionRemark
 
     /** A program is the same as the teacher's solution, apart from names, comments and blanks. */

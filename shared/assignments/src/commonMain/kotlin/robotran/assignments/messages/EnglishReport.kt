@@ -73,6 +73,8 @@ internal object EnglishReportMessages : ReportMessages {
 
     override fun feedback() = "feedback"
 
+    override fun nothingToGrade() = "Robotran found nothing of yours that it can grade."
+
     override fun notHandIns() = "Not hand-ins"
 
     override fun shortened() = "(The rest is not shown.)"

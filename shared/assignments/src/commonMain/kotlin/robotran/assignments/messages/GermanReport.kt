@@ -79,6 +79,8 @@ internal object GermanReportMessages : ReportMessages {
 
     override fun feedback() = "Rückmeldung"
 
+    override fun nothingToGrade() = "Robotran hat nichts von dir gefunden, was es bewerten kann."
+
     override fun notHandIns() = "Keine Abgaben"
 
     override fun shortened() = "(Der Rest wird nicht gezeigt.)"

@@ -73,6 +73,9 @@ interface ReportMessages {
     /** A teacher's answer to a hand-in, in the name of its file. */
     fun feedback(): String
 
+    /** To a pupil, before the reason: there is nothing that could be graded. */
+    fun nothingToGrade(): String
+
     /** Above notes on files that are no hand-ins. */
     fun notHandIns(): String
 

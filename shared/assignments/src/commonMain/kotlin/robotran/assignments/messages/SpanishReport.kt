@@ -77,6 +77,8 @@ internal object SpanishReportMessages : ReportMessages {
 
     override fun feedback() = "comentarios"
 
+    override fun nothingToGrade() = "Robotran no ha encontrado nada tuyo que pueda evaluar."
+
     override fun notHandIns() = "No son entregas"
 
     override fun shortened() = "(El resto no se muestra.)"

@@ -5,6 +5,7 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.doing.ordinaryText
 import robotran.assignments.doing.pupilCopy
 import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.messages.ReportMessages
 import robotran.documents.ZipEntry
 import robotran.documents.projectFile
 import robotran.documents.zipOf
@@ -29,7 +30,7 @@ fun feedbackFiles(report: ClassReport, language: Language = Language.ENGLISH): L
     val taken = mutableSetOf<String>()
     val title = report.assignment.world.title
     return report.results.mapIndexedNotNull { index, result ->
-        val project = feedbackProject(report, index)
+        val project = feedbackProject(report, index, language)
         // Better the answer alone than none, if the hand-in cannot be written.
         val bytes = projectFile(project) ?: projectFile(Project(report.assignment.world, feedback = project.feedback))
             ?: return@mapIndexedNotNull null
@@ -51,7 +52,7 @@ fun feedbackZip(report: CourseReport, language: Language = Language.ENGLISH): By
         .map { ZipEntry(it.path, it.bytes) }.let(::zipOf)
 
 /** The answer to the hand-in with the index [index]. It has nothing that only the teacher has. */
-fun feedbackProject(report: ClassReport, index: Int): Project {
+fun feedbackProject(report: ClassReport, index: Int, language: Language = Language.ENGLISH): Project {
     val result = report.results[index]
     val submission = result.submission
     val results = (result as? GradedHandIn.Graded)?.let { graded ->
@@ -60,7 +61,10 @@ fun feedbackProject(report: ClassReport, index: Int): Project {
             FeedbackResult(world.name, runs.count { it.grade.passed }, runs.size)
         }
     }
-    val lines = listOf(report.comments[index].orEmpty()) + reasonsOf(result)
+    // What the machine says is told apart from what the teacher says.
+    val nothing = ReportMessages.of(language).nothingToGrade().takeIf { result is GradedHandIn.Unusable }
+    val reasons = listOfNotNull(nothing) + reasonsOf(result)
+    val lines = listOf(report.comments[index].orEmpty(), reasons.joinToString(if (nothing == null) "\n" else " "))
     val comment = ordinaryText(
         lines.filter { it.isNotBlank() }.joinToString("\n"),
         AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,

@@ -180,7 +180,7 @@ class CollectSubmissionsTest {
             file("anna/c.robotran", handIn("Anna", tries = 2)),
             file("ben/x.robotran", handIn("Ben")),
         )
-        assertEquals(listOf(" anNA ", "Ben"), names(found))
+        assertEquals(listOf("anna", "ben"), names(found))
         assertEquals(7, assertIs<Submission.Usable>(found[0]).handIn?.tries)
         val others = listOf("anna/a.robotran", "anna/c.robotran")
         assertEquals(listOf<SubmissionRemark>(SubmissionRemark.FewerTries(others)), remarks(found[0]))

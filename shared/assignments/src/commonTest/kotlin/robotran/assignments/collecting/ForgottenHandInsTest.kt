@@ -124,6 +124,14 @@ class ForgottenHandInsTest {
     }
 
     @Test
+    fun `the teacher's file of another assignment is only told as that`() = runTest {
+        val other = ASSIGNMENT.copy(assignment = ASSIGNMENT.assignment?.copy(id = "other"))
+        val found = collect(file("c/vera/maze.robotran", other), file("c/wim/a.robo", DRAWS))
+        assertEquals("vera: It was handed in for another assignment: Draw.", told(found[0]))
+        assertEquals(emptyList(), remarks(found[0]))
+    }
+
+    @Test
     fun `what lies beside a hand-in is told`() = runTest {
         val found = collect(
             file("c/ida/x.robotran", handIn("Ida")),

@@ -127,6 +127,23 @@ class WhoseHandInTest {
     }
 
     @Test
+    fun `a pupil's folder says whose all in it is, and another name in a hand-in is told`() = runTest {
+        val files = arrayOf(
+            file("Ana Gil/Draw - Íñigo, 7.º B.robotran", handIn("Íñigo, 7.º B")),
+            file("Eva Sol/x.robo", DRAWS),
+            file("Jan Roth/a.robotran", handIn("Jan", tries = 2)),
+            file("Jan Roth/b.robotran", handIn("Lea", tries = 1)),
+        )
+        val inFolder = files.map { CollectedFile("class/${it.path}", it.bytes) }.toTypedArray()
+        for (found in listOf(collect(*files), collect(*inFolder), collect(zip("class.zip", *files)))) {
+            assertEquals(listOf("Ana Gil", "Eva Sol", "Jan Roth"), names(found))
+            val other = listOf<SubmissionRemark>(SubmissionRemark.OtherName("Íñigo, 7.º B"))
+            assertEquals(listOf(other, emptyList()), found.take(2).map(::remarks))
+            assertIs<SubmissionRemark.FewerTries>(remarks(found[2]).single())
+        }
+    }
+
+    @Test
     fun `two pupils of the same name have two rows`() = runTest {
         val one = handIn("Anna", tries = 3)
         val found = collect(

@@ -219,7 +219,12 @@ class ReportsTest {
         val report = report()
         assertTrue("There is no command" in feedbackProject(report, 3).feedback?.comment.orEmpty())
         val dora = assertIs<ProjectFileResult.Loaded>(readProject(feedbackFiles(report).last().bytes)).project
-        assertEquals("There is no program, no project and no link in it.", dora.feedback?.comment)
+        assertEquals(
+            "Robotran found nothing of yours that it can grade. There is no program, no project and no link in it.",
+            dora.feedback?.comment,
+        )
+        val inSpanish = feedbackProject(report, report.results.lastIndex, Language.SPANISH).feedback?.comment.orEmpty()
+        assertTrue(inSpanish.startsWith("Robotran no ha encontrado nada tuyo que pueda evaluar. "), inSpanish)
         assertEquals(report.results.size, feedbackFiles(report).size)
     }
 

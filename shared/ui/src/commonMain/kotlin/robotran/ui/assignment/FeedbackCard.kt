@@ -24,9 +24,13 @@ import robotran.ui.resources.assignment_is_hand_in_untried
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 
-/** The teacher's comment and the results in each world. */
+/**
+ * The teacher's comment and the results in each world.
+ *
+ * @param isProgramHandedIn whether the program that is open came with it.
+ */
 @Composable
-internal fun FeedbackCard(feedback: Feedback) {
+internal fun FeedbackCard(feedback: Feedback, isProgramHandedIn: Boolean) {
     Column(
         Modifier
             .fillMaxWidth()
@@ -45,7 +49,9 @@ internal fun FeedbackCard(feedback: Feedback) {
                 "assignment-result",
             )
         }
-        Line(stringResource(Res.string.assignment_feedback_program), "assignment-feedback-program")
+        if (isProgramHandedIn) {
+            Line(stringResource(Res.string.assignment_feedback_program), "assignment-feedback-program")
+        }
     }
 }
 

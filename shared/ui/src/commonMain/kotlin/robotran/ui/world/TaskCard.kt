@@ -183,7 +183,7 @@ private fun ColumnScope.WholeAssignment(
     Scrolling {
         HintCards(assignment.hints.asReversed(), learning.isInBlocks)
         assignment.handIn?.let { HandInLine(it) }
-        assignment.feedback?.let { FeedbackCard(it) }
+        assignment.feedback?.let { FeedbackCard(it, assignment.isProgramHandedIn) }
         TaskText(world)
         AssignmentCard(assignment, goals, onEvent)
         if (canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)

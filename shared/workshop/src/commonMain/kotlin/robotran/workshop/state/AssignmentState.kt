@@ -38,6 +38,9 @@ data class AssignmentState(
     /** Whether the pupil works at it, so that tries count. */
     val isOpenForTries: Boolean get() = !isAuthor && handIn == null && feedback == null
 
+    /** Whether the program is known to be the one that was handed in: there is none if nothing could be used. */
+    val isProgramHandedIn: Boolean get() = handIn != null || feedback?.results.orEmpty().isNotEmpty()
+
     /** Whether the world may not be changed. */
     val isWorldLocked: Boolean get() = isOpenForTries && !assignment.mayChangeWorld
 }

@@ -5,6 +5,7 @@ import robotran.assignments.doing.NotAllowed
 import robotran.assignments.doing.isIntact
 import robotran.assignments.doing.pupilCopy
 import robotran.projects.Feedback
+import robotran.projects.FeedbackResult
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -129,6 +130,18 @@ class HandInTest {
         workshop.handle(AssignmentEvent.HandInRequested)
         assertEquals("Ada", workshop.asking.name)
         assertTrue(workshop.asking.canChoose)
+    }
+
+    @Test
+    fun `feedback for who has handed in nothing does not say that the program was handed in`() {
+        val answer = Feedback("The folder is empty.")
+        val nothing = pupilCopy(AnyAssignment.teachers).copy(robots = emptyList(), feedback = answer)
+        val workshop = window()
+        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(nothing, "feedback.robotran"))))
+        assertEquals(false, workshop.state.assignment?.isProgramHandedIn)
+        val graded = nothing.copy(feedback = Feedback("Go on.", listOf(FeedbackResult("", 1, 2))))
+        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(graded, "graded.robotran"))))
+        assertEquals(true, workshop.state.assignment?.isProgramHandedIn)
     }
 
     @Test
