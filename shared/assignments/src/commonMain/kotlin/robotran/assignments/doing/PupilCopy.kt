@@ -53,18 +53,18 @@ private fun plainCopy(project: Project, programs: List<ProjectProgram>) =
 
 /** Programs that are part of the solution stay with the teacher, also those that are open in the author's editor. */
 private fun beginning(project: Project, assignment: Assignment): List<ProjectProgram> {
-    val texts = assignment.solution.flatMap { program ->
-        program.files.map { it.text.trim() }
-    }.filter { it.isNotEmpty() }
     val given = assignment.start.ifEmpty { project.firstPrograms }
-    val begin = given.filterNot { program ->
-        program.files.any { it.text.trim() in texts } || isSolution(program, assignment)
-    }
+    val begin = given.filterNot { isOfSolution(it, assignment.solution) }
     return if (begin.isEmpty() && given.isNotEmpty()) listOf(blankFor(given.first())) else begin
 }
 
-private fun isSolution(program: ProjectProgram, assignment: Assignment): Boolean =
-    program.files.any { it.text.isNotBlank() } && assignment.solution.any { isSameProgram(it, program) }
+/** Whether [program] is one of [solution], in other words or not, or has a file of it: [pupilCopy] leaves it out. */
+fun isOfSolution(program: ProjectProgram, solution: List<ProjectProgram>): Boolean {
+    val texts = program.files.map { it.text.trim() }.filter { it.isNotEmpty() }
+    return texts.isNotEmpty() && solution.any { taken ->
+        taken.files.any { it.text.trim() in texts } || isSameProgram(taken, program)
+    }
+}
 
 private fun blankFor(program: ProjectProgram): ProjectProgram {
     val name = if (program.language == ProgramLanguage.JAVA) program.name else "program${program.language.extension}"

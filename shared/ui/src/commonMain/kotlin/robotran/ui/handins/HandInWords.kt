@@ -31,6 +31,7 @@ import robotran.ui.resources.hand_ins_nothing_found
 import robotran.ui.resources.hand_ins_removed
 import robotran.ui.resources.hand_ins_runs
 import robotran.ui.resources.hand_ins_runs_of
+import robotran.ui.resources.hand_ins_runs_one
 import robotran.ui.resources.hand_ins_seconds
 import robotran.ui.resources.hand_ins_too_many
 import robotran.ui.resources.hand_ins_tries
@@ -44,7 +45,9 @@ import robotran.workshop.state.HandInsMessage
 internal fun runsText(graded: GradedHandIn.Graded): String {
     val goals = graded.runs.singleOrNull()?.grade?.goals
         ?: return stringResource(Res.string.hand_ins_runs_of, graded.met, graded.runs.size)
-    return stringResource(Res.string.hand_ins_runs, goals.size - graded.runs.single().grade.unmet.size, goals.size)
+    val met = goals.size - graded.runs.single().grade.unmet.size
+    if (goals.size == 1) return stringResource(Res.string.hand_ins_runs_one, met)
+    return stringResource(Res.string.hand_ins_runs, met, goals.size)
 }
 
 /** The same where the title of a column says the rest. */

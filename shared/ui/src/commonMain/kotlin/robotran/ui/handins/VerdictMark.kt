@@ -25,6 +25,11 @@ import robotran.ui.resources.hand_ins_verdict_partly
 import robotran.ui.resources.hand_ins_verdict_passed
 import robotran.ui.resources.hand_ins_verdict_unusable
 import robotran.ui.resources.hand_ins_verdict_waiting
+import robotran.ui.resources.hand_ins_verdicts_mistakes
+import robotran.ui.resources.hand_ins_verdicts_partly
+import robotran.ui.resources.hand_ins_verdicts_passed
+import robotran.ui.resources.hand_ins_verdicts_unusable
+import robotran.ui.resources.hand_ins_verdicts_waiting
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -57,7 +62,7 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
             )
         }
         Text(
-            stringResource(verdict.words),
+            stringResource(if (count == null || count == 1) verdict.words else verdict.wordsOfSeveral),
             color = colour,
             fontSize = TextSizes.COMPACT,
             lineHeight = LineHeights.TIGHT,
@@ -65,6 +70,17 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
         )
     }
 }
+
+/** As [words], behind a number greater than one. */
+private val HandInVerdict.wordsOfSeveral: StringResource
+    get() = when (this) {
+        HandInVerdict.UNUSABLE -> Res.string.hand_ins_verdicts_unusable
+        HandInVerdict.HAS_MISTAKES -> Res.string.hand_ins_verdicts_mistakes
+        HandInVerdict.PARTLY -> Res.string.hand_ins_verdicts_partly
+        HandInVerdict.PASSED -> Res.string.hand_ins_verdicts_passed
+        HandInVerdict.WAITING -> Res.string.hand_ins_verdicts_waiting
+        HandInVerdict.NOT_GRADED, HandInVerdict.MISSED -> words
+    }
 
 internal val HandInVerdict.words: StringResource
     get() = when (this) {

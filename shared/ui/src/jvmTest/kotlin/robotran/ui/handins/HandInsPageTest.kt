@@ -10,6 +10,7 @@ import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertIsNotFocused
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
@@ -18,11 +19,13 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import robotran.language.Language
+import robotran.projects.AssignmentChecks
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pageBackEvents
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
+import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.handins.AnyClass
 import robotran.workshop.state.HandInVerdict
@@ -154,6 +157,23 @@ class HandInsPageTest {
                 onNodeWithTag("hand-ins-counts").assertIsDisplayed()
                 assertEquals(1, onAllNodesWithTag("hand-ins-order-verdict").fetchSemanticsNodes().size)
             }
+        }
+    }
+
+    @Test
+    fun `numbers and their words agree, in Spanish, too`() {
+        val world = AnyAssignment.world.copy(goals = AnyAssignment.world.goals.take(1))
+        val checks = AssignmentChecks(1..1)
+        val one = AnyAssignment.teachers.copy(
+            world = world,
+            assignment = AnyAssignment.assignment.copy(checks = checks),
+        )
+        val files = listOf("Ada", "Ben").map { AnyClass.file(it, AnyClass.solved, of = one) }
+        val workshop = gradedClass(files, Settings(lessMotion = true, language = Language.SPANISH), one)
+        onScreenOf(workshop, 1440, 900) {
+            assertEquals(2, workshop.state.handIns?.counts?.get(HandInVerdict.PASSED))
+            assertEquals(1, onAllNodesWithText("Resueltas").fetchSemanticsNodes().size)
+            assertContains(spokenBy("hand-in-row-0"), "1 de 1 meta.")
         }
     }
 

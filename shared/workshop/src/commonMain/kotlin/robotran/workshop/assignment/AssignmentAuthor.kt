@@ -8,6 +8,7 @@ import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import robotran.assignments.doing.firstPrograms
+import robotran.assignments.doing.isOfSolution
 import robotran.assignments.doing.ordinaryText
 import robotran.assignments.packaging.ScormVersion
 import robotran.projects.Assignment
@@ -124,20 +125,22 @@ internal class AssignmentAuthor(
     }
 
     /** Pupils begin with the author's programs, except with those that solve the task, if the author has not chosen. */
-    private suspend fun decideBeginning(made: Assignment) {
-        val decided = beginning.decide(current.project, made, plainPrograms())
-        val now = current.project.assignment?.takeIf { it.id == made.id && it.start == made.start } ?: return
-        val solution = if (now.solution == made.solution) decided.solution else now.solution
-        assignments.changeAssignment(now.copy(start = decided.start, solution = solution))
+    private suspend fun decideBeginning(begun: Assignment) {
+        val decided = beginning.decide(current.project, begun, plainPrograms())
+        val now = current.project.assignment?.takeIf { it.id == begun.id && it.start == begun.start } ?: return
+        val solution = if (now.solution == begun.solution) decided.solution else now.solution
+        val made = withBeginning(now.copy(start = decided.start, solution = solution), plainPrograms())
+        assignments.changeAssignment(made)
         if (state != null) refresh()
     }
 
     /** [before] with what the author has written meanwhile, beside what pupils begin with, as the solution. */
     private fun completed(before: Assignment): Assignment {
         val start = before.start.ifEmpty { plainPrograms() }
-        val made = before.copy(start = start, checks = before.checks ?: AssignmentChecks(FIRST_SEEDS))
+        val checks = before.checks ?: AssignmentChecks(FIRST_SEEDS)
+        val made = withBeginning(before.copy(start = start, checks = checks), plainPrograms())
         if (made.solution.isNotEmpty()) return made
-        val given = start.map(::textsOf)
+        val given = made.start.map(::textsOf)
         return made.copy(solution = solutionNow(made).filter { textsOf(it) !in given })
     }
 
@@ -185,13 +188,16 @@ internal class AssignmentAuthor(
     }
 
     private fun change(typed: Assignment) {
-        val assignment = ordinary(typed)
+        val assignment = withBeginning(ordinary(typed), plainPrograms())
         val before = current.project
-        if (assignment == before.assignment) return
-        checking?.cancel()
-        history.add(before, assignment)
-        assignments.changeAssignment(assignment)
-        refresh()
+        if (assignment != before.assignment) {
+            checking?.cancel()
+            history.add(before, assignment)
+            assignments.changeAssignment(assignment)
+            refresh()
+        }
+        val kept = typed.start.filter { isOfSolution(it, typed.solution) }.map { it.name }
+        state = state?.copy(notGiven = kept)
     }
 
     private fun changeTask(title: String, task: String) {
@@ -231,8 +237,7 @@ internal class AssignmentAuthor(
     private fun switchStart(assignment: Assignment, index: Int, on: Boolean) {
         val program = plainPrograms().getOrNull(index) ?: return
         val others = assignment.start.filter { it.name != program.name && !isBlank(it) }
-        val start = if (on) others + program else others
-        change(assignment.copy(start = startWith(start, plainPrograms())))
+        change(assignment.copy(start = if (on) others + program else others))
     }
 
     private fun offered(assignment: Assignment) = solutionOfWorld(current.project, plainPrograms(), assignment)

@@ -13,7 +13,6 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.writeProject
 import robotran.workshop.state.MissingPart
-import robotran.workshop.state.StartProgram
 import robotran.world.WorldLimits
 import kotlin.io.encoding.Base64
 
@@ -33,12 +32,13 @@ internal fun newAssignment(
     val stamp = FileStamp.of(writeProject(project)).text.take(STAMP_DIGITS)
     val open = project.firstPrograms.map { it.copy(view = null) }
     val proposed = proposedStart(open).filterNot { it in unsure || (solution != null && isSameProgram(it, solution)) }
-    return Assignment(
+    val made = Assignment(
         id = "${now.coerceAtLeast(0).toString(radix = 36)}-$stamp",
-        start = startWith(proposed, open),
+        start = proposed,
         checks = AssignmentChecks(FIRST_SEEDS),
         solution = listOfNotNull(solution),
     )
+    return withBeginning(made, open)
 }
 
 /** [typed] without what a file cannot hold. */
@@ -67,22 +67,8 @@ internal fun missingParts(project: Project, assignment: Assignment): List<Missin
     if (project.world.task.isBlank() && assignment.text.isBlank()) add(MissingPart.TASK)
     if (project.world.goals.isEmpty()) add(MissingPart.GOALS)
     if (assignment.solution.isEmpty()) add(MissingPart.SOLUTION)
-    if (assignment.start.isNotEmpty() &&
-        assignment.start.all { start ->
-            assignment.solution.any { isSameProgram(it, start) }
-        }
-    ) {
-        add(MissingPart.START_IS_SOLUTION)
-    }
     if (notAllowedIn(assignment, assignment.solution).isNotEmpty()) add(MissingPart.SOLUTION_NOT_ALLOWED)
 }
-
-/** The open programs, and what pupils begin with. */
-internal fun startPrograms(open: List<ProjectProgram>, assignment: Assignment): List<StartProgram> =
-    open.map { program ->
-        val start = assignment.start.firstOrNull { it.name == program.name }
-        StartProgram(program.name, start != null, isChanged = start != null && textsOf(start) != textsOf(program))
-    }
 
 /** [assignment] with the picture in [bytes], of the file [file], and its mark at the end of the text. */
 internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray): Assignment {

@@ -1,16 +1,13 @@
 package robotran.workshop.assignment
 
 import robotran.assignments.doing.firstPrograms
-import robotran.language.ProgramLanguage
 import robotran.learning.WorldGallery
-import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.learning.solutionsOf
 import robotran.workshop.programs.asProject
-import robotran.workshop.programs.uniqueName
 import robotran.workshop.run.EndedTry
 import robotran.workshop.state.SolutionProgram
 
@@ -81,17 +78,11 @@ internal fun proposedSolution(
 
 /**
  * Programs of [open] with which pupils may begin: neither the app nor "Show me" has put them there. If the app has put
- * all of them there, pupils begin with what "Show me" has, or else with an empty program.
+ * all of them there, pupils begin with what "Show me" has, or else with none of them.
  */
 internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> {
     val chosen = open.filterNot { textsOf(it) == firstOfApp }
-    return chosen.filterNot { textsOf(it) in shownSolutions }.ifEmpty { startWith(chosen, open) }
-}
-
-/** [start], or an empty program that has none of the names of [open]. */
-internal fun startWith(start: List<ProjectProgram>, open: List<ProjectProgram>): List<ProjectProgram> = start.ifEmpty {
-    val name = uniqueName("program", ProgramLanguage.ROBOLANG, taken = open.map { it.name })
-    listOf(ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, ""))))
+    return chosen.filterNot { textsOf(it) in shownSolutions }.ifEmpty { chosen }
 }
 
 /** The program that has just met all goals of the open world, as long as it is as it was then. */

@@ -9,6 +9,7 @@ import robotran.projects.Assignment
  * @property title as entered; the world keeps its title while this is blank.
  * @property programs the open programs of the first robot, and whether pupils begin with them.
  * @property solution the open programs of the first robot and those of the solution, and whether they belong to it.
+ * @property notGiven what the last change would have given to pupils although it is of the solution: names of programs.
  * @property canTakeSolution whether taking the programs as they are now would change the solution.
  * @property missing what the assignment lacks; it can be used nevertheless.
  * @property check the run of the solution; null before it.
@@ -48,7 +49,14 @@ data class MakingState(
     val embedCodeCopied: Boolean = false,
     val embedProblem: LinkProblem? = null,
     val asksBeforeGiving: Boolean = false,
-)
+    val notGiven: List<String> = emptyList(),
+) {
+    /** The name of the empty program with which pupils begin; null if they begin with more. */
+    val emptyStart: String?
+        get() = assignment.start.firstOrNull()?.name.takeIf {
+            assignment.start.all { program -> program.files.all { it.text.isBlank() } }
+        }
+}
 
 /** A program of the author's; [isStart] is whether pupils begin with it, [isChanged] whether it was changed since. */
 data class StartProgram(val name: String, val isStart: Boolean, val isChanged: Boolean)
@@ -70,7 +78,7 @@ data class SolutionProgram(
 )
 
 /** What an assignment lacks. */
-enum class MissingPart { TASK, GOALS, SOLUTION, START_IS_SOLUTION, SOLUTION_NOT_ALLOWED }
+enum class MissingPart { TASK, GOALS, SOLUTION, SOLUTION_NOT_ALLOWED }
 
 /** Why a picture cannot be used. */
 enum class PictureError { TOO_LARGE, NOT_A_PICTURE, TOO_MANY, HEIC }

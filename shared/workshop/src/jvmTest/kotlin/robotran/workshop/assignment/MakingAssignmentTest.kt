@@ -4,8 +4,10 @@ import robotran.assignments.doing.firstPrograms
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.WorldGallery
+import robotran.programs.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
+import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.readProject
 import robotran.workshop.Workshop
@@ -98,6 +100,59 @@ class MakingAssignmentTest {
         workshop.handle(AssignmentEvent.StartSwitched(1, on = true))
         workshop.handle(AssignmentEvent.PupilFileSaved)
         assertEquals("beep\n", textOf(saved()))
+    }
+
+    private val Workshop.begunWith: List<String> get() = making.programs.filter { it.isStart }.map { it.name }
+
+    @Test
+    fun `pupils do not begin with the solution, and the page says so where it is chosen`() {
+        val copy = "// mine\n\n" + AnyAssignment.SOLUTION.replace(" ", "  ")
+        val workshop = making(withPrograms("mine.robo" to AnyAssignment.SOLUTION, "copy.robo" to copy))
+        assertEquals(listOf(true, false), workshop.making.solution.map { it.isTaken })
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = true))
+        assertEquals(listOf("mine.robo") to emptyList(), workshop.making.notGiven to workshop.begunWith)
+        workshop.handle(AssignmentEvent.StartSwitched(1, on = true))
+        assertEquals(listOf("copy.robo") to emptyList(), workshop.making.notGiven to workshop.begunWith)
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertEquals("", textOf(saved()))
+        workshop.handle(AssignmentEvent.SolutionSwitched(0, on = false))
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = true))
+        assertEquals(emptyList<String>() to listOf("mine.robo"), workshop.making.notGiven to workshop.begunWith)
+    }
+
+    @Test
+    fun `a program that becomes the solution is no longer what pupils begin with, and the page says so`() {
+        val workshop = making(withPrograms("a.robo" to "beep\n", "b.robo" to "forward 1\n"))
+        assertEquals(listOf("a.robo", "b.robo"), workshop.begunWith)
+        workshop.handle(AssignmentEvent.SolutionSwitched(1, on = true))
+        assertEquals(listOf("b.robo") to listOf("a.robo"), workshop.making.notGiven to workshop.begunWith)
+        workshop.handle(AssignmentEvent.UndoRequested)
+        assertEquals(emptyList<String>() to listOf("a.robo", "b.robo"), workshop.making.notGiven to workshop.begunWith)
+    }
+
+    @Test
+    fun `where nothing is chosen, pupils begin with an empty program that has the first name`() {
+        val workshop = making(withPrograms("program.robo" to AnyAssignment.SOLUTION))
+        assertEquals("program.robo" to emptyList(), workshop.making.emptyStart to workshop.begunWith)
+        workshop.handle(AssignmentEvent.PupilFileSaved)
+        assertEquals("program.robo", saved().firstPrograms.single().name)
+        assertEquals("", textOf(saved()))
+        for ((solution, empty) in listOf("Mine.java" to "Program.java", "mine.nqc" to "program.nqc")) {
+            val language = checkNotNull(ProgramLanguage.entries.find { solution.endsWith(it.extension) })
+            val written = ProjectProgram(solution, language, listOf(SourceFile(solution, "// mine")))
+            workshop.handle(AssignmentEvent.Changed(workshop.making.assignment.copy(solution = listOf(written))))
+            assertEquals(empty, workshop.making.emptyStart)
+        }
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = true))
+        assertEquals(null to listOf("program.robo"), workshop.making.emptyStart to workshop.begunWith)
+    }
+
+    @Test
+    fun `an empty program of the editor can be what pupils begin with`() {
+        val workshop = making(withPrograms("empty.robo" to "", "mine.robo" to AnyAssignment.SOLUTION))
+        assertEquals("empty.robo" to listOf("empty.robo"), workshop.making.emptyStart to workshop.begunWith)
+        workshop.handle(AssignmentEvent.StartSwitched(0, on = false))
+        assertEquals("program.robo" to emptyList(), workshop.making.emptyStart to workshop.begunWith)
     }
 
     @Test

@@ -19,7 +19,6 @@ import robotran.ui.resources.make_check_all
 import robotran.ui.resources.make_missing_allowed
 import robotran.ui.resources.make_missing_goals
 import robotran.ui.resources.make_missing_solution
-import robotran.ui.resources.make_missing_start
 import robotran.ui.resources.make_missing_task
 import robotran.ui.resources.make_try_failed
 import robotran.ui.resources.make_try_mistakes
@@ -115,7 +114,6 @@ private val MissingPart.sentence: StringResource
         MissingPart.TASK -> Res.string.make_missing_task
         MissingPart.GOALS -> Res.string.make_missing_goals
         MissingPart.SOLUTION -> Res.string.make_missing_solution
-        MissingPart.START_IS_SOLUTION -> Res.string.make_missing_start
         MissingPart.SOLUTION_NOT_ALLOWED -> Res.string.make_missing_allowed
     }
 

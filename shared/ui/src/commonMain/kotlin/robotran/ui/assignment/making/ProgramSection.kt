@@ -8,6 +8,9 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockGroup
@@ -29,6 +32,8 @@ import robotran.ui.resources.make_may_change
 import robotran.ui.resources.make_programs
 import robotran.ui.resources.make_start
 import robotran.ui.resources.make_start_changed
+import robotran.ui.resources.make_start_empty
+import robotran.ui.resources.make_start_refused
 import robotran.ui.resources.make_start_retake
 import robotran.ui.resources.make_words
 import robotran.ui.resources.make_words_some
@@ -76,6 +81,20 @@ private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                 onEvent(AssignmentEvent.StartSwitched(index, !program.isStart))
             }
         }
+    }
+    if (state.notGiven.isNotEmpty()) {
+        ComesIntoView(state.notGiven) {
+            for (name in state.notGiven) {
+                Explanation(
+                    stringResource(Res.string.make_start_refused, name),
+                    Modifier.testTag("make-start-refused").semantics { liveRegion = LiveRegionMode.Polite },
+                    bad = true,
+                )
+            }
+        }
+    }
+    state.emptyStart?.let {
+        Explanation(stringResource(Res.string.make_start_empty, it), Modifier.testTag("make-start-empty"))
     }
     state.programs.forEachIndexed { index, program ->
         if (program.isStart && program.isChanged) {

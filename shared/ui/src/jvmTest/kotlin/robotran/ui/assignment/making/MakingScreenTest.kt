@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotSelected
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
@@ -91,6 +92,23 @@ class MakingScreenTest {
                 assertEquals(listOf("two.robo"), assignmentOf(workshop).solution.map { it.name })
                 val state = onNodeWithTag("make-solution-0").fetchSemanticsNode().config
                 assertEquals(ToggleableState.Off, state[SemanticsProperties.ToggleableState])
+            }
+        }
+    }
+
+    @Test
+    fun `the choice of programs to begin with says that nothing is chosen, and refuses the solution`() {
+        val programs = listOf(AnyAssignment.program(AnyAssignment.SOLUTION, "program.robo"))
+        val robot = ProjectRobot(AnyAssignment.world.robots.first().name, programs)
+        for (size in SIZES) {
+            making(size, AnyAssignment.teachers.copy(robots = listOf(robot))) {
+                scrollTo("make-start-empty")
+                onNodeWithTag("make-start-empty").assertTextContains("begin with an empty program: program.robo", true)
+                assertTrue(!has("make-start-refused"))
+                scrollAndTouch("make-start-0")
+                onNodeWithTag("make-start-0").assertIsNotSelected()
+                onNodeWithTag("make-start-refused").assertTextContains("program.robo is the solution", true)
+                assertSeenAndTold("make-start-refused")
             }
         }
     }
