@@ -44,6 +44,14 @@ internal class NoticeBoard(private val isVisiting: () -> Boolean, private val ca
         }
     }
 
+    /** The pupil has run or changed the open project, and so goes on with it: the way back to the last one is over. */
+    fun projectUsed() = dismissIf { it is Notice.EarlierProjectSaved }
+
+    /** Another project is open: how the last one came to be open, and its files and robots, are no matter any more. */
+    fun projectOpened() {
+        if (latest is Notice.WithRemarks || latest?.isOfProject == true) latest = null
+    }
+
     /** Dismisses the notice and returns the action that it offers; null if it offers none. */
     fun take(): NoticeAction? = shown?.action.also { latest = null }
 

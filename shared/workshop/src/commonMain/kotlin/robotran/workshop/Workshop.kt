@@ -217,6 +217,15 @@ class Workshop(
 
     /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
+        // Only these: a project that is opened has another world and other programs, and offers the way back.
+        val isEdit = event is ProgramEvent || event is WorldEditEvent || event is RobotEditEvent
+        val before = if (isEdit) opened.world to programs.written else null
+        dispatch(event)
+        if (before != null && before != opened.world to programs.written) board.projectUsed()
+        document.projectMayHaveChanged()
+    }
+
+    private fun dispatch(event: WorkshopEvent) {
         when (event) {
             is ProgramEvent -> handleProgram(event)
             is RunEvent -> handleRun(event)
@@ -238,7 +247,6 @@ class Workshop(
             WorkshopEvent.NoticeDismissed -> board.dismiss()
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
-        document.projectMayHaveChanged()
     }
 
     /**
@@ -367,6 +375,7 @@ class Workshop(
     }
 
     override fun openProject(project: Project) {
+        board.projectOpened()
         learning.leaveProject()
         editors.leave()
         opened = project
@@ -383,6 +392,7 @@ class Workshop(
     }
 
     override fun changeWorld(world: World, isAnother: Boolean) {
+        if (isAnother) board.projectOpened()
         learning.leaveProject()
         if (isAnother) editors.leave()
         val before = run.state.world
@@ -430,9 +440,13 @@ class Workshop(
 
     override fun addProgram(program: PupilProgram, replacing: Boolean) {
         val index = programs.state.programs.indexOfFirst { it.name == program.name }
-        if (!replacing || index < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
-        handle(ProgramEvent.ProgramChosen(index))
-        handle(ProgramEvent.ProgramEdited(program.files.single().text))
+        if (!replacing || index < 0 || program.files.size > 1) {
+            handleProgram(ProgramEvent.ProgramAdded(program))
+        } else {
+            handleProgram(ProgramEvent.ProgramChosen(index))
+            handleProgram(ProgramEvent.ProgramEdited(program.files.single().text))
+        }
+        document.projectMayHaveChanged()
     }
 
     override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
@@ -536,7 +550,9 @@ class Workshop(
         if (event == RunEvent.RunPressed) document.markOpenProject()
         if (event == RunEvent.RunPressed) board.dismissIf { it is Notice.SensorsPluggedIn }
         run.handle(event)
-        if (event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))) showTask(false)
+        val isStarted = event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))
+        if (isStarted) showTask(false)
+        if (isStarted || (!wasRunning && run.state.running)) board.projectUsed()
         // A new run takes the praise of the last one away.
         if (runChanged()) celebrate()
         if (event is RunEvent.ShortfallShown) {
@@ -556,6 +572,7 @@ class Workshop(
         if (event is BlockEvent.DoneNow) {
             programs.immediateProgram(event.load)?.let {
                 run.runNow(it)
+                board.projectUsed()
                 showTask(false)
             }
         }

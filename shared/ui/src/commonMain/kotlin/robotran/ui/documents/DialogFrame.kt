@@ -35,13 +35,17 @@ import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
-/** A dialog over the workshop: its title, [content], and buttons at the bottom. Escape and a touch outside close it. */
+/**
+ * A dialog over the workshop: its title, [content], [notice] in sight below it, and buttons at the bottom. Escape and a
+ * touch outside close it.
+ */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun DialogFrame(
     title: String,
     onClose: () -> Unit,
     buttons: @Composable () -> Unit,
+    notice: (@Composable () -> Unit)? = null,
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -68,6 +72,7 @@ internal fun DialogFrame(
                     Arrangement.spacedBy(12.dp),
                     content = content,
                 )
+                notice?.invoke()
                 FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) { buttons() }
             }
         }

@@ -30,14 +30,19 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
+import robotran.workshop.state.Notice
 
-/** The open dialog of the document, if any. */
+/** The open dialog of the document, if any. [noticeText] says what a notice says. */
 @Composable
-internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> Unit) {
+internal fun DocumentDialogs(
+    state: DocumentState,
+    noticeText: @Composable (Notice) -> String,
+    onEvent: (DocumentEvent) -> Unit,
+) {
     when (val dialog = state.dialog) {
         null -> Unit
         is DocumentDialog.Renaming -> RenameDialog(dialog, onEvent)
-        is DocumentDialog.ProjectList -> ProjectsDialog(dialog, onEvent)
+        is DocumentDialog.ProjectList -> ProjectsDialog(dialog, noticeText, onEvent)
         is DocumentDialog.SharingLink -> ShareLinkDialog(dialog, state.hasShareSheet, onEvent)
         DocumentDialog.SharingFile -> ShareFileDialog(onEvent)
         is DocumentDialog.PastingLink -> PasteLinkDialog(dialog, onEvent)

@@ -36,6 +36,7 @@ import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_plain_world
 import robotran.ui.resources.documents_work_file
 import robotran.ui.resources.documents_work_now
 import robotran.ui.sheet.PictureBounds
@@ -49,6 +50,8 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
+import robotran.world.World
+import robotran.world.file.BuiltInWorlds
 
 /**
  * An entry of the project list: a thumbnail of what it draws, its name, world, programs, and the time it was stored. A
@@ -78,7 +81,8 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
                     lineHeight = LineHeights.LABEL,
                     fontWeight = FontWeight.Medium,
                 )
-                val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
+                val title = work.world?.let { titleOf(it) }
+                val holds = listOfNotNull(title?.takeIf { it != work.entry.name }) + work.programs
                 // Reserves its space, so that nothing moves when it appears.
                 Text(
                     holds.joinToString(" · "),
@@ -94,6 +98,11 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
         ProjectActions(work, onEvent)
     }
 }
+
+/** The default world is stored with its English title, whatever the language. */
+@Composable
+private fun titleOf(world: World): String =
+    if (world.title == BuiltInWorlds.plain.title) stringResource(Res.string.documents_plain_world) else world.title
 
 @Composable
 private fun timeOf(work: ProjectListEntry): String {

@@ -4,6 +4,10 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.empty.EmptyPicture
@@ -19,11 +23,16 @@ import robotran.ui.resources.documents_works_loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
 import robotran.workshop.state.ProjectListEntry
 
 /** The list of projects: a touch opens one, the menu next to it has what else can be done with it. */
 @Composable
-internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentEvent) -> Unit) {
+internal fun ProjectsDialog(
+    dialog: DocumentDialog.ProjectList,
+    noticeText: @Composable (Notice) -> String,
+    onEvent: (DocumentEvent) -> Unit,
+) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
         stringResource(Res.string.documents_my_work),
@@ -35,6 +44,7 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
             }
             MainButton(stringResource(Res.string.documents_new), "works-new") { onEvent(DocumentEvent.NewRequested) }
         },
+        notice = dialog.notice?.let { { ListNotice(noticeText(it), it.isError) } },
     ) {
         val projects = dialog.projects
         when {
@@ -58,6 +68,16 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
         }
     }
 }
+
+/** What did not work: screen readers announce it. */
+@Composable
+private fun ListNotice(words: String, isError: Boolean) = Explanation(
+    words,
+    Modifier.testTag("works-notice").semantics {
+        liveRegion = if (isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
+    },
+    bad = isError,
+)
 
 @Composable
 internal fun nameOf(work: ProjectListEntry) = work.entry.name.ifEmpty { stringResource(Res.string.documents_untitled) }

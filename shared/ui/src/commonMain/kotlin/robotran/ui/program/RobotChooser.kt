@@ -2,6 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
@@ -19,6 +20,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_robot
 import robotran.ui.resources.editor_worlds_own
@@ -32,12 +34,14 @@ import robotran.workshop.state.ProgramsState
 @Composable
 internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
     val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
     Row(
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
             .heightIn(min = Dimensions.TARGET)
-            .horizontalScroll(rememberScrollState())
+            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .horizontalScroll(scroll)
             .padding(horizontal = 12.dp)
             .selectableGroup()
             .testTag("robots"),

@@ -217,7 +217,7 @@ private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp
 
 /** At the default font size, for words of ten letters. */
-private val MIN_CARD = 190.dp
+internal val MIN_CARD = 190.dp
 
 /** A sheet on a phone is narrower than that, or lower. */
 private val SMALL = 480.dp

@@ -6,6 +6,8 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxScope
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxSize
@@ -148,42 +150,58 @@ private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEven
 }
 
 /** The brick's strip is below the paper, or beside it if there is more room. */
+@OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val showBrick = { onEvent(WorkshopEvent.PaneChosen(Pane.BRICK)) }
+    val textScale = LocalDensity.current.fontScale
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
-        if (maxWidth > maxHeight) {
+        val isBroad = maxWidth > maxHeight
+        if (isBroad && isStripBeside(maxWidth, maxHeight, textScale)) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
                 Column(horizontalAlignment = Alignment.End) {
-                    TaskAndGoals(
-                        state.hasTask,
-                        state.taskShown,
-                        state.session.goals,
-                        onEvent,
-                        Modifier.padding(horizontal = 12.dp),
-                        isSlim = true,
-                        howFar = howFar(state.assignment),
-                    )
+                    WorldTaskAndGoals(state, onEvent, isSlim = true)
                     StripWithSize(state.run, onEvent, showBrick)
                 }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
-                TaskAndGoals(
-                    state.hasTask,
-                    state.taskShown,
-                    state.session.goals,
-                    onEvent,
-                    Modifier.padding(horizontal = 12.dp),
-                    howFar = howFar(state.assignment),
-                )
-                StripWithSize(state.run, onEvent, showBrick)
+                if (isBroad) {
+                    // In one row if they fit, since the paper is low.
+                    FlowRow {
+                        WorldTaskAndGoals(state, onEvent, Modifier.align(Alignment.CenterVertically), isSlim = true)
+                        StripWithSize(state.run, onEvent, showBrick)
+                    }
+                } else {
+                    WorldTaskAndGoals(state, onEvent)
+                    StripWithSize(state.run, onEvent, showBrick)
+                }
             }
         }
     }
 }
+
+/** Whether the strip is beside the paper: if the words of a card fit there, or if more of the paper is seen. */
+private fun isStripBeside(width: Dp, height: Dp, textScale: Float): Boolean =
+    width - STRIP_WIDTH >= MIN_CARD * textScale || STRIP_WIDTH.value * height.value < width.value * STRIP_HEIGHT.value
+
+@Composable
+private fun WorldTaskAndGoals(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    isSlim: Boolean = false,
+) = TaskAndGoals(
+    state.hasTask,
+    state.taskShown,
+    state.session.goals,
+    onEvent,
+    modifier.padding(horizontal = 12.dp),
+    isSlim,
+    howFar = howFar(state.assignment),
+)
 
 /** The small brick with the button that shows the whole one. */
 @Composable
@@ -226,6 +244,10 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
 /** An on-screen keyboard covers half of the pane: more errors would hide the program. */
 private const val MAX_DIAGNOSTICS = 2
 private val MARGIN = 16.dp
+
+/** The small brick with its button. */
+private val STRIP_WIDTH = 250.dp
+private val STRIP_HEIGHT = 80.dp
 
 /** Below this height, as on a phone held across, the run bar has one row. */
 private val LOW = 480.dp

@@ -38,6 +38,7 @@ import robotran.ui.resources.documents_too_long
 import robotran.ui.resources.documents_trouble_silent
 import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_unexpected
+import robotran.ui.resources.documents_untitled
 import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
 import robotran.ui.resources.hand_in_go_back
@@ -116,7 +117,10 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     Notice.CompilerMissing -> stringResource(Res.string.status_no_compiler)
 
-    Notice.ProjectOpenElsewhere -> stringResource(Res.string.documents_work_elsewhere)
+    is Notice.ProjectOpenElsewhere -> stringResource(
+        Res.string.documents_work_elsewhere,
+        notice.name.ifEmpty { stringResource(Res.string.documents_untitled) },
+    )
 
     is Notice.LastProjectOpenElsewhere -> if (notice.name.isEmpty()) {
         stringResource(Res.string.documents_own_elsewhere)

@@ -131,7 +131,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
         // then.
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
-        DocumentDialogs(state.document, onEvent)
+        DocumentDialogs(state.document, { noticeText(it) }, onEvent)
         state.send?.let { SendSheet(it, onEvent) }
         state.show?.let { ShowSheet(it, state.world, state.session, onEvent) }
         state.handIn?.let { HandInSheet(it, state.document.hasShareSheet, onEvent) }

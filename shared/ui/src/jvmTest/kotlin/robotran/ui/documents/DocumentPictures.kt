@@ -7,6 +7,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
 import robotran.workshop.documents.projectFile
+import robotran.workshop.documents.projects
 import robotran.workshop.documents.write
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
@@ -75,6 +76,13 @@ class DocumentPictures {
                 val later = machine.afterKill().also { it.marks.times.clear() }
                 later.files.changed = 0
                 picture("newer", later.window(file))
+                val shared = Machine()
+                shared.window().write("forward 7")
+                val second = shared.window()
+                val work = second.projects().single().entry.id
+                second.handle(DocumentEvent.ProjectListRequested)
+                second.handle(DocumentEvent.SavedProjectChosen(work))
+                picture("elsewhere", second)
                 picture("about", Machine().window().also { it.handle(DocumentEvent.AboutRequested("1.2")) })
                 picture("silent", Machine().also { it.store.isAnswering = false }.window())
             }

@@ -20,6 +20,9 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.ui.language.InLanguage
+import robotran.ui.screen.noticeText
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
@@ -27,6 +30,7 @@ import robotran.workshop.documents.keep
 import robotran.workshop.documents.projectFile
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.DocumentDialog
 import kotlin.test.Test
@@ -154,6 +158,43 @@ class ProjectMenuTest {
     }
 
     @Test
+    fun `my work names the empty sheet in the pupil's language`() = shown { workshop ->
+        workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = Language.GERMAN)))
+        workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
+        workshop.keep()
+        choose("my-work")
+        val work = checkNotNull(
+            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
+        ).single().entry.id
+        onNodeWithTag("work-$work").assertTextContains("Leeres Blatt", substring = true)
+    }
+
+    @Test
+    fun `my work says which work is open in another window, within the list`() {
+        val other = machine.window().also {
+            it.handle(ProgramEvent.ProgramEdited("forward 7"))
+            it.handle(DocumentEvent.Renamed("Sumo"))
+        }
+        other.keep()
+        shown { workshop ->
+            choose("my-work")
+            val work = checkNotNull(
+                assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
+            ).single().entry.id
+            onNodeWithTag("work-$work").performClick()
+            onNodeWithTag("works-notice").assertIsDisplayed().assertTextEquals("“Sumo” is open in another window.")
+            onNodeWithTag("actions-$work").performClick()
+            onNodeWithTag("delete-$work").performClick()
+            onNodeWithTag("works-notice").assertIsDisplayed()
+            onNodeWithTag("document-cancel").performClick()
+            choose("my-work")
+            onNodeWithTag("works-notice").assertDoesNotExist()
+            assertNull(workshop.state.notice, "a second time, behind the list")
+        }
+        other.close()
+    }
+
+    @Test
     fun `the link is shown with its length and copied by a touch`() = shown { workshop ->
         choose("share-link")
         val link = checkNotNull(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).link)
@@ -220,13 +261,15 @@ class ProjectMenuTest {
     private fun shown(workshop: Workshop, check: ComposeUiTest.(Workshop) -> Unit) {
         runDesktopComposeUiTest(411, 891) {
             setContent {
-                RobotranTheme(dark = false) {
-                    Box(Modifier.fillMaxSize()) {
-                        Column {
-                            AutosaveBanner(workshop.state.document, workshop::handle)
-                            ProjectMenu(workshop.state.document, workshop::handle)
+                InLanguage(workshop.state.settings.language ?: Language.ENGLISH) {
+                    RobotranTheme(dark = false) {
+                        Box(Modifier.fillMaxSize()) {
+                            Column {
+                                AutosaveBanner(workshop.state.document, workshop::handle)
+                                ProjectMenu(workshop.state.document, workshop::handle)
+                            }
+                            DocumentDialogs(workshop.state.document, { noticeText(it) }, workshop::handle)
                         }
-                        DocumentDialogs(workshop.state.document, workshop::handle)
                     }
                 }
             }

@@ -5,6 +5,8 @@ import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.text.TextLayoutResult
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
@@ -41,13 +43,29 @@ class BrokenWordsTest {
         assertNoBrokenWords("the verdict")
     }
 
-    private fun inEachLanguage(check: ComposeUiTest.(Workshop) -> Unit) {
+    @Test
+    fun `beside the sheet of a small phone, with the lesson and its hint above`() {
+        for ((width, height) in listOf(360 to 780, 390 to 844)) {
+            inEachLanguage(width, height) { workshop ->
+                workshop.handle(ProgramEvent.ProgramEdited("forward 10\n"))
+                workshop.handle(LearningEvent.TutorialFolded(true))
+                workshop.handle(RunEvent.RunPressed)
+                workshop.advance(20_000)
+                pass(600)
+                onNodeWithTag("folded-hint").assertIsDisplayed()
+                onNodeWithTag("missing-card").assertIsDisplayed()
+                assertNoBrokenWords("the verdict at $width")
+            }
+        }
+    }
+
+    private fun inEachLanguage(width: Int = WIDTH, height: Int = HEIGHT, check: ComposeUiTest.(Workshop) -> Unit) {
         for (language in Language.entries) {
             val workshop = runBlocking { openWorkshop() }
             val settings = Settings(textScale = 2f, lessMotion = true, language = language)
             workshop.handle(SettingsEvent.SettingsChanged(settings))
             workshop.handle(LearningEvent.TutorialStarted)
-            onScreenOf(workshop, WIDTH, HEIGHT) {
+            onScreenOf(workshop, width, height) {
                 pass(300)
                 check(workshop)
             }

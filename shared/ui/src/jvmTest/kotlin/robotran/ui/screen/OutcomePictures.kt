@@ -42,6 +42,19 @@ class OutcomePictures {
     }
 
     @Test
+    fun `what was missing in a lesson can be photographed on a small phone with large text`() {
+        for ((width, height) in listOf(360 to 640, 360 to 780, 390 to 844)) {
+            workshop(Settings(language = Language.GERMAN, textScale = 2f)).apply {
+                handle(LearningEvent.TutorialStarted)
+                handle(ProgramEvent.ProgramEdited("forward 10\n"))
+                handle(LearningEvent.TutorialFolded(true))
+                handle(RunEvent.RunPressed)
+                advance(20_000)
+            }.use("missing-lesson-$width-$height", width, height)
+        }
+    }
+
+    @Test
     fun `a solved task can be photographed`() {
         solved().use("solved-phone", 411, 891)
         solved().use("solved-tablet", 1280, 800)

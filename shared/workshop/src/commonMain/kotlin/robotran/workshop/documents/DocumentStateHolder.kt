@@ -210,8 +210,8 @@ class DocumentStateHolder(
     override suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult {
         val taken = into?.let { projects.claim(it) }
         var result: SwitchResult = SwitchResult.Cancelled
-        replacement.replace {
-            val left = autosaver.openId
+        replacement.replace { before ->
+            val left = before ?: autosaver.openId
             guard.begin(into ?: SWITCHED)
             editor.openProject(project)
             if (taken != null) {

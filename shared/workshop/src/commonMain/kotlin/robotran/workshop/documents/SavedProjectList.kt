@@ -33,7 +33,8 @@ internal class SavedProjectList(
     private var lastDeleted: SavedProject? = null
 
     suspend fun handle(event: DocumentEvent.OfProjectList) {
-        val asked = view.dialog as? DocumentDialog.ProjectList
+        val asked = (view.dialog as? DocumentDialog.ProjectList)?.copy(notice = null)
+        if (asked != null) view.show(asked)
         when (event) {
             DocumentEvent.ProjectListRequested -> showAll()
             is DocumentEvent.SavedProjectChosen -> open(event.id)
@@ -66,7 +67,9 @@ internal class SavedProjectList(
                 it.id == autosaver.openId,
             )
         }
-        if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(projects))
+        (view.dialog as? DocumentDialog.ProjectList)?.let {
+            view.show(DocumentDialog.ProjectList(projects, notice = it.notice))
+        }
         for (work in projects) {
             // A picture of what stops the app would stop the list.
             if (isPlain || guard.hasStopped(work.entry.id)) continue
@@ -97,11 +100,7 @@ internal class SavedProjectList(
     suspend fun open(id: String, anyway: Boolean = false) {
         if (id == autosaver.openId) return view.show(null)
         if (!anyway && guard.hasStopped(id)) return tellStopped(id)
-        val claim = autosaver.repository.claim(id)
-        if (claim == null) {
-            notices.show(Notice.ProjectOpenElsewhere)
-            return
-        }
+        val claim = autosaver.repository.claim(id) ?: return tellOpenElsewhere(id)
         guard.begin(id)
         when (val reading = autosaver.repository.read(id)) {
             is SavedProjectResult.Found -> {
@@ -117,7 +116,7 @@ internal class SavedProjectList(
 
             is SavedProjectResult.Unusable -> {
                 claim.release()
-                notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
+                tell(Notice.ProjectUnusable(reading.reason(preferences.language)))
             }
 
             SavedProjectResult.Missing -> {
@@ -129,8 +128,18 @@ internal class SavedProjectList(
 
     /** Says that the project [id] stopped the app the last time, and offers what can be done. */
     suspend fun tellStopped(id: String) {
-        val name = autosaver.repository.projects().firstOrNull { it.id == id }?.name.orEmpty()
-        view.show(DocumentDialog.StoppedLastTime(name, StoppedWork.Stored(id)))
+        view.show(DocumentDialog.StoppedLastTime(nameOf(id), StoppedWork.Stored(id)))
+    }
+
+    private suspend fun tellOpenElsewhere(id: String) = tell(Notice.ProjectOpenElsewhere(nameOf(id)))
+
+    private suspend fun nameOf(id: String): String =
+        autosaver.repository.projects().firstOrNull { it.id == id }?.name.orEmpty()
+
+    /** Shows [notice] within the list if it is open, because it covers all other notices. */
+    private fun tell(notice: Notice) {
+        val list = view.dialog as? DocumentDialog.ProjectList ?: return notices.show(notice)
+        view.show(list.copy(notice = notice))
     }
 
     /** The entry of a deleted project goes, and with it the offer to bring the project back. */
@@ -155,7 +164,7 @@ internal class SavedProjectList(
         view.saveNow()
         val reading = autosaver.repository.read(id)
         if (reading is SavedProjectResult.Unusable) {
-            notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
+            tell(Notice.ProjectUnusable(reading.reason(preferences.language)))
         }
         if (reading is SavedProjectResult.Found) {
             val (newId, lock) = autosaver.claimNewId(platform.clock.now)
@@ -175,11 +184,11 @@ internal class SavedProjectList(
             val result = autosaver.repository.delete(id)
             when (result) {
                 is StoreResult.Failed -> {
-                    notices.show(Notice.ProjectNotDeleted(result.reason))
+                    tell(Notice.ProjectNotDeleted(result.reason))
                 }
 
                 StoreResult.NoAnswer -> {
-                    notices.show(Notice.StoreSilent)
+                    tell(Notice.StoreSilent)
                 }
 
                 StoreResult.Done, StoreResult.Full -> {
@@ -209,7 +218,7 @@ internal class SavedProjectList(
 
     /** Calls [change] with the stored project [id] while no other window can change it; tells if that is impossible. */
     private suspend fun changing(id: String, change: suspend (SavedProject) -> Unit) {
-        val lock = autosaver.repository.claim(id) ?: return notices.show(Notice.ProjectOpenElsewhere)
+        val lock = autosaver.repository.claim(id) ?: return tellOpenElsewhere(id)
         try {
             when (val reading = autosaver.repository.read(id)) {
                 is SavedProjectResult.Found -> {
@@ -217,7 +226,7 @@ internal class SavedProjectList(
                 }
 
                 is SavedProjectResult.Unusable -> {
-                    notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
+                    tell(Notice.ProjectUnusable(reading.reason(preferences.language)))
                 }
 
                 SavedProjectResult.Missing -> {
@@ -234,10 +243,10 @@ internal class SavedProjectList(
         val result = autosaver.repository.save(work)
         when (result) {
             SaveResult.Saved -> Unit
-            SaveResult.Full -> notices.show(Notice.FileNotSaved("", isFull = true))
-            SaveResult.TooLong -> notices.show(Notice.ProjectTooLong)
-            SaveResult.NoAnswer -> notices.show(Notice.StoreSilent)
-            is SaveResult.Failed -> notices.show(Notice.FileNotSaved(result.reason, isFull = false))
+            SaveResult.Full -> tell(Notice.FileNotSaved("", isFull = true))
+            SaveResult.TooLong -> tell(Notice.ProjectTooLong)
+            SaveResult.NoAnswer -> tell(Notice.StoreSilent)
+            is SaveResult.Failed -> tell(Notice.FileNotSaved(result.reason, isFull = false))
         }
         return result == SaveResult.Saved
     }

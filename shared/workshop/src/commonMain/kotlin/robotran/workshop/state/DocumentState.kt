@@ -65,11 +65,13 @@ sealed interface DocumentDialog {
      * @property projects newest first; null while loading.
      * @property renaming the ID of the project that gets another name; null for none.
      * @property deleted the ID of the project among them that was deleted and can be brought back; null for none.
+     * @property notice what did not work, since the list covers all other notices; null for nothing.
      */
     data class ProjectList(
         val projects: List<ProjectListEntry>?,
         val renaming: String? = null,
         val deleted: String? = null,
+        val notice: Notice? = null,
     ) : DocumentDialog
 
     /**

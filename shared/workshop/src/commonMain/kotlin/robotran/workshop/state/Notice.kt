@@ -13,6 +13,9 @@ sealed interface Notice {
     /** The action it offers; null for none. */
     val action: NoticeAction? get() = null
 
+    /** Whether it is about the open project only, so that it is over when another one is opened. */
+    val isOfProject: Boolean get() = false
+
     /** A localised message from another source, such as the operating system. */
     data class ForeignError(val sentence: String) :
         Notice,
@@ -77,8 +80,8 @@ sealed interface Notice {
 
     data object CompilerMissing : Notice, Error
 
-    /** The saved project is open in another window. */
-    data object ProjectOpenElsewhere : Notice
+    /** The saved project [name] is open in another window; empty if it has no name. */
+    data class ProjectOpenElsewhere(val name: String) : Notice
 
     /** The project [name] is open in another window, so this one begins a new project; empty if it has no name. */
     data class LastProjectOpenElsewhere(val name: String) : Notice {
@@ -97,7 +100,9 @@ sealed interface Notice {
         Error
 
     /** The project [name] was restored after a crash; empty if it has no name. */
-    data class ProjectRestored(val name: String) : Notice
+    data class ProjectRestored(val name: String) : Notice {
+        override val isOfProject: Boolean get() = true
+    }
 
     /** More projects were open when the app ended. [isRestored] is whether one was restored after a crash. */
     data class OtherProjectsOpen(val isRestored: Boolean) : Notice {
@@ -107,11 +112,13 @@ sealed interface Notice {
     /** The previous project, with the ID [project], is saved. */
     data class EarlierProjectSaved(val project: String) : Notice {
         override val action: NoticeAction get() = NoticeAction.GoBack(project)
+        override val isOfProject: Boolean get() = true
     }
 
     /** My work has the same assignment already, as the project with the ID [project]. */
     data class AssignmentBegunBefore(val project: String) : Notice {
         override val action: NoticeAction get() = NoticeAction.GoOn(project)
+        override val isOfProject: Boolean get() = true
     }
 
     /** The device keeps [max] courses already. */
@@ -163,11 +170,13 @@ sealed interface Notice {
         Notice,
         Error {
         override val action: NoticeAction get() = NoticeAction.BuildOn(draft.number)
+        override val isOfProject: Boolean get() = true
     }
 
     /** A robot that cannot be built like this is kept as a draft; no program runs until it is mended. */
     data class RobotKeptAsDraft(val draft: DraftError) : Notice {
         override val action: NoticeAction get() = NoticeAction.BuildOn(draft.number)
+        override val isOfProject: Boolean get() = true
     }
 
     /** ESCAPE alone does not end the program of an NXT. */

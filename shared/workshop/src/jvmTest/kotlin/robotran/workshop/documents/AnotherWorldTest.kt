@@ -1,6 +1,8 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.controls.startButton
+import robotran.brick.program.StepKind
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.projects.LinkCreation
@@ -8,12 +10,14 @@ import robotran.projects.linkOf
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
 import robotran.workshop.text
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
@@ -57,10 +61,63 @@ class AnotherWorldTest {
         workshop.handle(LearningEvent.WorldChosen("maze"))
         assertEquals("forward 7", workshop.state.programText)
         workshop.write("forward 8")
-        workshop.handle(WorkshopEvent.NoticeTaken)
+        workshop.handle(DocumentEvent.SavedProjectChosen(workshop.projects().single { !it.isOpen }.entry.id))
         assertEquals("forward 7", workshop.state.programText)
         workshop.handle(DocumentEvent.SavedProjectChosen(workshop.projects().single { !it.isOpen }.entry.id))
         assertEquals("forward 8", workshop.state.programText)
+    }
+
+    @Test
+    fun `the way back is offered until the pupil runs or changes the new project`() {
+        val goingOn = mapOf<String, Workshop.() -> Unit>(
+            "Run" to { handle(RunEvent.RunPressed) },
+            "a step" to { handle(RunEvent.StepPressed(StepKind.entries.first())) },
+            "the button of the brick" to { handle(RunEvent.ButtonPressed(state.run.brick.kind.startButton)) },
+            "writing" to { handle(ProgramEvent.ProgramEdited("beep")) },
+            "another program" to { handle(ProgramEvent.ProgramAdded(PupilProgram("other.robo", "beep"))) },
+            "building" to { putBlock() },
+        )
+        for ((told, goOn) in goingOn) {
+            val workshop = Machine().window()
+            workshop.write("forward 7")
+            workshop.handle(LearningEvent.WorldChosen("maze"))
+            workshop.handle(WorkshopEvent.TaskShown(false))
+            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            assertIs<Notice.EarlierProjectSaved>(workshop.state.notice, "before $told")
+            workshop.goOn()
+            assertNull(workshop.state.notice, "after $told")
+            workshop.close()
+        }
+    }
+
+    @Test
+    fun `no way back to a work before leads out of a lesson, a work of the list, or a new one`() {
+        val leaving = mapOf<String, Workshop.() -> Unit>(
+            "a lesson" to { handle(LearningEvent.TutorialStarted) },
+            "a work of the list" to {
+                handle(DocumentEvent.SavedProjectChosen(projects().single { !it.isOpen }.entry.id))
+            },
+            "a new one" to { handle(DocumentEvent.NewRequested) },
+        )
+        for ((told, leave) in leaving) {
+            val workshop = Machine().window()
+            workshop.write("forward 7")
+            workshop.handle(LearningEvent.WorldChosen("maze"))
+            workshop.leave()
+            assertNull(workshop.state.notice, told)
+            workshop.close()
+        }
+    }
+
+    @Test
+    fun `a lesson that is begun in a world that was only looked at leads back to the work before`() {
+        val workshop = machine.window()
+        val own = workshop.build()
+        workshop.handle(LearningEvent.WorldChosen("maze"))
+        workshop.handle(LearningEvent.TutorialStarted)
+        workshop.handle(LearningEvent.TutorialClosed)
+        assertEquals(own, workshop.state.world)
+        assertEquals("My first work", workshop.state.document.name)
     }
 
     @Test

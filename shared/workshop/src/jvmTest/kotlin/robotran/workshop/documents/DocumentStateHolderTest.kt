@@ -88,7 +88,7 @@ class DocumentStateHolderTest {
         val second = machine.window()
         val other = machine.projects(second).single()
         second.handle(DocumentEvent.SavedProjectChosen(other.entry.id))
-        assertEquals(Notice.ProjectOpenElsewhere, second.state.notice)
+        assertEquals(Notice.ProjectOpenElsewhere("My first work"), second.listNotice)
         assertContains(second.state.programText, "forward 20")
     }
 
@@ -131,7 +131,7 @@ class DocumentStateHolderTest {
         val second = machine.window()
         val other = machine.projects(second).single()
         second.handle(DocumentEvent.ProjectDeleted(other.entry.id))
-        assertEquals(Notice.ProjectOpenElsewhere, second.state.notice)
+        assertEquals(Notice.ProjectOpenElsewhere("My first work"), second.listNotice)
         assertEquals(1, machine.projects(second).size)
     }
 
@@ -370,4 +370,7 @@ class DocumentStateHolderTest {
         val projects = assertNotNull(assertIs<DocumentDialog.ProjectList>(state.document.dialog).projects)
         projects
     }
+
+    private val Workshop.listNotice: Notice?
+        get() = assertIs<DocumentDialog.ProjectList>(state.document.dialog).notice
 }
