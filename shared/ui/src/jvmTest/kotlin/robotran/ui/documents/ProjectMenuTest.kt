@@ -33,6 +33,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -189,7 +190,7 @@ class ProjectMenuTest {
             onNodeWithTag("document-cancel").performClick()
             choose("my-work")
             onNodeWithTag("works-notice").assertDoesNotExist()
-            assertNull(workshop.state.notice, "a second time, behind the list")
+            assertIs<Notice.LastProjectOpenElsewhere>(workshop.state.notice, "nothing is said behind the list")
         }
         other.close()
     }
