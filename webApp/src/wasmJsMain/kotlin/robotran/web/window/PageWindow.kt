@@ -181,9 +181,9 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     }
 }
 
-/** Whether touch or the keyboard was used last. */
+/** Whether touch or the keyboard was used last: touch until a key comes, as what a screen reader presses is neither. */
 private class InputModality : InputModeManager {
-    override var inputMode: InputMode by mutableStateOf(InputMode.Keyboard)
+    override var inputMode: InputMode by mutableStateOf(InputMode.Touch)
         private set
 
     @ExperimentalComposeUiApi
