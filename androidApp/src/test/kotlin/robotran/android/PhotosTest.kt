@@ -67,6 +67,7 @@ class PhotosTest {
         answer(Activity.RESULT_OK) {
             write(it, pictureOf(checkNotNull(QrCode.of("https://a.example/${link.fragment}"))))
         }
+        app.waitUntil("There is no hand-in") { page.rows.isNotEmpty() }
         assertEquals(listOf("Pasted link 1"), page.rows.map { it.submission.origin })
         assertFalse(File(context.cacheDir, "photos").exists())
         assertFalse(page.isScanning)
@@ -79,6 +80,7 @@ class PhotosTest {
         answer(Activity.RESULT_CANCELED) { }
         assertEquals(null, page.told)
         answer(Activity.RESULT_OK) { write(it, Bitmap.createBitmap(200, 200, Bitmap.Config.ARGB_8888)) }
+        app.waitUntil("Nothing is told") { page.told != null }
         assertEquals(HandInsMessage.NoCodes(isPhoto = true), page.told)
         app.photograph("no-code-in-photo")
     }
@@ -114,6 +116,7 @@ class PhotosTest {
         work(checkNotNull(asked.intent.getParcelableExtra(MediaStore.EXTRA_OUTPUT)))
         shadowOf(app.activity).receiveResult(asked.intent, result, null)
         app.settle()
+        app.waitUntil("The picture is not looked at") { !page.isScanning }
     }
 
     private fun write(place: Uri, picture: Bitmap) {

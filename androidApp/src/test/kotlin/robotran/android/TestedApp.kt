@@ -60,7 +60,8 @@ class TestedApp : TestRule {
         pass(SETTLING)
     }
 
-    private fun waitUntil(complaint: String, isTrue: () -> Boolean) {
+    /** Waits for what other threads do, however long a busy machine takes; then complains. */
+    fun waitUntil(complaint: String, isTrue: () -> Boolean) {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_WAIT_SECONDS)
         while (!isTrue()) {
             check(System.nanoTime() < end) { complaint }
