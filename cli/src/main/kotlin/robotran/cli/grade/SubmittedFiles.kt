@@ -51,7 +51,8 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
             collected += CollectedFile("$name.txt", link.encodeToByteArray())
         }
         val others = names - links.toSet()
-        val base = baseOf(others)
+        // Beside links, the folder in which a hand-in happens to lie would look like a pupil's.
+        val base = if (links.any() && others.none(::isFolder)) commonOf(others) else baseOf(others)
         others.forEach { name -> if (isFolder(name)) addFolder(name, base) else addFile(name, Path.of(name), base) }
     }
 
@@ -101,16 +102,21 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
 
     /** The folder above the one in which all [names] lie, so that the names of folders above do not matter. */
     private fun baseOf(names: List<String>): Path? {
+        val common = commonOf(names) ?: return null
+        return if (common.fileName == null || isHidden(common.fileName)) common else common.parent
+    }
+
+    /** The folder in which all [names] lie. */
+    private fun commonOf(names: List<String>): Path? {
         val parents = names.mapNotNull { name ->
             runCatching {
                 Path.of(name).toAbsolutePath().normalize()
             }.getOrNull()?.let { if (isFolder(name)) it else it.parent }
         }
-        val common = parents.reduceOrNull { one, other ->
+        return parents.reduceOrNull { one, other ->
             val shared = one.zip(other).takeWhile { (a, b) -> a == b }.size
             if (shared == 0) one.root else one.root.resolve(one.subpath(0, shared))
-        } ?: return null
-        return if (common.fileName == null || isHidden(common.fileName)) common else common.parent
+        }
     }
 
     private companion object {
