@@ -3,8 +3,6 @@ package robotran.javacompiler
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.completeWith
-import kotlinx.coroutines.sync.Mutex
-import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.withTimeoutOrNull
 import robotran.javacompiler.ecj.BrickTarget
@@ -24,19 +22,10 @@ actual fun timedJavaCompiler(messages: JavaMessages): TimedJavaCompiler? =
  *
  * @param fresh makes a compiler.
  */
-internal class ThreadedEcj(private val fresh: () -> Ecj, private val maxTime: Long = TimedEcj.MAX_TIME) : TimedEcj {
-    private val compiling = Mutex()
+internal class ThreadedEcj(private val fresh: () -> Ecj, private val maxTime: Long = TimedEcj.MAX_TIME) : TimedEcj() {
     private var ecj = fresh()
 
-    /** One at a time: a compiler takes only one program, and those who wait lose none of their time. */
-    override suspend fun compile(
-        sources: List<JavaSource>,
-        library: Map<String, ByteArray>,
-        gaps: Set<String>,
-        target: BrickTarget,
-    ): EcjCompilation? = compiling.withLock { compileNow(sources, library, gaps, target) }
-
-    private suspend fun compileNow(
+    override suspend fun compileNow(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,

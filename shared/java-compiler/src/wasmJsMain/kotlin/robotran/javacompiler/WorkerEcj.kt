@@ -3,8 +3,6 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.channels.Channel
-import kotlinx.coroutines.sync.Mutex
-import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withTimeoutOrNull
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.EcjCompilation
@@ -20,18 +18,10 @@ actual fun timedJavaCompiler(messages: JavaMessages): TimedJavaCompiler? =
 private val worker by lazy { WorkerEcj() }
 
 /** ECJ in a worker of the browser, see `ecj-worker.mjs`. One that takes too long is ended, and the next gets another. */
-private class WorkerEcj : TimedEcj {
-    private val compiling = Mutex()
+private class WorkerEcj : TimedEcj() {
     private var open: EcjWorker? = null
 
-    override suspend fun compile(
-        sources: List<JavaSource>,
-        library: Map<String, ByteArray>,
-        gaps: Set<String>,
-        target: BrickTarget,
-    ): EcjCompilation? = compiling.withLock { compileNow(sources, library, gaps, target) }
-
-    private suspend fun compileNow(
+    override suspend fun compileNow(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,

@@ -1,10 +1,16 @@
 package robotran.javacompiler.ecj
 
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
+
 /**
  * ECJ beside the caller, which is free meanwhile. No bound on a source is a bound on what a compiler makes of it, so this
- * ends a compilation that takes too long.
+ * ends a compilation that takes too long. A compiler takes only one program at a time, and those who wait lose none of
+ * their time.
  */
-internal interface TimedEcj {
+internal abstract class TimedEcj {
+    private val compiling = Mutex()
+
     /**
      * The same as [Ecj.compile].
      *
@@ -12,6 +18,14 @@ internal interface TimedEcj {
      * @throws robotran.javacompiler.CompilerNotLoadedException if ECJ cannot be loaded.
      */
     suspend fun compile(
+        sources: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: Set<String>,
+        target: BrickTarget,
+    ): EcjCompilation? = compiling.withLock { compileNow(sources, library, gaps, target) }
+
+    /** The same as [compile], while no other program is compiled. */
+    protected abstract suspend fun compileNow(
         sources: List<JavaSource>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,

@@ -94,7 +94,9 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
 @Composable
 private fun lineText(mark: ShortfallMark): String? {
     val moment = mark.shortfall.moment?.takeIf { it.sourceLine > 0 } ?: return null
-    val (line, file, robot) = Triple(moment.sourceLine, moment.sourceFile, moment.robot)
+    val line = moment.sourceLine
+    val file = moment.sourceFile
+    val robot = moment.robot
     return when {
         robot != null && file != null -> stringResource(Res.string.shortfall_line_of_robots_file, robot, line, file)
         robot != null -> stringResource(Res.string.shortfall_line_of_robot, robot, line)
