@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
+import { EMPTY } from './serve.mjs';
 import { recordSkikoCalls } from './skiko-calls.mjs';
 import { press, words } from './words.mjs';
 
@@ -15,15 +16,21 @@ const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 /**
  * Opens the page and waits until the workshop is ready. `troubles` collects errors in the page and downloads from other
  * hosts, `fetched` the URLs of all downloads. The optional function `prepare` runs in the page before anything else. A
- * new context counts as a first visit; the welcome dialog is closed unless the test needs it (`welcome`). The page draws
- * only while a test looks, see `look`, or always if `drawn`; a frame comes `pause` milliseconds after the one before, at the
- * earliest. `address` is appended to the page's URL. All other options go to the browser context, which caches nothing for
- * offline use unless `serviceWorkers` is 'allow'.
+ * new context counts as a first visit; the welcome dialog is closed unless the test needs it (`welcome`). All pages of the
+ * context draw only while a test looks, see `look`, or always if `drawn`; a frame comes `pause` milliseconds after the one
+ * before, at the earliest. `address` is appended to the page's URL. All other options go to the browser context, which caches
+ * nothing for offline use unless `serviceWorkers` is 'allow'.
  */
-export async function openPage(
+export async function openPage(browser, site, options) {
+  const opened = await openContext(browser, site, options);
+  await visit(opened, site, options);
+  return opened;
+}
+
+async function openContext(
   browser,
   site,
-  { width, height, dark = false, prepare, welcome = false, drawn = false, pause = 60, address = '', ...more },
+  { width, height, dark = false, prepare, welcome, drawn = false, pause = 60, address, ...more },
 ) {
   const context = await browser.newContext({
     viewport: { width, height },
@@ -31,8 +38,8 @@ export async function openPage(
     serviceWorkers: 'block',
     ...more,
   });
+  await context.addInitScript(drawSeldom, { always: drawn, pause });
   const page = await context.newPage();
-  await page.addInitScript(drawSeldom, { always: drawn, pause });
   await recordSkikoCalls(page);
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
@@ -50,10 +57,33 @@ export async function openPage(
       /^(data|blob):/.test(request.url()) ||
       troubles.push(`fetched ${request.url()}`),
   );
+  return { page, troubles, fetched };
+}
+
+async function visit({ page }, site, { welcome = false, address = '' }) {
   await page.goto(site.address + address);
   await isReady(page);
   if (!welcome && (await words(page, 'first-run').count()) > 0) await putWelcomeAway(page);
-  return { page, troubles, fetched };
+}
+
+/** Opens the page anew for another test with the same `options`: as a first visit, without what the test before has kept. */
+export async function openAgain({ page, troubles, fetched }, site, options) {
+  for (const other of page.context().pages()) if (other !== page) await other.close();
+  await page.setViewportSize({ width: options.width, height: options.height });
+  await page.goto(`${site.address}${EMPTY}`);
+  await page.evaluate(async () => {
+    for (const { name } of await indexedDB.databases()) {
+      await new Promise((resolve, reject) => {
+        const request = indexedDB.deleteDatabase(name);
+        request.onsuccess = resolve;
+        request.onerror = () => reject(request.error);
+      });
+    }
+    localStorage.clear();
+    sessionStorage.clear();
+  });
+  for (const list of [troubles, fetched]) list.length = 0;
+  await visit({ page }, site, options);
 }
 
 /**
@@ -101,7 +131,10 @@ function drawSeldom({ always, pause }) {
  * draws when something changes, such as the size of its window.
  */
 export async function look(page, see) {
-  const isBlind = await page.evaluate(() => globalThis.isLookedAt === false && (globalThis.isLookedAt = true));
+  const isBlind = await page.evaluate(() => globalThis.isLookedAt === false);
+  const set = (isLookedAt) =>
+    Promise.all(page.frames().map((frame) => frame.evaluate((is) => (globalThis.isLookedAt = is), isLookedAt)));
+  if (isBlind) await set(true);
   if (isBlind) {
     const { width, height } = page.viewportSize();
     for (const each of [height - 1, height]) {
@@ -118,7 +151,7 @@ export async function look(page, see) {
   try {
     return await see();
   } finally {
-    if (isBlind) await page.evaluate(() => (globalThis.isLookedAt = false));
+    if (isBlind) await set(false);
   }
 }
 
@@ -160,7 +193,13 @@ export async function putWelcomeAway(page) {
 /** The report of the workshop's run so far. */
 export const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
 
-export const photograph = (page, name) =>
+/** Whether there are to be pictures for people to look at. What Skiko does for them belongs to what is recorded. */
+const takesPictures = Boolean(process.env.TAKES_PICTURES ?? process.env.SKIKO_CALLS);
+
+/** Takes a picture of the page for people to look at, in the ring that has time for it. */
+export const photograph = async (page, name) => takesPictures && takePicture(page, name);
+
+export const takePicture = (page, name) =>
   look(page, () => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) }));
 
 /** Runs the example FILE in the page, on BRICK if it is given, and compares it with its record in the folder RUNS, bit for bit. */

@@ -15,6 +15,9 @@ const TYPES = {
   '.ttf': 'font/ttf',
 };
 
+/** A page of the site's origin with nothing in it, not even the wish for an icon. */
+export const EMPTY = 'empty.html';
+
 const NEVER_CHANGES = 'public, max-age=31536000, immutable';
 
 /** The file compressed with Brotli by the build, null if there is none. */
@@ -38,7 +41,7 @@ export async function serve(folder, { under = '/', compresses = false, headers =
         site.folder,
         path.normalize(inside === '' || inside.endsWith('/') ? `${inside}index.html` : inside),
       );
-      const bytes = site.pages[inside] ?? (await readFile(file));
+      const bytes = site.pages[inside] ?? (inside === EMPTY ? '<link rel="icon" href="data:,">' : await readFile(file));
       const fits = compresses && /br/.test(request.headers['accept-encoding'] ?? '');
       const smaller = fits ? await compressed(file) : null;
       response.writeHead(200, {
@@ -54,6 +57,8 @@ export async function serve(folder, { under = '/', compresses = false, headers =
       response.end();
     }
   });
+  // A browser that asks over a connection just when it is closed gets nothing.
+  server.keepAliveTimeout = 0;
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   site.address = `http://127.0.0.1:${server.address().port}${under}`;
   site.stop = () => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, describe, test } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
+import { linkTo } from '../link.mjs';
 import { assertRecordedRun, photograph, putWelcomeAway, report } from '../page.mjs';
 import { appears, press, reports, says, writeProgram } from '../words.mjs';
 import { ENGINES } from './engines.mjs';
@@ -85,7 +85,7 @@ for (const [name, open] of Object.entries(ENGINES)) {
       const project = JSON.parse(
         await readFile(path.join(process.env.EXPECTED_PROJECT_RUNS, 'full-of-things-0.robotran'), 'utf8'),
       );
-      const link = `#p=a${deflateRawSync(JSON.stringify(project)).toString('base64url')}`;
+      const link = linkTo('p', project);
       await page.evaluate((fragment) => {
         location.hash = fragment;
       }, link);

@@ -91,9 +91,13 @@ abstract class BrowserTest
         @get:Optional
         abstract val skikoCalls: RegularFileProperty
 
-        /** The screenshots of the tests. */
+        /** Where the screenshots of the tests and of failures go. */
         @get:OutputDirectory
         abstract val pictures: DirectoryProperty
+
+        /** Whether tests take screenshots for people to look at; a failure is always photographed. Drawing in software takes seconds. */
+        @get:Input
+        abstract val takesPictures: Property<Boolean>
 
         /** The results as JUnit XML. */
         @get:OutputDirectory
@@ -125,6 +129,7 @@ abstract class BrowserTest
                 exec.environment("EXPECTED_PROJECT_RUNS", expectedProjectRuns.get().asFile.path)
                 exec.environment("EXPECTED_GRADES", expectedGrades.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
+                if (takesPictures.get()) exec.environment("TAKES_PICTURES", "yes")
                 skikoCalls.orNull?.let { exec.environment("SKIKO_CALLS", it.asFile.path) }
             }
         }

@@ -24,11 +24,9 @@ class WebAppPlugin : Plugin<Project> {
         leaveOutOfCheck(project, "allTests", "wasmJsBrowserTest")
         val sites = SiteTasks(project)
         val site = sites.addSite()
-        val browserTest = addBrowserTest(project, site)
-        val engineTest = addEngineTest(project)
-        // Both need the whole machine.
-        engineTest.configure { it.mustRunAfter(browserTest) }
-        project.tasks.named("check") { it.dependsOn(browserTest, engineTest) }
+        configureTests(project, site)
+        addRings(project)
+        addEngineTest(project)
         addReleaseTest(project, sites.addRelease())
         sites.addRecording()
         addMeasuring(project)
@@ -52,7 +50,7 @@ class WebAppPlugin : Plugin<Project> {
         project.tasks.withType(KotlinWebpack::class.java).configureEach { it.sourceMaps = false }
     }
 
-    private fun addBrowserTest(project: Project, site: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> {
+    private fun configureTests(project: Project, site: TaskProvider<AssembleSite>) {
         project.tasks.withType(BrowserTest::class.java).configureEach { task ->
             task.group = "verification"
             task.page.set(site.flatMap { it.site })
@@ -65,32 +63,62 @@ class WebAppPlugin : Plugin<Project> {
             task.expectedNxjRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/nxj-runs"))
             task.expectedNqcRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/nqc-runs"))
             task.expectedGrades.set(project.rootProject.file("shared/assignments/src/commonTest/resources/grades"))
+            task.takesPictures.convention(false)
             task.results.set(project.layout.buildDirectory.dir("test-results/${task.name}"))
-        }
-        return project.tasks.register("browserTest", BrowserTest::class.java) { task ->
-            task.description = "Drives the built page in headless Chromium and takes pictures of it."
-            task.tests.from(project.fileTree("src/browserTest") { it.include("*.test.mjs") })
-            task.pictures.set(project.layout.buildDirectory.dir("pictures"))
         }
     }
 
+    /**
+     * The tests in Chromium, by the folder they stand in: `quickTest`; `browserTest`, which `check` runs, with the quick
+     * ones; `thoroughTest`, all others, with pictures of the page. `allBrowserTests` runs all of them.
+     */
+    private fun addRings(project: Project) {
+        fun add(name: String, description: String, vararg folders: String): TaskProvider<BrowserTest> =
+            project.tasks.register(name, BrowserTest::class.java) { task ->
+                task.description = description
+                for (folder in folders) task.tests.from(testsIn(project, folder))
+                task.pictures.set(project.layout.buildDirectory.dir("$name-pictures"))
+            }
+        add("quickTest", "Drives the built page in headless Chromium, for a minute.", "quick")
+        val browserTest = add("browserTest", "Tests in headless Chromium what only a browser has.", "quick", "check")
+        val thoroughTest = add("thoroughTest", "Takes every way through the built page, with pictures of it.", "all")
+        thoroughTest.configure {
+            it.takesPictures.set(true)
+            // Both need the whole machine.
+            it.mustRunAfter(browserTest)
+        }
+        project.tasks.register("allBrowserTests") { task ->
+            task.group = "verification"
+            task.description = "Runs all tests of the built page in Chromium."
+            task.dependsOn(browserTest, thoroughTest)
+        }
+        project.tasks.named("check") { it.dependsOn(browserTest) }
+    }
+
+    private fun testsIn(project: Project, folder: String) =
+        project.fileTree("src/browserTest/$folder") { it.include("*.test.mjs") }
+
     /** `engineTest`: a short test of the page in each browser engine that pupils use. */
-    private fun addEngineTest(project: Project): TaskProvider<BrowserTest> =
+    private fun addEngineTest(project: Project) {
         project.tasks.register("engineTest", BrowserTest::class.java) { task ->
             task.description =
                 "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no " +
                 "network then."
             task.engines.from(FindPrograms.found(project, FindPrograms.ENGINES))
-            task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
+            task.tests.from(testsIn(project, "engines"))
+            task.takesPictures.set(true)
             task.pictures.set(project.layout.buildDirectory.dir("engine-pictures"))
+            task.mustRunAfter("browserTest", "thoroughTest")
         }
+    }
 
     /** `releaseTest`: the same for the site that pupils get, which `check` does not make, in Chromium only. */
     private fun addReleaseTest(project: Project, site: TaskProvider<AssembleSite>) {
         project.tasks.register("releaseTest", BrowserTest::class.java) { task ->
             task.description = "Visits the page that pupils get: it starts, runs programs, and needs no network then."
             task.page.set(site.flatMap { it.site })
-            task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
+            task.tests.from(testsIn(project, "engines"))
+            task.takesPictures.set(true)
             task.onlyEngine.set("Chromium")
             task.pictures.set(project.layout.buildDirectory.dir("release-pictures"))
         }

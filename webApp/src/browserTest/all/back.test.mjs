@@ -1,0 +1,35 @@
+// Back in all that can be opened.
+import assert from 'node:assert/strict';
+import { entries, openAndGoBack, TABLET } from '../back.mjs';
+import { photograph } from '../page.mjs';
+import { onPage } from '../set-up.mjs';
+import { test } from '../tried-again.mjs';
+import { disappears } from '../words.mjs';
+
+/** What can be opened, the taps that open it, and its tag. */
+const ON_A_TABLET = [
+  [['menu'], 'menu-settings'],
+  [['worlds'], 'worlds-page'],
+  [['menu', 'menu-settings'], 'settings'],
+  [['menu', 'menu-examples'], 'examples-page'],
+  [['menu', 'menu-words'], 'help'],
+  [['menu', 'menu-first-page'], 'first-run'],
+  [['edit-world'], 'edit-done'],
+  [['work-menu', 'work-my-work'], 'document-dialog'],
+  [['work-menu', 'work-share-link'], 'document-dialog'],
+  [['run-more'], 'run-panel-close'],
+  [['find-open'], 'find-close'],
+];
+
+test('Back closes each page, dialog and menu, and nothing is left behind', () =>
+  onPage({ ...TABLET, welcome: true }, async ({ page, site, troubles }) => {
+    assert.equal(await entries(page), 1);
+    await page.goBack();
+    await disappears(page, 'first-run');
+    for (const [steps, opened] of ON_A_TABLET) await openAndGoBack(page, steps, opened);
+    await photograph(page, 'after-back');
+    assert.equal(page.url(), site.address);
+    await page.goBack();
+    assert.equal(page.url(), 'about:blank', 'at the bottom Back leaves');
+    assert.deepEqual(troubles, []);
+  }));

@@ -1,0 +1,288 @@
+// Builds programs from blocks in the page: with a finger, with a screen reader, and with keys.
+import assert from 'node:assert/strict';
+import { areBlocks, builderWith, fingerOn, keysOn, readerOn } from '../blocks.mjs';
+import { isKept } from '../kept.mjs';
+import { photograph, reload } from '../page.mjs';
+import { onPage, TABLET } from '../set-up.mjs';
+import { test } from '../tried-again.mjs';
+import { appears, choose, disappears, press, says, words, writeProgram } from '../words.mjs';
+
+/** Opens the first step of the tutorial from the first page, which has been asked for blocks. */
+async function beginTutorial(page, hand) {
+  await appears(page, 'first-blocks');
+  const isChosen = (await words(page, 'first-blocks').getAttribute('aria-checked')) === 'true';
+  if (!isChosen) await hand.press('first-blocks');
+  await hand.press('try-tutorial');
+  await appears(page, 'run-step');
+  await appears(page, 'block-pane');
+}
+
+async function showBlocks(page, hand) {
+  await appears(page, 'view-switch');
+  if ((await words(page, 'block-pane').count()) > 0) return;
+  await hand.press('view-switch');
+  await hand.press('view-blocks');
+  await appears(page, 'block-pane');
+}
+
+/** Runs the step's program, and waits until its task is done. */
+async function solves(page, hand) {
+  await hand.press('run-step');
+  await says(page, 'task-status', /done/);
+}
+
+async function goOn(page, hand) {
+  await hand.press('next-step');
+  await says(page, 'task-status', /^Your task$/);
+}
+
+/** The robot drives as fast as the machine allows, so that the test waits less for it. */
+async function hurry(hand) {
+  await hand.press('run-more');
+  await hand.press('panel-speed-fastest');
+  await hand.press('run-panel-close');
+}
+
+/** The solutions of the first five steps, from the programs that the steps begin with. */
+async function buildFirstSteps(page, hand) {
+  const builder = builderWith(page, hand);
+  await beginTutorial(page, hand);
+  await hurry(hand);
+  await builder.setNumber(/^forward 20 cm/, /^20 cm/, 30);
+  await builder.goTo(/^turn left/);
+  await builder.add(['drive', 'move']);
+  await builder.setNumber(/^forward 20 cm/, /^20 cm/, 25);
+  await areBlocks(page, ['forward 30', 'turn left 90', 'forward 25']);
+  await solves(page, hand);
+  await photograph(page, 'blocks-step-1');
+  await goOn(page, hand);
+
+  await areBlocks(page, ['pen down', 'forward 20', 'pen up']);
+  await builder.goTo(/^pen up/);
+  await builder.add(['drive', 'move'], ['pen', 'pen'], ['drive', 'move'], ['pen', 'pen']);
+  await builder.setNumber(/^forward 20 cm/, /^20 cm/, 10, 1);
+  await builder.choose(/^pen down/, /^down/, /^up$/, 2);
+  await areBlocks(page, ['pen down', 'forward 20', 'pen up', 'forward 10', 'pen down', 'forward 20', 'pen up']);
+  await solves(page, hand);
+  await goOn(page, hand);
+
+  await builder.setNumber(/^repeat 4 times/, /^4/, 6);
+  await builder.setNumber(/^turn left/, /^90/, 60);
+  await solves(page, hand);
+  await photograph(page, 'blocks-step-3');
+  await goOn(page, hand);
+
+  await builder.setNumber(/^side = side \+ 2|side \+ 2/, /^2/, 5);
+  await solves(page, hand);
+  await goOn(page, hand);
+
+  await builder.act(/^for i from 1 to 3/, /step/);
+  await builder.setNumber(/^for i from 1/, /^1/, 5);
+  await builder.setNumber(/^for i from 5/, /^3/, 1);
+  await builder.setNumber(/^for i from 5 to 1/, /^2/, -1);
+  await builder.goTo(/^end of/i);
+  await builder.add(['drive', 'move']);
+  await builder.setNumber(/^forward 20/, /^20/, 45);
+  await solves(page, hand);
+  await photograph(page, 'blocks-step-5');
+}
+
+/** The solution of the maze, from nothing. */
+async function buildMaze(page, hand) {
+  const builder = builderWith(page, hand);
+  await hand.press('leave-tutorial');
+  await hand.press('worlds');
+  await hand.press('world-maze');
+  await says(page, 'task-title', /The maze/);
+  await hand.press('add-program');
+  await hand.press('new-robolang');
+  await showBlocks(page, hand);
+  await builder.add(['drive', 'power-of-side', 'power-of-side']);
+  await builder.choose(/^power left 5/, /^left/, /^right$/, 1);
+  await builder.setNumber(/^power right 5/, /^5/, 1);
+  await builder.add(
+    ['control', 'repeat-forever'],
+    ['drive', 'start-moving'],
+    ['control', 'wait-until', 'else'],
+    ['drive', 'move', 'turn'],
+  );
+  await builder.goTo(/^else/);
+  await builder.add(['drive', 'move', 'turn']);
+  await builder.choose(/^wait until/, /^left bumper/, /^left bumper and right bumper$/);
+  await builder.choose(/^wait until/, /^and/, /^or$/);
+  for (const [turn, distance, angle] of [
+    [0, 4, 90],
+    [0, 2, 25],
+  ]) {
+    await builder.choose(/^forward 20/, /^forward/, /^backward$/, turn);
+    await builder.setNumber(/^backward 20/, /^20/, distance);
+    if (angle !== 90) await builder.setNumber(/^turn left 90/, /^90/, angle, 1);
+  }
+  await photograph(page, 'blocks-maze');
+  await isKept(page, 'wait until left bumper or right bumper');
+  await hand.press('run');
+  await says(page, 'goal-chip', /All goals met/);
+}
+
+/** A journey has hundreds of steps, and each waits for frames. */
+const QUICK = { ...TABLET, welcome: true, pause: 20 };
+
+test('a finger builds the solutions of the first five steps of the tutorial', () =>
+  onPage({ ...QUICK, hasTouch: true }, async ({ page, troubles }) => {
+    const hand = fingerOn(page);
+    await buildFirstSteps(page, hand);
+    await buildMaze(page, hand);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('a screen reader builds the same', () =>
+  onPage(QUICK, async ({ page, troubles }) => {
+    const hand = readerOn(page);
+    await buildFirstSteps(page, hand);
+    await buildMaze(page, hand);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('keys alone build the same', () =>
+  onPage(QUICK, async ({ page, troubles }) => {
+    const keys = keysOn(page);
+    const solved = async () => {
+      await keys.press('Control+Enter');
+      await says(page, 'task-status', /done/);
+    };
+    const goOn = async () => {
+      await keys.goTo('next-step', 'Shift+Tab');
+      await keys.press('Enter');
+      await says(page, 'task-status', /^Your task$/);
+      await keys.goTo('block-pane');
+    };
+    await keys.goTo('first-blocks');
+    await keys.press('Enter');
+    await keys.goTo('try-tutorial');
+    await keys.press('Enter');
+    await appears(page, 'run-step');
+    await keys.goTo('run-more');
+    await keys.press('Enter');
+    await keys.goTo('panel-speed-fastest');
+    await keys.press('Enter', 'Escape');
+    await disappears(page, 'run-panel-close');
+    await keys.goTo('block-pane');
+
+    await keys.press('ArrowDown');
+    await keys.setNumber(2, 30);
+    await keys.press('ArrowDown');
+    await keys.add('forward');
+    await keys.setNumber(2, 25);
+    await areBlocks(page, ['forward 30', 'turn left 90', 'forward 25']);
+    await solved();
+    await goOn();
+
+    await keys.press('End');
+    await keys.add('forward');
+    await keys.setNumber(2, 10);
+    await keys.add('pen');
+    await keys.add('forward');
+    await keys.add('pen');
+    await keys.press('ArrowRight');
+    await keys.choose(/^up$/);
+    await areBlocks(page, ['pen down', 'forward 20', 'pen up', 'forward 10', 'pen down', 'forward 20', 'pen up']);
+    await solved();
+    await goOn();
+
+    await keys.press('ArrowDown', 'ArrowDown');
+    await keys.setNumber(1, 6);
+    await keys.press('ArrowDown', 'ArrowDown');
+    await keys.setNumber(2, 60);
+    await solved();
+    await goOn();
+
+    await keys.press('End', 'ArrowUp', 'ArrowUp');
+    await keys.setNumber(5, 5);
+    await solved();
+    await goOn();
+
+    await keys.press('ArrowDown');
+    await keys.open('F2');
+    await keys.goTo('form-0', 'Tab');
+    await keys.press('Enter');
+    await keys.isBack();
+    await keys.setNumber(2, 5);
+    await keys.setNumber(1, 1);
+    await keys.setNumber(1, -1);
+    await keys.press('End');
+    await keys.add('forward');
+    await keys.setNumber(2, 45);
+    await solved();
+
+    await keys.goTo('leave-tutorial', 'Shift+Tab');
+    await keys.press('Enter');
+    await keys.goTo('worlds', 'Shift+Tab');
+    await keys.press('Enter');
+    await keys.goTo('world-search');
+    await page.keyboard.type('maze');
+    await keys.goTo('world-maze');
+    await keys.press('Enter');
+    await says(page, 'task-title', /The maze/);
+    await keys.goTo('add-program');
+    await keys.press('Enter');
+    await keys.goTo('new-robolang', 'ArrowDown');
+    await keys.press('Enter');
+    await keys.goTo('block-pane');
+    await keys.add('power left');
+    await keys.add('power left');
+    await keys.press('ArrowRight');
+    await keys.choose(/^right$/);
+    await keys.setNumber(1, 1);
+    await keys.add('forever');
+    await keys.add('start forward');
+    await keys.add('wait until');
+    await keys.press('ArrowRight');
+    await keys.choose(/^left bumper and right bumper$/);
+    await keys.press('ArrowUp', 'ArrowDown');
+    await keys.goToPart(/^and,/);
+    await keys.choose(/^or$/);
+    await keys.add('else');
+    for (const [distance, angle] of [
+      [4, 90],
+      [2, 25],
+    ]) {
+      await keys.add('forward');
+      await keys.press('ArrowRight');
+      await keys.choose(/^backward$/);
+      await keys.setNumber(1, distance);
+      await keys.add('turn');
+      if (angle !== 90) await keys.setNumber(2, angle);
+      await keys.press('ArrowDown');
+    }
+    await photograph(page, 'blocks-keys-maze');
+    await isKept(page, 'wait until left bumper or right bumper');
+    await keys.press('Control+Enter');
+    await says(page, 'goal-chip', /All goals met/);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('a program is seen in blocks, as text and as both, and after a reload as it was last', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, 'forward 15\nbeep');
+    await choose(page, 'view-switch', 'view-blocks');
+    await disappears(page, 'program');
+    await areBlocks(page, ['forward 15', 'beep']);
+    await choose(page, 'view-switch', 'view-both');
+    await press(page, 'program');
+    await page.waitForTimeout(500);
+    await press(page, 'program');
+    await page.keyboard.press('Control+End');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('buzz');
+    await areBlocks(page, ['forward 15', 'beep', 'buzz']);
+    await photograph(page, 'blocks-and-text');
+    await isKept(page, 'buzz');
+    await isKept(page, '"both"');
+    await reload(page);
+    await appears(page, 'program');
+    await areBlocks(page, ['forward 15', 'beep', 'buzz']);
+    await choose(page, 'add-program', 'new-java');
+    await disappears(page, 'block-pane');
+    assert.equal(await words(page, 'view-switch').count(), 0, 'Java has no blocks');
+    assert.deepEqual(troubles, []);
+  }));

@@ -1,0 +1,57 @@
+// On a phone, all of a menu and of a tutorial step is reachable, and everything opened can be closed.
+import assert from 'node:assert/strict';
+import { photograph } from '../page.mjs';
+import { onPage } from '../set-up.mjs';
+import { test } from '../tried-again.mjs';
+import { appears, disappears, placeOf, tap, tapFor, words } from '../words.mjs';
+
+const PHONE = { width: 412, height: 915, hasTouch: true };
+
+/** Fails unless `tag` is completely on the screen. */
+async function assertInSight(page, tag) {
+  await placeOf(page, tag);
+  const box = await words(page, tag).first().boundingBox();
+  const isInside =
+    box.x >= -1 && box.y >= -1 && box.x + box.width <= PHONE.width + 1 && box.y + box.height <= PHONE.height + 1;
+  assert.ok(isInside, `${tag} is at ${JSON.stringify(box)}`);
+}
+
+test('a phone shows the whole menu, and in it a list of what can be done with the work', () =>
+  onPage(PHONE, async ({ page, troubles }) => {
+    await tapFor(page, 'menu', 'menu-settings');
+    for (const tag of ['work-menu', 'menu-learn', 'menu-sound', 'menu-settings']) await assertInSight(page, tag);
+    await photograph(page, 'phone-menu');
+    await tapFor(page, 'work-menu', 'work-new');
+    for (const tag of ['menu-back', 'work-new', 'work-share-link', 'work-kit']) await assertInSight(page, tag);
+    await photograph(page, 'phone-work-menu');
+    await tapFor(page, 'menu-back', 'menu-settings');
+    await tapFor(page, 'work-menu', 'work-my-work');
+    await tapFor(page, 'work-my-work', 'document-dialog');
+    assert.deepEqual(troubles, []);
+  }));
+
+test('Escape closes the settings after another language was chosen with a finger', () =>
+  onPage(PHONE, async ({ page, troubles }) => {
+    await tapFor(page, 'menu', 'menu-settings');
+    await tapFor(page, 'menu-settings', 'language-2');
+    await tap(page, 'language-2');
+    await page.waitForTimeout(1_500);
+    await page.keyboard.press('Escape');
+    await disappears(page, 'language-2');
+    assert.deepEqual(troubles, []);
+  }));
+
+test('with hint and solution open, what can be done with a step of the tutorial stays in sight', () =>
+  onPage(PHONE, async ({ page, troubles }) => {
+    await tapFor(page, 'menu', 'menu-learn');
+    await tapFor(page, 'menu-learn', 'try-step');
+    await tap(page, 'try-step');
+    await appears(page, 'program');
+    await tapFor(page, 'fold-tutorial', 'hint-wanted');
+    await tapFor(page, 'hint-wanted', 'hint');
+    for (const tag of ['run-step', 'begin-again', 'leave-tutorial', 'next-step']) await assertInSight(page, tag);
+    await photograph(page, 'phone-tutorial-hint');
+    await tap(page, 'leave-tutorial');
+    await disappears(page, 'tutorial-steps');
+    assert.deepEqual(troubles, []);
+  }));

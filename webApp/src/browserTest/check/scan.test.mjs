@@ -1,0 +1,152 @@
+// A teacher scans QR codes of programs with the camera.
+import assert from 'node:assert/strict';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { startBrowser } from '../browser.mjs';
+import { cameraOf, film } from '../camera.mjs';
+import { look, openPage, photograph } from '../page.mjs';
+import { onPage, TABLET } from '../set-up.mjs';
+import { test } from '../tried-again.mjs';
+import { appears, choose, disappears, PATIENCE, placeOf, press, says, words, writeProgram } from '../words.mjs';
+
+/** A picture of the QR code of a link to `program`. */
+async function codeOf(page, program) {
+  await writeProgram(page, program);
+  await choose(page, 'work-menu', 'work-share-link');
+  // The dialog may be too long for the screen: as large as the screen, no part of the code is cut off.
+  await press(page, 'qr-code');
+  await placeOf(page, 'qr-code-large');
+  const { x, y, width, height } = await words(page, 'qr-code-large').boundingBox();
+  const picture = await look(page, () => page.screenshot({ clip: { x, y, width, height } }));
+  for (const open of ['qr-code-large', 'qr-code']) {
+    await page.keyboard.press('Escape');
+    await disappears(page, open);
+  }
+  return picture;
+}
+
+const scanner = (page) => page.locator('dialog.robotran-scanner');
+
+/** To draw forty centimetres. */
+const WORLD = {
+  format: 'robotran-world',
+  version: 2,
+  title: 'A long line',
+  task: 'Draw a line. It needs forty centimetres.',
+  paper: { width: 100, height: 80 },
+  robots: [{ start: { x: 30, y: 30, heading: 0 } }],
+  goals: [{ kind: 'inkLength', atLeast: 40 }],
+  timeLimit: 20,
+};
+
+async function openHandIns(page) {
+  const chooser = page.waitForEvent('filechooser');
+  await choose(page, 'work-menu', 'work-open');
+  const buffer = Buffer.from(JSON.stringify(WORLD));
+  await (await chooser).setFiles([{ name: 'line.world.json', mimeType: 'application/json', buffer }]);
+  await says(page, 'task-title', /A long line/);
+  await choose(page, 'work-menu', 'work-hand-ins');
+  await appears(page, 'hand-ins-paste');
+}
+
+/** Runs in the page: keeps the streams of the camera for the test. */
+function keepStreams() {
+  globalThis.streams = [];
+  const get = navigator.mediaDevices.getUserMedia.bind(navigator.mediaDevices);
+  navigator.mediaDevices.getUserMedia = async (wanted) => {
+    const stream = await get(wanted);
+    globalThis.streams.push(stream);
+    return stream;
+  };
+}
+
+test('codes before the camera become hand-ins, each once, and then the camera is off', () =>
+  onPage(TABLET, async ({ page: pupil, site }) => {
+    const folder = await mkdtemp(path.join(tmpdir(), 'robotran-'));
+    const file = path.join(folder, 'codes.y4m');
+    await film(pupil, [await codeOf(pupil, 'pen down\nforward 45'), await codeOf(pupil, 'forward 5')], file);
+    const browser = await startBrowser({ args: cameraOf(file) });
+    try {
+      const options = { ...TABLET, permissions: ['camera'], prepare: keepStreams };
+      const { page, troubles, fetched } = await openPage(browser, site, options);
+      await openHandIns(page);
+      const isLoaded = () => fetched.some((address) => address.includes('qr-scanner'));
+      assert.ok(!isLoaded(), 'the scanner is loaded before it is needed');
+      await press(page, 'hand-ins-scan');
+      await scanner(page).getByRole('status').filter({ hasText: 'Codes read: 2' }).waitFor({ timeout: PATIENCE });
+      assert.ok(isLoaded());
+      await page.waitForTimeout(4_000); // All codes are seen again.
+      assert.equal(await scanner(page).getByRole('status').textContent(), 'Codes read: 2');
+      assert.equal(await page.getByRole('dialog', { name: 'Scan QR codes' }).count(), 1);
+      assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Done');
+      await photograph(page, 'scanner');
+      await page.keyboard.press('Enter');
+      await scanner(page).waitFor({ state: 'detached' });
+      assert.deepEqual(await page.evaluate(() => globalThis.streams.map((stream) => stream.active)), [false]);
+      await page.waitForFunction(() => /1\s*Solved.*1\s*Not solved/s.test(document.body.textContent), null, { timeout: 60_000 });
+      await photograph(page, 'scanned');
+      assert.deepEqual(troubles, []);
+    } finally {
+      await browser.close();
+      await rm(folder, { recursive: true });
+    }
+  }));
+
+test('a camera that is not allowed is a sentence', () =>
+  onPage({ ...TABLET, prepare: refuse }, async ({ page, troubles }) => {
+    await openHandIns(page);
+    await press(page, 'hand-ins-scan');
+    await says(page, 'hand-ins-told', /camera may not be used/);
+    assert.equal(await scanner(page).count(), 0);
+    assert.deepEqual(troubles, []);
+  }));
+
+/** Runs in the page: as a user who says no. */
+function refuse() {
+  navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException('Permission denied', 'NotAllowedError'));
+}
+
+test('Escape ends the scanner while the camera is still starting', () =>
+  onPage({ ...TABLET, prepare: wait }, async ({ page, troubles }) => {
+    await openHandIns(page);
+    await press(page, 'hand-ins-scan');
+    await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
+    await page.keyboard.press('Escape');
+    await scanner(page).waitFor({ state: 'detached' });
+    await appears(page, 'hand-ins-paste');
+    assert.deepEqual(troubles, []);
+  }));
+
+test('Back ends the scanner, and the hand-ins stay open', () =>
+  onPage({ ...TABLET, prepare: wait }, async ({ page, troubles }) => {
+    await openHandIns(page);
+    for (let time = 0; time < 2; time++) {
+      await press(page, 'hand-ins-scan');
+      await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
+      await page.waitForTimeout(500);
+      await page.goBack();
+      await scanner(page).waitFor({ state: 'detached' });
+      await appears(page, 'hand-ins-paste');
+      await page.waitForTimeout(500);
+    }
+    await page.goBack();
+    await disappears(page, 'hand-ins-paste');
+    assert.deepEqual(troubles, []);
+  }));
+
+/** Runs in the page: a camera that never comes. */
+function wait() {
+  navigator.mediaDevices.getUserMedia = () => new Promise(() => undefined);
+}
+
+test('without cameras there is no button', () =>
+  onPage({ ...TABLET, prepare: takeAway }, async ({ page }) => {
+    await openHandIns(page);
+    assert.equal(await words(page, 'hand-ins-scan').count(), 0);
+  }));
+
+/** Runs in the page: as over plain `http`. */
+function takeAway() {
+  Object.defineProperty(Navigator.prototype, 'mediaDevices', { get: () => undefined });
+}

@@ -1,0 +1,19 @@
+// What has come into a simulated robot.
+
+export const brick = (page) =>
+  page.evaluate(() => {
+    const { firmware, program, firmwareBytes, blocks, device } = globalThis.brick;
+    return { firmware, program, firmwareBytes, blocks, asked: device.asked };
+  });
+
+export const isImage = (bytes) => bytes !== null && bytes[0] === 0xca && bytes[1] === 0xf6 && bytes.length > 1000;
+
+/** Waits longer than other tests: a transfer takes its time. */
+export const ends = (page, pattern, timeout = 60_000) =>
+  page.waitForFunction(
+    (source) => new RegExp(source).test(document.querySelector('#robotran-words [data-tag="send-step"]')?.textContent),
+    pattern.source,
+    { timeout },
+  );
+
+export const IN_ROBOT = /in the robot\. Press Run/;
