@@ -6,7 +6,7 @@ import { photograph } from '../page.mjs';
 import { brick, ends, IN_ROBOT, isImage } from '../send.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, choose, disappears, pointAtTool, press, says, tap } from '../words.mjs';
+import { choose, disappears, pointAtTool, press, says, tap } from '../words.mjs';
 
 const WORLD = {
   format: 'robotran-world',
