@@ -1,52 +1,23 @@
 // Builds programs from blocks in the page. What a pupil does is passed as a `hand` that presses things by their tags: a
 // finger, or a screen reader.
 import assert from 'node:assert/strict';
-import { appears, disappears, PATIENCE, words } from './words.mjs';
-
-/** How long something must stay where it is if the screen never rests, in milliseconds. */
-const STILL = 300;
-
-/** What is in a menu. One that has just opened may miss a touch, though it stays where it is. */
-const IN_MENU = /^(panel|run-panel|new|view|work|menu)-/;
+import { appears, comes, disappears, PATIENCE, placeOf, words } from './words.mjs';
 
 /**
- * Runs in the page, once in each frame: whether the accessibility HTML has been as new as the screen for two whole
- * frames, so that what was done last has been drawn and told.
+ * Waits until the accessibility HTML has been as new as the screen for two whole frames, so that what was done last has been
+ * drawn and told, or for some frames if the screen never rests.
  */
-const RESTS = () => {
-  const seen = (globalThis.seenResting ??= { frames: 0 });
-  seen.frames = document.getElementById('robotran-words').hasAttribute('data-due') ? 0 : seen.frames + 1;
-  if (seen.frames < 3) return false;
-  delete globalThis.seenResting;
-  return true;
-};
-
-/** Waits until the screen rests, or for as long as something that moves on it may take. */
-const rests = (page) => page.waitForFunction(RESTS, null, { timeout: STILL, polling: 'raf' }).catch(() => undefined);
+const rests = (page) =>
+  page.evaluate(async () => {
+    const isDue = () => document.getElementById('robotran-words').hasAttribute('data-due');
+    for (let frame = 0, resting = 0; frame < 15 && resting < 3; frame++) {
+      await new Promise((resolve) => globalThis.requestAnimationFrame(resolve));
+      resting = isDue() ? 0 : resting + 1;
+    }
+  });
 
 /** Presses with one finger, each thing as soon as it stays where it is. */
 export function fingerOn(page) {
-  const placeOf = async (tag) => {
-    const found = await page.waitForFunction(
-      ([wanted, still, hasJustOpened]) => {
-        const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
-        if (!element) return null;
-        const { left, top, width, height } = element.getBoundingClientRect();
-        const now = [left, top, width, height].join();
-        const seen = (globalThis.seenStill ??= {});
-        if (seen[wanted]?.now !== now) seen[wanted] = { now, frames: 0, since: performance.now() };
-        const place = seen[wanted];
-        place.frames = document.getElementById('robotran-words').hasAttribute('data-due') ? 0 : place.frames + 1;
-        const isReady = place.frames >= 2 && !hasJustOpened;
-        if (width === 0 || (!isReady && performance.now() - place.since < still)) return null;
-        delete seen[wanted];
-        return { left, top, width, height, x: left + width / 2, y: top + height / 2 };
-      },
-      [tag, STILL, IN_MENU.test(tag)],
-      { timeout: PATIENCE, polling: 'raf' },
-    );
-    return found.jsonValue();
-  };
   /** The place of `tag` now; null if there is none. */
   const boxOf = (tag) =>
     page.evaluate((wanted) => {
@@ -130,7 +101,7 @@ export function fingerOn(page) {
   const bringIntoSight = async (tag) => {
     if (/^(take|world)-/.test(tag)) await find(tag);
     for (let attempt = 0; attempt < 8; attempt++) {
-      const place = await placeOf(tag);
+      const place = await placeOf(page, tag);
       const list = /^socket-/.test(tag) && (await boxOf('blocks'));
       if (list && place.top < list.top) {
         // It is above what can be seen of the list.
@@ -159,7 +130,7 @@ export function fingerOn(page) {
           : middle;
       await page.touchscreen.tap(x, y);
     },
-    placeOf,
+    placeOf: (tag) => placeOf(page, tag),
     drag,
   };
 }
@@ -266,12 +237,7 @@ export function builderWith(page, hand) {
   const openSocket = async (block, socket, skip, place = 0) => {
     for (let attempt = 0; attempt < 3; attempt++) {
       await hand.press((await placeOfSocket(block, socket, skip, place)).tag);
-      try {
-        await words(page, 'block-sheet').first().waitFor({ state: 'attached', timeout: 8_000 });
-        return;
-      } catch {
-        // What has just moved may miss a press: try again.
-      }
+      if (await comes(page, 'block-sheet', true)) return; // What has just moved may miss a press.
     }
     await appears(page, 'block-sheet');
   };
@@ -344,28 +310,27 @@ export function keysOn(page) {
   };
   /** What a screen reader is told to have the focus: { id, tag, words }, all empty if nothing has. */
   const focused = () => page.evaluate(FOCUSED);
-  /** Waits until something fits `test`, which runs in the page with what has the focus and with `value`. */
-  const waitUntil = (test, value, timeout) =>
-    page.waitForFunction(test, value, { timeout, polling: 'raf' }).catch(() => undefined);
   /** Waits until what has the focus has another tag than `before`, or another id; a key may change nothing. */
   const moves = ({ id, tag }) =>
-    waitUntil(
-      ([lastId, lastTag]) => {
-        const now = document.querySelector('canvas').getAttribute('aria-activedescendant') ?? '';
-        return now !== lastId || (document.getElementById(now)?.dataset.tag ?? '') !== lastTag;
+    page.evaluate(
+      async ([lastId, lastTag]) => {
+        for (let frame = 0; frame < 20; frame++) {
+          const now = document.querySelector('canvas').getAttribute('aria-activedescendant') ?? '';
+          if (now !== lastId || (document.getElementById(now)?.dataset.tag ?? '') !== lastTag) return;
+          await new Promise((resolve) => globalThis.requestAnimationFrame(resolve));
+        }
       },
       [id, tag],
-      500,
     );
   /** Waits until the tag of what has the focus fits `pattern`. */
   const isAt = (pattern) =>
-    waitUntil(
+    page.waitForFunction(
       (source) => {
         const now = document.querySelector('canvas').getAttribute('aria-activedescendant') ?? '';
         return new RegExp(source).test(document.getElementById(now)?.dataset.tag ?? '');
       },
       pattern.source,
-      3_000,
+      { timeout: PATIENCE },
     );
   /** Presses `key` until what has the focus is `wanted`, as `isThere` says. */
   const pressUntil = async (wanted, isThere, key, most) => {

@@ -1,4 +1,5 @@
 // An assignment in a frame that fills another page.
+import { PATIENCE } from './words.mjs';
 
 /** The page in the frame, as the tests drive any page: elements are found in the frame, and fingers touch the page around it. */
 export function framed(page, frame) {
@@ -24,8 +25,8 @@ export function framed(page, frame) {
 export async function appInFrame(page, around = page) {
   const handle = await around.waitForSelector('iframe');
   const frame = await handle.contentFrame();
-  await frame.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
-  await frame.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'), null, { timeout: 60_000 });
+  await frame.waitForFunction(() => globalThis.robotran !== undefined);
+  await frame.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'));
   return framed(page, frame);
 }
 
@@ -43,7 +44,7 @@ export const pageAround = (address, work = '') => `<!DOCTYPE html>
 
 /** Waits for a message of `kind` to the page around for which `test` is true, and returns it. */
 export async function message(page, kind, test = () => true) {
-  const end = Date.now() + 60_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const all = await page.evaluate(() => messages);
     const found = all.filter((each) => each.kind === kind).findLast(test);

@@ -41,20 +41,15 @@ export async function table(page) {
 
 /** Waits until no hand-in waits for its grade. */
 export const isGraded = (page) =>
-  page.waitForFunction(
-    () => {
-      const screen = document.querySelector('#robotran-words');
-      const isAtWork = /Waiting/.test(screen.textContent) || screen.querySelector('[data-tag="hand-ins-cancel"]');
-      return /Cannot be used/.test(screen.textContent) && !isAtWork;
-    },
-    null,
-    { timeout: 120_000 },
-  );
+  page.waitForFunction(() => {
+    const screen = document.querySelector('#robotran-words');
+    const isAtWork = /Waiting/.test(screen.textContent) || screen.querySelector('[data-tag="hand-ins-cancel"]');
+    return /Cannot be used/.test(screen.textContent) && !isAtWork;
+  });
 
 /** Waits until all workers have ended. */
 export const haveEnded = async (page) => {
-  for (let wait = 0; page.workers().length > 0 && wait < 50; wait++) await page.waitForTimeout(100);
-  assert.equal(page.workers().length, 0);
+  while (page.workers().length > 0) await page.workers()[0].waitForEvent('close');
 };
 
 /** The table that the JVM makes of the class. */

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { EMPTY } from './serve.mjs';
 import { recordSkikoCalls } from './skiko-calls.mjs';
-import { press, words } from './words.mjs';
+import { PATIENCE, press, words } from './words.mjs';
 
 /** The colour of Run on the brick. */
 export const RUN_GREEN = [0x2e, 0x9e, 0x4f];
@@ -39,9 +39,9 @@ async function openContext(
     ...more,
   });
   await context.addInitScript(drawSeldom, { always: drawn, pause });
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   await recordSkikoCalls(page);
-  if (prepare) await page.addInitScript(prepare);
   const troubles = [];
   const fetched = [];
   page.on('request', (request) => fetched.push(request.url()));
@@ -60,17 +60,32 @@ async function openContext(
   return { page, troubles, fetched };
 }
 
-async function visit({ page }, site, { welcome = false, address = '' }) {
+async function visit(opened, site, { prepare, welcome = false, address = '' }) {
+  const { page } = opened;
+  if (prepare) opened.undo = await prepared(page, prepare);
   await page.goto(site.address + address);
   await isReady(page);
   if (!welcome && (await words(page, 'first-run').count()) > 0) await putWelcomeAway(page);
 }
 
+/** Lets `prepare`, a function or a script, run in the page before anything else, until the returned function is called. */
+async function prepared(page, prepare) {
+  const session = await page.context().newCDPSession(page);
+  const source = typeof prepare === 'function' ? `(${prepare})()` : prepare;
+  await session.send('Page.enable');
+  await session.send('Page.addScriptToEvaluateOnNewDocument', { source });
+  return () => session.detach();
+}
+
 /** Opens the page anew for another test with the same `options`: as a first visit, without what the test before has kept. */
-export async function openAgain({ page, troubles, fetched }, site, options) {
+export async function openAgain(opened, site, options) {
+  const { page, troubles, fetched } = opened;
+  await opened.undo?.();
+  opened.undo = undefined;
   for (const other of page.context().pages()) if (other !== page) await other.close();
   await page.setViewportSize({ width: options.width, height: options.height });
-  await page.goto(`${site.address}${EMPTY}`);
+  await insistOn(() => page.goto(`${site.address}${EMPTY}`));
+  await page.mouse.move(0, 0);
   await page.evaluate(async () => {
     for (const { name } of await indexedDB.databases()) {
       await new Promise((resolve, reject) => {
@@ -83,7 +98,7 @@ export async function openAgain({ page, troubles, fetched }, site, options) {
     sessionStorage.clear();
   });
   for (const list of [troubles, fetched]) list.length = 0;
-  await visit({ page }, site, options);
+  await visit(opened, site, options);
 }
 
 /**
@@ -157,24 +172,27 @@ export async function look(page, see) {
 
 /** Waits until the workshop exists and its accessibility nodes are there, which follow the first frame. */
 export async function isReady(page) {
-  await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
-  await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'), null, { timeout: 60_000 });
+  await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: PATIENCE });
+  await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'), null, { timeout: PATIENCE });
   await page.waitForLoadState('networkidle');
 }
 
 /**
- * Reloads the page. A dialog or menu that has just closed takes its entry out of the browser's history (`PageHistory`), and a
- * service worker may just be leaving; a browser gives up a reload for that, and then the reload is repeated.
+ * Loads a page as `load` does. A dialog or menu that has just closed takes its entry out of the browser's history
+ * (`PageHistory`), and a service worker may just be leaving; a browser gives up what it loads for that, and is asked again.
  */
-export async function loadAgain(page) {
+async function insistOn(load) {
   for (let attempt = 0; ; attempt++) {
     try {
-      return await page.reload();
+      return await load();
     } catch (error) {
-      if (attempt === 3 || !/ERR_ABORTED/.test(error.message)) throw error;
+      if (attempt === 9 || !/ERR_ABORTED/.test(error.message)) throw error;
     }
   }
 }
+
+/** Reloads the page. */
+export const loadAgain = (page) => insistOn(() => page.reload());
 
 /** Reloads the page and waits until it is ready. */
 export async function reload(page) {

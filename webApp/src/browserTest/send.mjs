@@ -8,12 +8,11 @@ export const brick = (page) =>
 
 export const isImage = (bytes) => bytes !== null && bytes[0] === 0xca && bytes[1] === 0xf6 && bytes.length > 1000;
 
-/** Waits longer than other tests: a transfer takes its time. */
-export const ends = (page, pattern, timeout = 60_000) =>
+/** Waits until the sheet that sends says `pattern`. */
+export const ends = (page, pattern) =>
   page.waitForFunction(
     (source) => new RegExp(source).test(document.querySelector('#robotran-words [data-tag="send-step"]')?.textContent),
     pattern.source,
-    { timeout },
   );
 
 export const IN_ROBOT = /in the robot\. Press Run/;

@@ -40,8 +40,8 @@ async function takeLeft(key) {
  * opened again for the next test with the same options.
  */
 export async function onPage(options, use) {
-  const { address, welcome, prepare, serviceWorkers, ...shared } = options;
-  const key = prepare || serviceWorkers ? null : JSON.stringify(shared);
+  const { width, height, address, welcome, prepare, serviceWorkers, ...shared } = options;
+  const key = serviceWorkers ? null : JSON.stringify(shared);
   let opened = await takeLeft(key);
   if (opened) await openAgain(opened, site, options);
   else opened = await openPage(browser, site, options);

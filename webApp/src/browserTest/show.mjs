@@ -5,7 +5,6 @@ import { PHONE } from './set-up.mjs';
 import { appears, reports, tap } from './words.mjs';
 
 export const FINGERS = { ...PHONE, hasTouch: true, acceptDownloads: true };
-export const MAKING = { timeout: 120_000 };
 
 /** Runs the first program to its end, and opens the choice: two touches after the run, something is made. */
 export async function drawAndShow(page) {
@@ -16,8 +15,8 @@ export async function drawAndShow(page) {
 }
 
 /** The bytes of the file that is downloaded while `act` runs. */
-export async function downloaded(page, act, options) {
-  const [download] = await Promise.all([page.waitForEvent('download', options), act()]);
+export async function downloaded(page, act) {
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
   const bytes = await readFile(await download.path());
   await writeFile(path.join(process.env.PICTURES, download.suggestedFilename()), bytes);
   return { name: download.suggestedFilename(), bytes };

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before } from 'node:test';
 import { startBrowser } from './browser.mjs';
 import { serve } from './serve.mjs';
+import { PATIENCE } from './words.mjs';
 
 let browser;
 /** The server; its tests may change what it answers. */
@@ -28,6 +29,7 @@ export async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', 
     isMobile,
     serviceWorkers: 'block',
   });
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   if (route) await page.route(...route);
@@ -38,9 +40,7 @@ export async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', 
 /** What the page says while it loads. */
 export const loadingWords = (page) => page.textContent('#loading-words');
 export const appIsThere = (page) =>
-  page.waitForFunction(() => globalThis.robotran !== undefined && !document.getElementById('loading'), null, {
-    timeout: 60_000,
-  });
+  page.waitForFunction(() => globalThis.robotran !== undefined && !document.getElementById('loading'));
 
 /** Holds the app back until the returned function is called. */
 export function hold() {

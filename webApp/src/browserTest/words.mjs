@@ -1,34 +1,54 @@
 // Finds and presses elements through the accessibility HTML above the page's canvas.
+import assert from 'node:assert/strict';
 
-/** How long a page may take beside a build, in milliseconds. */
+/** How long anything may take on a machine that does much else, in milliseconds. What takes longer is broken. */
 export const PATIENCE = 90_000;
 
 /** The element with the app's test tag `tag`. */
 export const words = (page, tag) => page.locator(`#robotran-words [data-tag="${tag}"]`);
 
 /**
- * The centre of `tag` in CSS pixels, once it exists and stays still. The accessibility HTML follows the frames with a
- * delay.
+ * The centre `x`, `y` and the box of `tag` in CSS pixels, once it exists and stays still: for three frames for which the accessibility HTML is as new
+ * as the screen, or for many if it never is, as during a run. Frames, not seconds, tell that the page had its time.
  */
 export async function placeOf(page, tag) {
-  const place = await waitFor(
-    page,
-    `${tag} to stand still`,
-    (wanted) => {
-      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
-      if (!element) return null;
-      const { left, top, width, height } = element.getBoundingClientRect();
-      const now = [left, top, width, height].join();
-      const seen = (globalThis.seenStill ??= {});
-      if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
-      if (width === 0 || performance.now() - seen[wanted].since < 450) return null;
-      delete seen[wanted];
-      return { x: left + width / 2, y: top + height / 2 };
-    },
-    tag,
-  );
-  return place.jsonValue();
+  const place = await page.evaluate(STANDS_STILL, [tag, PATIENCE]);
+  assert.ok(place, `${tag} does not stand still`);
+  return place;
 }
+
+/** Runs in the page: see `placeOf`. */
+const STANDS_STILL = async ([tag, patience]) => {
+  const end = performance.now() + patience;
+  let [before, since, still, resting] = ['', 0, 0, 0];
+  while (performance.now() < end) {
+    const { left, top, width, height } =
+      document.querySelector(`#robotran-words [data-tag="${tag}"]`)?.getBoundingClientRect() ?? { width: 0 };
+    const now = [left, top, width, height].join();
+    if (now !== before) since = performance.now();
+    still = now === before ? still + 1 : 0;
+    resting = document.getElementById('robotran-words')?.hasAttribute('data-due') === false ? Math.min(resting + 1, still) : 0;
+    // A menu takes a moment to unfold, of which the HTML tells nothing.
+    const isThere = width > 0 && performance.now() - since > 200;
+    if (isThere && (resting >= 3 || still >= 15)) return { left, top, width, height, x: left + width / 2, y: top + height / 2 };
+    before = now;
+    await new Promise((resolve) => globalThis.requestAnimationFrame(resolve));
+  }
+  return null;
+};
+
+/** Whether `tag` is there, or is gone, within as many frames as nothing takes that has not missed a press. */
+export const comes = (page, tag, isThere) =>
+  page.evaluate(
+    async ([wanted, there]) => {
+      for (let frame = 0; frame < 80; frame++) {
+        if ((document.querySelector(`#robotran-words [data-tag="${wanted}"]`) !== null) === there) return true;
+        await new Promise((resolve) => globalThis.requestAnimationFrame(resolve));
+      }
+      return false;
+    },
+    [tag, isThere],
+  );
 
 /** `page.waitForFunction(test, argument)`, whose error says that the page was expected `to` do something. */
 async function waitFor(page, to, test, argument) {
@@ -64,12 +84,8 @@ export async function tap(page, tag) {
 export async function tapFor(page, tag, expected) {
   for (let attempt = 0; attempt < 4; attempt++) {
     await tap(page, tag);
-    try {
-      await words(page, expected).first().waitFor({ state: 'attached', timeout: 6_000 });
-      return;
-    } catch {
-      if ((await words(page, tag).count()) === 0) break; // The menu is gone, and what it opens takes its time.
-    }
+    if (await comes(page, expected, true)) return;
+    if ((await words(page, tag).count()) === 0) break; // The menu is gone, and what it opens takes its time.
   }
   await appears(page, expected);
 }
@@ -87,16 +103,12 @@ export async function pointAtTool(page, tag, point) {
 /** Opens the menu `opener` and selects `item` in it. A menu that has just opened may miss a click. */
 export async function choose(page, opener, item) {
   await press(page, opener);
-  for (let attempt = 0; attempt < 4; attempt++) {
+  await appears(page, item);
+  for (let attempt = 0; attempt < 4 && (await words(page, item).count()) > 0; attempt++) {
     await press(page, item);
-    try {
-      await words(page, item).waitFor({ state: 'detached', timeout: 4_000 });
-      return;
-    } catch {
-      // The menu is still open: try again.
-    }
+    if (await comes(page, item, false)) return;
   }
-  throw new Error(`${item} cannot be chosen`);
+  await disappears(page, item);
 }
 
 /** Waits until `tag` exists, or no longer exists. */
@@ -127,17 +139,10 @@ export const programText = (page) =>
     return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
   });
 
-/** Clicks into the program until it has the focus. */
+/** Clicks into the program, and waits until it has the focus. */
 export async function enterProgram(page) {
-  for (let attempt = 0; ; attempt++) {
-    await press(page, 'program');
-    try {
-      await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA', null, { timeout: 8_000 });
-      return;
-    } catch (error) {
-      if (attempt === 3) throw new Error(`the program does not get the focus: ${error.message}`, { cause: error });
-    }
-  }
+  await press(page, 'program');
+  await waitFor(page, 'the program to get the focus', () => document.activeElement?.tagName === 'TEXTAREA');
 }
 
 /** Clicks into the program and replaces it by `text`, key by key. */
@@ -156,7 +161,7 @@ export async function writeProgram(page, text) {
 
 /** Waits until `test` returns true for the run's report. `test` runs outside the page, whose policy forbids `eval`. */
 export async function reports(page, test) {
-  const end = Date.now() + 60_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const now = JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
     if (test(now)) return;

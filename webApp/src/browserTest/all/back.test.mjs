@@ -1,6 +1,6 @@
 // Back in all that can be opened.
 import assert from 'node:assert/strict';
-import { entries, openAndGoBack, TABLET } from '../back.mjs';
+import { hasEntries, openAndGoBack, TABLET } from '../back.mjs';
 import { photograph } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
@@ -23,7 +23,7 @@ const ON_A_TABLET = [
 
 test('Back closes each page, dialog and menu, and nothing is left behind', () =>
   onPage({ ...TABLET, welcome: true }, async ({ page, site, troubles }) => {
-    assert.equal(await entries(page), 1);
+    await hasEntries(page, 1);
     await page.goBack();
     await disappears(page, 'first-run');
     for (const [steps, opened] of ON_A_TABLET) await openAndGoBack(page, steps, opened);

@@ -68,13 +68,13 @@ test('with 5 % of all bytes lost the tower is to be put closer, and then the pro
     { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.05, remembered: true }) },
     async ({ page, troubles }) => {
       await pointAtTool(page, 'send-robot', press);
-      await page.waitForSelector('#robotran-words [data-tag="send-weak"]', { state: 'attached', timeout: 90_000 });
+      await page.waitForSelector('#robotran-words [data-tag="send-weak"]', { state: 'attached' });
       await photograph(page, 'send-tablet-weak');
       assert.equal((await brick(page)).program, null);
       await page.evaluate(() => {
         globalThis.brick.loss = 0;
       });
-      await ends(page, IN_ROBOT, 120_000);
+      await ends(page, IN_ROBOT);
       const { program } = await brick(page);
       await press(page, 'send-cancel');
       await pointAtTool(page, 'send-robot', press);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { photograph } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
-import { downloaded, drawAndShow, FINGERS, MAKING } from '../show.mjs';
+import { downloaded, drawAndShow, FINGERS } from '../show.mjs';
 import { test } from '../tried-again.mjs';
 import { appears, disappears, says, tap } from '../words.mjs';
 
@@ -32,7 +32,7 @@ test('a run becomes a moving picture that plays everywhere', () =>
     await tap(page, 'show-moving');
     await appears(page, 'show-make');
     await photograph(page, 'show-speed');
-    const { name, bytes } = await downloaded(page, () => tap(page, 'show-make'), MAKING);
+    const { name, bytes } = await downloaded(page, () => tap(page, 'show-make'));
     assert.match(name, /\.gif$/);
     const picture = await decodedGif(page, bytes);
     console.log(`${bytes.length} bytes, ${JSON.stringify(picture)}`);

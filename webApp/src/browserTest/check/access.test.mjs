@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { reload, report } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, choose, disappears, press, reports, says, words } from '../words.mjs';
+import { appears, choose, disappears, PATIENCE, press, reports, says, words } from '../words.mjs';
 
 /** All nodes of the accessibility tree: { role, name, value, live, disabled }. */
 async function told(page) {
@@ -25,13 +25,10 @@ test('buttons of the brick, its display, the program, and all that runs it are t
   onPage(TABLET, async ({ page, troubles }) => {
     await press(page, 'brick-size');
     await appears(page, 'brick-view');
-    let tree = await told(page);
+    let tree = [];
     const has = (role, name) => tree.some((node) => node.role === role && name.test(node.name));
     // The browser's tree follows the HTML with a delay.
-    for (let attempt = 0; attempt < 50 && !has('button', /^View$/); attempt++) {
-      await page.waitForTimeout(100);
-      tree = await told(page);
-    }
+    for (const end = Date.now() + PATIENCE; Date.now() < end && !has('button', /^View$/);) tree = await told(page);
     for (const name of [/^View$/, /^Prgm$/, /^On-Off$/, /^Run$/, /^Stop$/, /^Pause$/, /menu/i])
       assert.ok(has('button', name), `button ${name}`);
     const program = tree.find((node) => node.role === 'textbox');

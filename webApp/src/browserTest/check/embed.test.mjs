@@ -5,7 +5,7 @@ import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, press, says, words, writeProgram } from '../words.mjs';
+import { appears, placeOf, press, reports, says, words, writeProgram } from '../words.mjs';
 
 const world = {
   format: 'robotran-world',
@@ -103,7 +103,11 @@ test('a page that the site does not name learns nothing, and the pupil works all
   inFrame({ origins: () => ['https://school.example', '*', 'http://localhost'] }, async ({ page, app }) => {
     await writeProgram(app, 'forward 39');
     await press(app, 'run');
-    await page.waitForTimeout(4_000);
-    assert.deepEqual(await page.evaluate(() => messages), []);
+    await reports(app, (report) => report.goals[0].met);
+    // What the page around would hear of that has been told after some frames.
+    await placeOf(app, 'run');
+    await app.evaluate(() => parent.postMessage({ kind: 'last' }, '*'));
+    await message(page, 'last');
+    assert.equal((await page.evaluate(() => messages)).length, 1);
     assert.ok((await words(app, 'program').count()) > 0);
   }));

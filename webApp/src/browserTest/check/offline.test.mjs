@@ -59,7 +59,9 @@ test('an update waits for the next visit, and what is open goes on with its own 
     [],
     'both have all they need',
   );
-  await other.waitForTimeout(1500);
+  await loadAgain(other);
+  await isThere(other);
+  await runJava(other);
   assert.equal((await cachesOf(other)).length, 2, 'the older version is kept while a page runs it');
 
   await page.close();

@@ -1,15 +1,13 @@
 // The app needs nothing that the content security policy of the page forbids.
 import assert from 'node:assert/strict';
-import { findColour } from '../browser.mjs';
-import { RUN_GREEN } from '../page.mjs';
 import { violations, watch } from '../policy.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
+import { press } from '../words.mjs';
 
 test('the app needs nothing that its policy forbids, and nothing from elsewhere', () =>
   onPage({ ...TABLET, prepare: watch, serviceWorkers: 'allow' }, async ({ page, site, troubles, fetched }) => {
-    const { x, y } = await findColour(page, RUN_GREEN);
-    await page.mouse.click(x, y);
+    await press(page, 'run');
     await page.keyboard.press('Tab');
     await page.keyboard.type('a');
     await page.evaluate(() =>

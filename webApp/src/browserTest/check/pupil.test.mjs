@@ -1,6 +1,7 @@
 // Acts like a pupil in the built page: writes Java, uses keys alone, and saves work as files.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
+import { keysOn } from '../blocks.mjs';
 import { isKept } from '../kept.mjs';
 import { photograph, report } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
@@ -26,20 +27,7 @@ test('a Java program is written, compiled in the page and run', () =>
 
 test('all is done by keys alone', () =>
   onPage(TABLET, async ({ page, troubles }) => {
-    const focused = () =>
-      page.evaluate(() => {
-        const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
-        return id && document.getElementById(id)?.dataset.tag;
-      });
-    const goTo = async (tag) => {
-      for (let step = 0; step < 60; step++) {
-        await page.keyboard.press('Tab');
-        // The accessibility nodes follow the focus with a delay.
-        await page.waitForTimeout(250);
-        if ((await focused()) === tag) return;
-      }
-      assert.fail(`${tag} is not reached with Tab`);
-    };
+    const { goTo } = keysOn(page);
     await goTo('run');
     await photograph(page, 'keys-run-focused');
     await page.keyboard.press('Enter');

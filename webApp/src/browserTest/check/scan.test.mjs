@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
+import { hasEntries } from '../back.mjs';
 import { startBrowser } from '../browser.mjs';
 import { cameraOf, film } from '../camera.mjs';
 import { look, openPage, photograph } from '../page.mjs';
@@ -61,6 +62,22 @@ function keepStreams() {
   };
 }
 
+/** Waits until the camera has shown its film of six seconds once more, and the scanner has looked at all of it. */
+const seesAgain = (page) =>
+  page.evaluate(async () => {
+    const video = document.querySelector('dialog.robotran-scanner video');
+    const { getImageData } = CanvasRenderingContext2D.prototype;
+    const begin = video.currentTime;
+    await new Promise((resolve) => {
+      let count = 0;
+      CanvasRenderingContext2D.prototype.getImageData = function (...values) {
+        count += 1;
+        if (count >= 20 && video.currentTime - begin > 6.5) resolve();
+        return getImageData.apply(this, values);
+      };
+    });
+  });
+
 test('codes before the camera become hand-ins, each once, and then the camera is off', () =>
   onPage(TABLET, async ({ page: pupil, site }) => {
     const folder = await mkdtemp(path.join(tmpdir(), 'robotran-'));
@@ -76,7 +93,7 @@ test('codes before the camera become hand-ins, each once, and then the camera is
       await press(page, 'hand-ins-scan');
       await scanner(page).getByRole('status').filter({ hasText: 'Codes read: 2' }).waitFor({ timeout: PATIENCE });
       assert.ok(isLoaded());
-      await page.waitForTimeout(4_000); // All codes are seen again.
+      await seesAgain(page);
       assert.equal(await scanner(page).getByRole('status').textContent(), 'Codes read: 2');
       assert.equal(await page.getByRole('dialog', { name: 'Scan QR codes' }).count(), 1);
       assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Done');
@@ -84,7 +101,7 @@ test('codes before the camera become hand-ins, each once, and then the camera is
       await page.keyboard.press('Enter');
       await scanner(page).waitFor({ state: 'detached' });
       assert.deepEqual(await page.evaluate(() => globalThis.streams.map((stream) => stream.active)), [false]);
-      await page.waitForFunction(() => /1\s*Solved.*1\s*Not solved/s.test(document.body.textContent), null, { timeout: 60_000 });
+      await page.waitForFunction(() => /1\s*Solved.*1\s*Not solved/s.test(document.body.textContent));
       await photograph(page, 'scanned');
       assert.deepEqual(troubles, []);
     } finally {
@@ -124,11 +141,11 @@ test('Back ends the scanner, and the hand-ins stay open', () =>
     for (let time = 0; time < 2; time++) {
       await press(page, 'hand-ins-scan');
       await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
-      await page.waitForTimeout(500);
+      await hasEntries(page, 2);
       await page.goBack();
       await scanner(page).waitFor({ state: 'detached' });
       await appears(page, 'hand-ins-paste');
-      await page.waitForTimeout(500);
+      await hasEntries(page, 1);
     }
     await page.goBack();
     await disappears(page, 'hand-ins-paste');

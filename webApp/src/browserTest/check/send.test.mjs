@@ -97,7 +97,7 @@ test('damaged bytes end the stream of a serial port, and the next one is taken',
     { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.0005, damage: true, remembered: true }) },
     async ({ page, troubles }) => {
       await pointAtTool(page, 'send-robot', press);
-      await ends(page, IN_ROBOT, 120_000);
+      await ends(page, IN_ROBOT);
       assert.ok((await page.evaluate(() => globalThis.brick.damages)) > 0);
       assert.ok(isImage((await brick(page)).program));
       assert.deepEqual(troubles, []);

@@ -4,7 +4,7 @@ import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { photograph } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
-import { downloaded, drawAndShow, FINGERS, MAKING } from '../show.mjs';
+import { downloaded, drawAndShow, FINGERS } from '../show.mjs';
 import { test } from '../tried-again.mjs';
 import { tap } from '../words.mjs';
 
@@ -13,7 +13,7 @@ test('a video is filmed in the page', () =>
     await drawAndShow(page);
     await tap(page, 'show-video');
     await tap(page, 'show-speed-4');
-    const { name, bytes } = await downloaded(page, () => tap(page, 'show-make'), MAKING);
+    const { name, bytes } = await downloaded(page, () => tap(page, 'show-make'));
     assert.match(name, /\.webm$/);
     // The app's own policy allows no videos.
     const player = await page.context().newPage();

@@ -1,9 +1,9 @@
 // Records the page's calls of the Web Audio API, so tests need no loudspeaker.
 import assert from 'node:assert/strict';
-import { findColour } from '../browser.mjs';
-import { putWelcomeAway, RUN_GREEN } from '../page.mjs';
+import { putWelcomeAway } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
+import { press, reports, writeProgram } from '../words.mjs';
 
 /** Runs in the page: a silent AudioContext that records its tones in `sounds`. */
 function listen() {
@@ -80,10 +80,9 @@ test('the page makes no sound before it is touched, and the beeps of the brick a
     assert.deepEqual(await heard(page), { contexts: 0, resumed: 0, tones: [] });
     await putWelcomeAway(page);
 
-    const { x, y } = await findColour(page, RUN_GREEN);
-    await page.mouse.click(x, y);
+    await press(page, 'brick-run');
     // The square program ends with a beep, and then the brick beeps twice.
-    await page.waitForFunction(() => globalThis.sounds.tones.length >= 3, null, { timeout: 60_000 });
+    await page.waitForFunction(() => globalThis.sounds.tones.length >= 3);
     const { contexts, resumed, tones } = await heard(page);
     assert.equal(contexts, 1);
     assert.equal(resumed, 1);
@@ -106,13 +105,22 @@ test('the page makes no sound before it is touched, and the beeps of the brick a
     assert.deepEqual(troubles, []);
   }));
 
+/** Runs in the page: counts the tones that have begun and ended. */
+function countTones() {
+  const { start } = OscillatorNode.prototype;
+  globalThis.tones = { begun: 0, ended: 0 };
+  OscillatorNode.prototype.start = function (...values) {
+    globalThis.tones.begun += 1;
+    this.addEventListener('ended', () => (globalThis.tones.ended += 1));
+    start.apply(this, values);
+  };
+}
+
 test('the browser itself plays the beeps without a complaint', () =>
-  onPage(TABLET, async ({ page, troubles }) => {
-    const { x, y } = await findColour(page, RUN_GREEN);
-    await page.mouse.click(x, y);
-    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, {
-      timeout: 60_000,
-    });
-    await page.waitForTimeout(500);
+  onPage({ ...TABLET, prepare: countTones }, async ({ page, troubles }) => {
+    await writeProgram(page, 'beep');
+    await press(page, 'run');
+    await reports(page, (report) => report.status === 'ended');
+    await page.waitForFunction(() => globalThis.tones.begun >= 3 && globalThis.tones.ended === globalThis.tones.begun);
     assert.deepEqual(troubles, []);
   }));

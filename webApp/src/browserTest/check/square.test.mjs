@@ -17,14 +17,9 @@ test('Run on the brick makes the robot draw the square, with about eighty centim
     await page.mouse.down();
     assert.equal((await report(page)).inkCentimetres, 0, 'a program starts when Run is let go');
     await page.mouse.up();
-    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 30, null, {
-      timeout: 60_000,
-    });
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 30);
     await photograph(page, 'tablet-drawing');
-    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, {
-      timeout: 60_000,
-    });
-    await page.waitForTimeout(500);
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended');
     await photograph(page, 'tablet-ended');
     const { inkCentimetres } = await report(page);
     assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);

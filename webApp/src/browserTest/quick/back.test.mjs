@@ -1,6 +1,6 @@
 // The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
-import { entries, TABLET } from '../back.mjs';
+import { hasEntries, TABLET } from '../back.mjs';
 import { onPage } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
 import { appears, disappears, tap } from '../words.mjs';
@@ -11,12 +11,12 @@ test('what lies over another closes first', () =>
     await appears(page, 'find-close');
     await tap(page, 'worlds');
     await appears(page, 'worlds-page');
-    assert.equal(await entries(page), 2);
+    await hasEntries(page, 2);
     await page.goBack();
     await disappears(page, 'worlds-page');
     await appears(page, 'find-close');
     await page.goBack();
     await disappears(page, 'find-close');
-    assert.equal(await entries(page), 0);
+    await hasEntries(page, 0);
     assert.deepEqual(troubles, []);
   }));
