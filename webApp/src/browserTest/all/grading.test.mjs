@@ -1,8 +1,9 @@
-// Hand-ins of a class with an NXT, a page without workers, and a worker that never answers.
+// Hand-ins of a class with an NXT, a page without workers, workers that die or never answer, and grading that is stopped.
 import assert from 'node:assert/strict';
 import { costsItsRow, expected, grade, haveEnded, isGraded, NXT, RCX, table } from '../grading.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
+import { appears, disappears, press } from '../words.mjs';
 
 // The workers compile Java for leJOS NXJ: they fetch its class library themselves.
 test('workers give a class with an NXT the same grades as the JVM', () =>
@@ -42,3 +43,30 @@ function standsStill() {
   const wait = globalThis.setTimeout;
   globalThis.setTimeout = (action, time, ...more) => wait(action, time === 5_000 ? 500 : time, ...more);
 }
+
+test('a worker that dies costs its own row only', () => costsItsRow(dies));
+
+/** Runs in the page: the worker of the second hand-in ends with an error. */
+function dies() {
+  let handIns = 0;
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (message) {
+    // Only orders have a first seed.
+    if (typeof message === 'string' && !message.includes('"first"') && (handIns += 1) === 2) {
+      this.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' }));
+    } else postMessage.call(this, message);
+  };
+}
+
+test('grading can be stopped, and the rest graded later', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await grade(page);
+    await press(page, 'hand-ins-cancel');
+    await appears(page, 'hand-ins-go-on');
+    await haveEnded(page);
+    await press(page, 'hand-ins-go-on');
+    await disappears(page, 'hand-ins-go-on');
+    await isGraded(page);
+    assert.equal(await table(page), await expected());
+    assert.deepEqual(troubles, []);
+  }));

@@ -1,9 +1,9 @@
 // What Chromium's accessibility tree contains for the built page.
 import assert from 'node:assert/strict';
-import { reload, report } from '../page.mjs';
+import { test } from 'node:test';
+import { report } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
-import { appears, choose, disappears, PATIENCE, press, reports, says, words } from '../words.mjs';
+import { appears, PATIENCE, press, reports, says, words } from '../words.mjs';
 
 /** All nodes of the accessibility tree: { role, name, value, live, disabled }. */
 async function told(page) {
@@ -84,25 +84,5 @@ test('a dialog is alone while it is open', () =>
     assert.equal(await words(page, 'brick-run').count(), 0);
     await words(page, 'run-panel-close').evaluate((button) => button.click());
     await appears(page, 'brick-run');
-    assert.deepEqual(troubles, []);
-  }));
-
-/** Opens the settings, and waits until the switch for less motion is as it should be. */
-async function lessMotionIs(page, isOn) {
-  if ((await words(page, 'less-motion').count()) === 0) await choose(page, 'menu', 'menu-settings');
-  await words(page, 'less-motion').and(page.locator(`[aria-checked="${isOn}"]`)).waitFor({ state: 'attached' });
-}
-
-test('the wish of the device for less motion counts, until one chooses', () =>
-  onPage({ ...TABLET, reducedMotion: 'reduce' }, async ({ page, troubles }) => {
-    await lessMotionIs(page, true);
-    await page.emulateMedia({ reducedMotion: 'no-preference' });
-    await lessMotionIs(page, false);
-    await press(page, 'less-motion');
-    await lessMotionIs(page, true);
-    await press(page, 'settings-close');
-    await disappears(page, 'settings-close');
-    await reload(page);
-    await lessMotionIs(page, true);
     assert.deepEqual(troubles, []);
   }));

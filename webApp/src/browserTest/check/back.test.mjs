@@ -1,9 +1,9 @@
 // The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { hasEntries, openAndGoBack, PHONE, TABLET } from '../back.mjs';
 import { reload } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, disappears, tap, words } from '../words.mjs';
 
 test('what is closed in another way leaves no entry, and Forward brings nothing back', () =>

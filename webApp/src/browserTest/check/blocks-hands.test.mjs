@@ -1,8 +1,8 @@
 // Blocks in the built page, as a keyboard and a screen reader meet them: the clipboard, and the tree.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { savedProjects } from '../kept.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, disappears, PATIENCE, press, says, words, writeProgram } from '../words.mjs';
 
 /** Waits until a screen reader is told that `tag` has the focus. */

@@ -1,10 +1,10 @@
 // An assignment in a frame: what the page around learns, and who may be around.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { appInFrame, message, pageAround } from '../frame.mjs';
 import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, placeOf, press, reports, says, words, writeProgram } from '../words.mjs';
 
 const world = {

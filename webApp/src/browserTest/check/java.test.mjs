@@ -1,7 +1,7 @@
 // The compiler for Java is a separate module, loaded on first use.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 
 test('the compiler is fetched with the first Java program, the classes of an NXT with the first for it, and none again', () =>
   onPage(TABLET, async ({ page, troubles, fetched }) => {

@@ -1,9 +1,9 @@
 // Links: opened, shared, rejected, and embedded in another page.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { linkTo } from '../link.mjs';
 import { isReady, photograph } from '../page.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, choose, press, reports, says, words, writeProgram } from '../words.mjs';
 
 const databases = (page) => page.evaluate(async () => (await indexedDB.databases()).map((database) => database.name));

@@ -1,7 +1,7 @@
 // What the page shows before the app has loaded, and if it cannot load.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { photograph } from '../page.mjs';
-import { test } from '../tried-again.mjs';
 import { appIsThere, hold, isCarriedOut, loadingWords, site, visit } from '../visit.mjs';
 import { appears, PATIENCE, reports } from '../words.mjs';
 

@@ -1,9 +1,9 @@
 // The app installed and updated, and a first visit that breaks off.
 import assert from 'node:assert/strict';
 import { rm } from 'node:fs/promises';
+import { test } from 'node:test';
 import { isKeptOffline, isThere, newSite, openKept, runJava, until } from '../offline.mjs';
 import { loadAgain } from '../page.mjs';
-import { test } from '../tried-again.mjs';
 import { anotherVersion } from '../versions.mjs';
 
 const versionOf = (page) => page.evaluate(() => JSON.parse(document.getElementById('site').textContent).version);

@@ -1,8 +1,8 @@
 // The app needs nothing that the content security policy of the page forbids.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { violations, watch } from '../policy.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { press } from '../words.mjs';
 
 test('the app needs nothing that its policy forbids, and nothing from elsewhere', () =>

@@ -1,11 +1,11 @@
 // Acts like a pupil in the built page: writes Java, uses keys alone, and saves work as files.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
+import { test } from 'node:test';
 import { keysOn } from '../blocks.mjs';
 import { isKept } from '../kept.mjs';
 import { photograph, report } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, choose, press, reports, says, writeProgram } from '../words.mjs';
 
 test('a Java program is written, compiled in the page and run', () =>

@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
+import { test } from 'node:test';
 import { hasEntries } from '../back.mjs';
 import { startBrowser } from '../browser.mjs';
 import { cameraOf, film } from '../camera.mjs';
 import { look, openPage, photograph } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, choose, disappears, PATIENCE, placeOf, press, says, words, writeProgram } from '../words.mjs';
 
 /** A picture of the QR code of a link to `program`. */

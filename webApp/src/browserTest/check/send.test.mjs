@@ -1,11 +1,11 @@
 // A program goes from the page into a real robot: through a fake tower into a simulated RCX.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { plugIn } from '../brick.mjs';
 import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { brick, ends, IN_ROBOT, isImage } from '../send.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { choose, disappears, pointAtTool, press, says, tap } from '../words.mjs';
 
 const WORLD = {

@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
+import { test } from 'node:test';
 import { photograph } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
 import { downloaded, drawAndShow, FINGERS } from '../show.mjs';
-import { test } from '../tried-again.mjs';
 import { tap } from '../words.mjs';
 
 test('a video is filmed in the page', () =>

@@ -1,8 +1,8 @@
 // Records the page's calls of the Web Audio API, so tests need no loudspeaker.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { putWelcomeAway } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { press, reports, writeProgram } from '../words.mjs';
 
 /** Runs in the page: a silent AudioContext that records its tones in `sounds`. */

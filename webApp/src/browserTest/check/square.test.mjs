@@ -1,9 +1,9 @@
 // Drives the built page like a pupil: finds the green Run on the brick, presses it, and waits until the robot draws.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { findColour } from '../browser.mjs';
 import { photograph, report, RUN_GREEN } from '../page.mjs';
 import { browserOptions, onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;

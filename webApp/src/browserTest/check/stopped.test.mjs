@@ -1,9 +1,9 @@
 // What stops the page, or would: work that is never opened to its end, a compiler and a database that never answer.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { isKept } from '../kept.mjs';
 import { isReady, photograph } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { choose, isSaid, press, says, writeProgram } from '../words.mjs';
 
 /** Runs in a page: what it notes while it opens a saved project stays, as if it had been stopped before the end. */

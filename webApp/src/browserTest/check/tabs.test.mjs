@@ -1,10 +1,10 @@
 // Tabs of one browser: each restores its own project, and only a crash is reported as one.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { isKept } from '../kept.mjs';
 import { isReady, photograph, reload } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { closeTab } from '../tabs.mjs';
-import { test } from '../tried-again.mjs';
 import { choose, says, words, writeProgram } from '../words.mjs';
 
 test('each of two tabs comes back with its own work, under a name of its own', () =>

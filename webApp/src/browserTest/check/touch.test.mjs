@@ -1,8 +1,8 @@
 // Multi-touch on the built page, and an on-screen keyboard.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { photograph, report } from '../page.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, placeOf, press, reports, says, words, writeProgram } from '../words.mjs';
 
 /**

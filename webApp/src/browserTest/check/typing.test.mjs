@@ -1,8 +1,8 @@
 // Text input in the built page: letters, dead keys, input methods, the clipboard, and keys faster than the frames.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { isKept } from '../kept.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { PATIENCE, programText, writeProgram } from '../words.mjs';
 
 test('accents that an input method or a dead key makes are written once', () =>

@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
+import { test } from 'node:test';
 import { areSaved, savedProjects } from '../kept.mjs';
 import { linkTo } from '../link.mjs';
 import { isReady, photograph, reload } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 
 test('a link opens its project, which is kept and not opened again by a reload', () =>
   onPage(TABLET, async ({ page, site, troubles }) => {

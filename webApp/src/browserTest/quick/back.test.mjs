@@ -1,8 +1,8 @@
 // The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { hasEntries, TABLET } from '../back.mjs';
 import { onPage } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, disappears, tap } from '../words.mjs';
 
 test('what lies over another closes first', () =>

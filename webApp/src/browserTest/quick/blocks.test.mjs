@@ -1,10 +1,10 @@
 // A link opens its program in blocks.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { areBlocks } from '../blocks.mjs';
 import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { press } from '../words.mjs';
 
 const PROJECT = {

@@ -1,8 +1,8 @@
 // The app without a network, in a subfolder of the server.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { isKeptOffline, isThere, newSite, openKept, runJava } from '../offline.mjs';
 import { loadAgain } from '../page.mjs';
-import { test } from '../tried-again.mjs';
 import { press } from '../words.mjs';
 
 test('after the first visit the app opens, and compiles Java, without a network', async () => {

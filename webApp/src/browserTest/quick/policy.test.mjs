@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
+import { test } from 'node:test';
 import { violations, watch } from '../policy.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 
 test('the policy holds: no code from texts, no script in the page, nothing from elsewhere', () =>
   onPage({ ...TABLET, prepare: watch }, async ({ page }) => {

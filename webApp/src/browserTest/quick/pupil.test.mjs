@@ -1,9 +1,9 @@
 // A pupil types a program, runs it, and finds it after a reload.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { isKept } from '../kept.mjs';
 import { photograph, reload } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { press, reports, says, writeProgram } from '../words.mjs';
 
 const IN_MEMORY = /^robotran-work 1\n/;

@@ -1,7 +1,7 @@
 // A finger and a mouse on one screen.
 import assert from 'node:assert/strict';
+import { test } from 'node:test';
 import { onPage, TABLET } from '../set-up.mjs';
-import { test } from '../tried-again.mjs';
 import { appears, placeOf, press } from '../words.mjs';
 
 test('a finger presses what has come to lie under a mouse that rests', () =>
