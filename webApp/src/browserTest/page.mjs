@@ -206,6 +206,8 @@ export async function putWelcomeAway(page) {
   if ((await words(page, 'first-text').getAttribute('aria-checked')) !== 'true') await press(page, 'first-text');
   await press(page, 'first-run-close');
   await words(page, 'first-run').waitFor({ state: 'detached' });
+  // Its entry in the history goes later, and what is opened before is gone with it.
+  await page.waitForFunction(() => !history.state?.robotran);
 }
 
 /** The report of the workshop's run so far. */
