@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Prints what a build of the given Gradle arguments has to configure, for the system property robotran.targets
 # (see Targets in gradle/build-logic): nothing more than the requested tasks need. Arguments whose tasks belong to no
-# single module, such as check, need everything.
+# single module, such as checkAll, need everything; check and quick leave Android out.
 set -euo pipefail
 
 everything=jvm,wasm,android,compose
@@ -20,9 +20,10 @@ while [ $# -gt 0 ]; do
     -Drobotran.targets=*) echo "${1#*=}"; exit ;;
     --tests | -x | --exclude-task | -g | --gradle-user-home | -p | --project-dir | -I | --init-script | --args) shift ;;
     -*) ;;
+    check | quick) need jvm wasm compose ;;
     :cli:* | :shared:physics:test | :shared:ecj:test) need jvm ;;
-    :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui:*[jJ]vm*) need jvm compose ;;
-    :shared:*:*[jJ]vm* | :shared:*:fuzzTest) need jvm ;;
+    :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui:*[jJ]vm* | :shared:ui:thoroughTest) need jvm compose ;;
+    :shared:*:*[jJ]vm* | :shared:*:fuzzTest | :shared:*:thoroughTest) need jvm ;;
     :wasmTests:* | :webApp:*) need wasm compose ;;
     :shared:workshop:*[wW]asm* | :shared:ui:*[wW]asm*) need wasm compose ;;
     :shared:*:*[wW]asm*) need wasm ;;

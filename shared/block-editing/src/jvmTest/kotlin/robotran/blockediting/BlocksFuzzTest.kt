@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.StringSpec
 import io.kotest.property.PropTestConfig
 import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.checkAll
+import robotran.language.fuzz.Fuzzing
 import robotran.robolang.fuzz.ProgramWriter
 import robotran.robolang.fuzz.arbitraryBytes
 import robotran.robolang.fuzz.piecesOfRobolang
@@ -14,9 +15,16 @@ import kotlin.random.Random
 @OptIn(ExperimentalKotest::class)
 class BlocksFuzzTest :
     StringSpec({
-        fun config(iterations: Int) = PropTestConfig(seed = 23, iterations = iterations)
+        fun config(iterations: Int) = PropTestConfig(iterations = Fuzzing.share(iterations))
 
         fun texts(text: (Random) -> String) = arbitrary { text(it.random) }
+
+        "a text that once found a fault is its blocks byte for byte, and can be edited" {
+            for ((name, text) in Fuzzing.corpusTexts(".robo")) {
+                checkPieces(text, name)
+                checkEdits(text, Random(text.length), EDITS)
+            }
+        }
 
         "arbitrary texts are their blocks byte for byte" {
             checkAll(config(40_000), texts(::arbitraryText)) { checkPieces(it, it) }

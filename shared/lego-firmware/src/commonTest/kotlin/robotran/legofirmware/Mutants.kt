@@ -18,17 +18,15 @@ import kotlin.random.Random
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Damages images of the vectors and does with them all that can be done. Returns how many could be read. */
-internal fun tryMutatedImages(count: Int, seed: Int): Int {
-    val random = Random(seed)
-    val originals = Vectors.names.map { Vectors.bytes(it) }
-    return (1..count).count {
-        val bytes = mutated(originals.random(random), random)
-        val read = readRcxImage(bytes) as? RcxImageResult.Read ?: return@count false
-        checkForms(read.image, bytes.size)
-        runOnBrick(read.image)
-        true
-    }
+/** Damages an image of the vectors and tries it. Returns whether it could be read. */
+internal fun tryMutatedImage(random: Random): Boolean = tryImage(mutated(images.random(random), random))
+
+/** Does with an image all that can be done. Returns whether it could be read. */
+internal fun tryImage(bytes: ByteArray): Boolean {
+    val read = readRcxImage(bytes) as? RcxImageResult.Read ?: return false
+    checkForms(read.image, bytes.size)
+    runOnBrick(read.image)
+    return true
 }
 
 /** A program runs as long as it likes, and with every sensor pressed after a while; what it leaves behind is limited. */
@@ -71,30 +69,26 @@ private fun mutated(original: ByteArray, random: Random): ByteArray {
     return bytes
 }
 
-/** Damages assembly texts of the vectors and assembles them. Returns how many were right. */
-internal fun tryMutatedTexts(count: Int, seed: Int): Int {
-    val random = Random(seed)
-    val originals = Vectors.names.mapNotNull { Vectors.text("$it.lasm") }
-    return (1..count).count {
-        val text = mutated(originals.random(random), random)
-        when (val result = assemble(text)) {
-            is AssemblyResult.Assembled -> {
-                assertTrue(result.image.chunks.all { it.code.size <= FirmwareLimits.CHUNK_BYTES })
-                assertTrue(result.image.codeSize <= text.length)
-                assertTrue(readRcxImage(result.image.toBytes()) is RcxImageResult.Read)
-                true
-            }
+/** Damages an assembly text of the vectors and tries it. Returns whether it was right. */
+internal fun tryMutatedText(random: Random): Boolean = tryText(mutated(texts.random(random), random))
 
-            is AssemblyResult.Rejected -> {
-                assertTrue(result.diagnostics.size in 1..AssemblyLimits.DIAGNOSTICS)
-                val lines = text.lines()
-                for (found in result.diagnostics) {
-                    assertTrue(found.isError && found.message.length < MESSAGE_CHARACTERS, found.message)
-                    assertEquals(found.text, lines[found.line - 1].substring(found.column - 1, found.endColumn - 1))
-                }
-                false
-            }
+/** Assembles [text]. Returns whether it was right. */
+internal fun tryText(text: String): Boolean = when (val result = assemble(text)) {
+    is AssemblyResult.Assembled -> {
+        assertTrue(result.image.chunks.all { it.code.size <= FirmwareLimits.CHUNK_BYTES })
+        assertTrue(result.image.codeSize <= text.length)
+        assertTrue(readRcxImage(result.image.toBytes()) is RcxImageResult.Read)
+        true
+    }
+
+    is AssemblyResult.Rejected -> {
+        assertTrue(result.diagnostics.size in 1..AssemblyLimits.DIAGNOSTICS)
+        val lines = text.lines()
+        for (found in result.diagnostics) {
+            assertTrue(found.isError && found.message.length < MESSAGE_CHARACTERS, found.message)
+            assertEquals(found.text, lines[found.line - 1].substring(found.column - 1, found.endColumn - 1))
         }
+        false
     }
 }
 
@@ -113,6 +107,8 @@ private fun mutated(original: String, random: Random): String {
     return text.toString()
 }
 
+private val images by lazy { Vectors.names.map { Vectors.bytes(it) } }
+private val texts by lazy { Vectors.names.mapNotNull { Vectors.text("$it.lasm") } }
 private const val RUN_MILLISECONDS = 60
 private const val CALLS_AT_START = 60
 private const val CALLS_OF_INSTRUCTION = 4

@@ -1,5 +1,6 @@
 package robotran.legofirmware
 
+import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
@@ -7,16 +8,17 @@ import kotlin.test.assertTrue
 class MutantsTest {
     @Test
     fun `damaged images neither crash nor hang nor grow`() {
-        assertTrue(tryMutatedImages(IMAGES, seed = 1) > IMAGES / 4)
+        val random = Random(1)
+        assertTrue((1..COUNT).count { tryMutatedImage(random) } > COUNT / 4)
     }
 
     @Test
     fun `damaged assembly texts neither crash nor hang nor grow`() {
-        assertTrue(tryMutatedTexts(TEXTS, seed = 2) > TEXTS / 50)
+        val random = Random(2)
+        assertTrue((1..COUNT).count { tryMutatedText(random) } > COUNT / 50)
     }
 
     private companion object {
-        const val IMAGES = 5_000
-        const val TEXTS = 5_000
+        const val COUNT = 5_000
     }
 }

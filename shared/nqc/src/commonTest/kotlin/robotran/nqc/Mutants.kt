@@ -7,27 +7,14 @@ import kotlin.random.Random
 import kotlin.test.assertTrue
 
 /** Compiles changed copies of the programs of the vectors. */
-internal class Mutants(seed: Int) {
-    private val random = Random(seed)
-    private val sources = Vectors.programs.values.toList() + ErrorCase.all.map { it.source }
-
+internal class Mutants(private val random: Random) {
     /** Compiles one copy; returns whether it has no mistake. */
     fun compileNext(): Boolean {
         val text = StringBuilder(sources.random(random))
         // Most copies change little, so that many still compile.
         repeat(if (random.nextInt(3) == 0) random.nextInt(1, MOST_CHANGES) else 1) { change(text) }
         val options = NqcOptions(FirmwareTarget.entries.random(random), isOld = random.nextInt(OLD) == 0)
-        return when (val result = compileNqc(FILE, text.toString(), options)) {
-            is NqcResult.HasErrors -> {
-                assertTrue(result.diagnostics.isNotEmpty() && result.diagnostics.size <= MOST_DIAGNOSTICS)
-                false
-            }
-
-            is NqcResult.Ready -> {
-                assertTrue(result.program.image.toBytes().size < FirmwareLimits.IMAGE_BYTES * 2)
-                true
-            }
-        }
+        return compileWithoutHarm(text.toString(), options)
     }
 
     private fun change(text: StringBuilder) {
@@ -70,19 +57,34 @@ internal class Mutants(seed: Int) {
         return source.substring(start, minOf(source.length, start + random.nextInt(1, LONGEST)))
     }
 
-    private companion object {
-        const val FILE = "m.nqc"
-        const val MOST_CHANGES = 6
-        const val MOST_DIAGNOSTICS = 200
-        const val LONGEST = 40
-        const val TIMES = 30
-        const val CHANGES = 24
-        val EXCHANGES = 8 until CHANGES
-        val KINDS = listOf("[0-9]+", "[+*/%&|^<>=!-]+", "[A-Z_]{3,}[0-9A-Z_]*", "\\b[a-z]+\\b", "[^;{}]+;").map(::Regex)
-        const val OLD = 20
-        const val DELETE = 127
+    companion object {
+        private val sources by lazy { Vectors.programs.values.toList() + ErrorCase.all.map { it.source } }
 
-        val WORDS = (
+        /** Whether [text] has no mistake. */
+        fun compileWithoutHarm(text: String, options: NqcOptions): Boolean =
+            when (val result = compileNqc("m.nqc", text, options)) {
+                is NqcResult.HasErrors -> {
+                    assertTrue(result.diagnostics.isNotEmpty() && result.diagnostics.size <= MOST_DIAGNOSTICS)
+                    false
+                }
+
+                is NqcResult.Ready -> {
+                    assertTrue(result.program.image.toBytes().size < FirmwareLimits.IMAGE_BYTES * 2)
+                    true
+                }
+            }
+
+        private const val MOST_CHANGES = 6
+        private const val MOST_DIAGNOSTICS = 200
+        private const val LONGEST = 40
+        private const val TIMES = 30
+        private const val CHANGES = 24
+        private val EXCHANGES = 8 until CHANGES
+        private val KINDS = listOf("[0-9]+", "[+*/%&|^<>=!-]+", "[A-Z_]{3,}[0-9A-Z_]*", "\\b[a-z]+\\b", "[^;{}]+;").map(::Regex)
+        private const val OLD = 20
+        private const val DELETE = 127
+
+        private val WORDS = (
             "{ } ( ) [ ] ; , : ? = += ||= +-= << >> ++ -- && || ! ~ ^ % @ @@ & * # ## $ \\ \" /* */ // 0 1 32768 " +
                 "65536 0xFFFFFFFF 9999999999 abs acquire asm break case catch const continue default do else for " +
                 "goto if int monitor repeat return sign start stop sub switch task while void true __sensor __type " +

@@ -12,6 +12,7 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import robotran.language.fuzz.Fuzzing
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.checkFormatting
 import robotran.robolang.format.formatRobolang
@@ -31,29 +32,33 @@ import kotlin.random.Random
 @OptIn(ExperimentalKotest::class)
 class RobolangFuzzTest :
     StringSpec({
-        val config = PropTestConfig(seed = 2005, iterations = 30_000)
+        fun config(iterations: Int) = PropTestConfig(iterations = Fuzzing.share(iterations))
 
         fun texts(text: (Random) -> String): Arb<String> = arbitrary { text(it.random) }
         val programs = texts { ProgramWriter(it).write() }
 
+        "a text that once found a fault is read without harm" {
+            Fuzzing.corpusTexts(".robo").values.forEach(::checkHarmless)
+        }
+
         "arbitrary text is read without harm" {
-            checkAll(config, texts(::arbitraryText)) { checkHarmless(it) }
+            checkAll(config(30_000), texts(::arbitraryText)) { checkHarmless(it) }
         }
 
         "arbitrary bytes are read without harm" {
-            checkAll(config, texts(::arbitraryBytes)) { checkHarmless(it) }
+            checkAll(config(30_000), texts(::arbitraryBytes)) { checkHarmless(it) }
         }
 
         "pieces of the language in any order are read without harm" {
-            checkAll(config, texts(::piecesOfRobolang)) { checkHarmless(it) }
+            checkAll(config(30_000), texts(::piecesOfRobolang)) { checkHarmless(it) }
         }
 
         "a program with something changed is read without harm" {
-            checkAll(PropTestConfig(seed = 2005, iterations = 10_000), texts(::spoiltProgram)) { checkHarmless(it) }
+            checkAll(config(10_000), texts(::spoiltProgram)) { checkHarmless(it) }
         }
 
         "a generated program has no mistakes, and formatted it is the same tree" {
-            checkAll(PropTestConfig(seed = 2005, iterations = 2_000), programs) { source ->
+            checkAll(config(2_000), programs) { source ->
                 mistakesOf(source).shouldBeEmpty()
                 (formatRobolang(source) is FormatResult.Formatted) shouldBe true
                 checkFormatting(source)
@@ -69,7 +74,7 @@ class RobolangFuzzTest :
         }
 
         "a generated program runs as far as it may, twice in the same way" {
-            checkAll(PropTestConfig(seed = 2005, iterations = 1_000), programs) { source ->
+            checkAll(config(1_000), programs) { source ->
                 val program = (read(source) as RobolangResult.Ready).rcxProgram
                 runFor(program, 2_000) shouldBe runFor(program, 2_000)
             }
@@ -77,7 +82,7 @@ class RobolangFuzzTest :
 
         "a decimal number is the one that Java reads" {
             val digits = Arb.element(('0'..'9').map { Codepoint(it.code) })
-            checkAll(config, Arb.int(0..999_999_999), Arb.string(1..6, digits)) { whole, fraction ->
+            checkAll(config(30_000), Arb.int(0..999_999_999), Arb.string(1..6, digits)) { whole, fraction ->
                 val text = "$whole.$fraction"
                 readNumber(text, negative = false) shouldBe NumberReading.Read(NumberValue.Decimal(text.toFloat()))
             }

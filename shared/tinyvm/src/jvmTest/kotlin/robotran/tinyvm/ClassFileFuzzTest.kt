@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import kotlin.random.Random
+import robotran.language.fuzz.Fuzzing
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
@@ -39,9 +39,8 @@ class ClassFileFuzzTest {
 
     @Test
     fun `mutated class files never crash hang or confuse the machine`() {
-        val random = Random(5)
-        val run = (1..MUTANTS).count { runMutant(classes, "Program", random) }
-        assertTrue(run > MUTANTS / 20, "only $run mutants were sound enough to run")
+        val run = Fuzzing.count(MUTANTS) { runMutant(classes, "Program", it) }
+        assertTrue(run > Fuzzing.share(MUTANTS) / 20, "only $run mutants were sound enough to run")
     }
 
     private companion object {

@@ -47,7 +47,11 @@ class ComposePlugin : Plugin<Project> {
             if (project.hasProperty("recordPictures")) test.systemProperty("robotran.recordPictures", "true")
             TestFolders.givePictures(project, test, ReviewPictures.folder(test))
         }
-        if (targets.jvm) ReviewPictures.register(project)
+        if (targets.jvm) {
+            ReviewPictures.register(project)
+            TestParts.registerThorough(project, "jvmTest")
+            Rings.addToQuick(project, "jvmTest")
+        }
     }
 
     /** `jvmAndAndroidMain`: code that needs only Java's library. */

@@ -16,15 +16,16 @@ object ReviewPictures {
         if (project.fileTree(project.projectDir) { it.include(FILES) }.isEmpty) return
         val jvmTest = project.tasks.named("jvmTest", Test::class.java)
         jvmTest.configure { it.filter.excludeTestsMatching(CLASSES) }
-        project.tasks.register(TASK, Test::class.java) { task ->
+        TestParts.register(project, "jvmTest", TASK, CLASSES).configure { task ->
             task.group = "documentation"
             task.description = "Draws pictures of the screens for review into build/review-pictures."
-            task.testClassesDirs = project.files(jvmTest.map { it.testClassesDirs })
-            task.classpath = project.files(jvmTest.map { it.classpath })
-            task.filter.includeTestsMatching(CLASSES)
         }
     }
 
     /** The folder below `build` for the pictures of [test]: each task has its own, so that Gradle keeps their results. */
-    fun folder(test: Test): String = if (test.name == TASK) "review-pictures" else "pictures"
+    fun folder(test: Test): String = when (test.name) {
+        TASK -> "review-pictures"
+        "jvmTest" -> "pictures"
+        else -> "${test.name}-pictures"
+    }
 }

@@ -11,6 +11,9 @@ import org.gradle.api.file.FileCollection
  * Groovy.
  */
 object CodeStyle {
+    const val CHECK_SCRIPTS = "checkBuildScripts"
+    const val CHECK_STYLE = "checkCodeStyle"
+
     fun register(project: Project) {
         val ktlint = ktlint(project)
         val scripts = kotlinFiles(project, "**/*.gradle.kts")
@@ -21,12 +24,12 @@ object CodeStyle {
             task.root.set(project.layout.projectDirectory)
             task.report.set(project.layout.buildDirectory.file("reports/ktlint/${task.name}.txt"))
         }
-        val checkScripts = project.tasks.register("checkBuildScripts", Ktlint::class.java) {
+        val checkScripts = project.tasks.register(CHECK_SCRIPTS, Ktlint::class.java) {
             it.group = "verification"
             it.description = "Checks that every build script is legal Kotlin, in our style."
             it.files.from(scripts)
         }
-        val checkStyle = project.tasks.register("checkCodeStyle", Ktlint::class.java) {
+        val checkStyle = project.tasks.register(CHECK_STYLE, Ktlint::class.java) {
             it.group = "verification"
             it.description = "Checks that all Kotlin is in the project's style."
             it.files.from(sources)

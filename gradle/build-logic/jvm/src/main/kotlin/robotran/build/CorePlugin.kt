@@ -28,7 +28,11 @@ class CorePlugin : Plugin<Project> {
             }
         }
         if (targets.wasm) project.pluginManager.apply("robotran.wasm")
-        if (targets.jvm) FuzzTests.register(project)
+        if (targets.jvm) {
+            TestParts.registerThorough(project, "jvmTest")
+            FuzzTests.register(project)
+            Rings.addToQuick(project, "jvmTest")
+        }
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)

@@ -2,27 +2,33 @@ package robotran.build
 
 import org.gradle.api.Project
 import org.gradle.api.tasks.testing.Test
-import org.gradle.language.base.plugins.LifecycleBasePlugin
+import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /**
- * `fuzzTest`: the tests of a module whose class names end with `FuzzTest`. They try tens of thousands of inputs, so
- * `jvmTest` leaves them out, to be quick after a small change. `check` runs both.
+ * The tests of a module whose class names end with `FuzzTest`, which try arbitrary inputs. In `jvmTest`, and so in
+ * `check`, they replay the inputs that once found a fault, and a few per cent of the others with the seed of
+ * [PropertyTests]. `fuzzTest`, in `checkAll`, tries all of them, with a new seed in each build.
  */
 object FuzzTests {
+    const val TASK = "fuzzTest"
     private const val CLASSES = "*FuzzTest"
     private const val FILES = "src/jvmTest/**/*FuzzTest.kt"
 
+    /** What these tests share, see `Fuzzing.kt` there. */
+    private const val KIT = "shared/language/src/fuzzTest/kotlin"
+
     fun register(project: Project) {
         if (project.fileTree(project.projectDir) { it.include(FILES) }.isEmpty) return
-        val jvmTest = project.tasks.named("jvmTest", Test::class.java)
-        jvmTest.configure { it.filter.excludeTestsMatching(CLASSES) }
-        val fuzzTest = project.tasks.register("fuzzTest", Test::class.java) { task ->
-            task.group = LifecycleBasePlugin.VERIFICATION_GROUP
-            task.description = "Runs the tests with tens of thousands of inputs, on the JVM."
-            task.testClassesDirs = project.files(jvmTest.map { it.testClassesDirs })
-            task.classpath = project.files(jvmTest.map { it.classpath })
-            task.filter.includeTestsMatching(CLASSES)
+        val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
+        kotlin.sourceSets.getByName("jvmTest").kotlin.srcDir(project.rootProject.file(KIT))
+        val all = TestParts.register(project, "jvmTest", TASK, CLASSES)
+        all.configure { task ->
+            task.description = "Tries tens of thousands of arbitrary inputs, on the JVM."
+            task.systemProperty("robotran.fuzz.percent", "100")
         }
-        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(fuzzTest) }
+        project.tasks.withType(Test::class.java).configureEach {
+            it.systemProperty("robotran.fuzz.task", "${project.path}:$TASK")
+        }
+        Rings.addToAll(project, all)
     }
 }

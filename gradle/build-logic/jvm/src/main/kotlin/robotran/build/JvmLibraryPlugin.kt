@@ -12,5 +12,7 @@ class JvmLibraryPlugin : Plugin<Project> {
         project.dependencies.add("testImplementation", "org.jetbrains.kotlin:kotlin-test")
         project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
         project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
+        TestParts.registerThorough(project, "test")
+        Rings.addToQuick(project, "test")
     }
 }

@@ -10,6 +10,7 @@ class RootPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.group = "robotran"
         project.pluginManager.apply("base")
+        Rings.register(project)
         project.objects.newInstance(TaskTimes.Registration::class.java).register(project)
         val setUp =
             project.tasks.register("setUp") { task ->
@@ -35,12 +36,14 @@ class RootPlugin : Plugin<Project> {
         val buildLogic = project.gradle.includedBuild("build-logic")
         project.tasks.named("check") { task ->
             task.dependsOn(moduleMap, wrapper)
-            task.dependsOn(listOf("jvm", "web", "android").map { buildLogic.task(":$it:test") })
+            task.dependsOn(listOf("jvm", "web").map { buildLogic.task(":$it:test") })
             // These take longest. Gradle prefers the tasks of the root project, so they begin as soon as they can.
             if (targets.isComplete) {
                 task.dependsOn(":webApp:browserTest", ":shared:ui:jvmTest", ":wasmTests:wasmJsNodeTest")
             }
         }
+        Rings.addToQuick(project, moduleMap, CodeStyle.CHECK_STYLE, CodeStyle.CHECK_SCRIPTS)
+        if (targets.android) Rings.addToAll(project, buildLogic.task(":android:test"))
     }
 
     private fun registerModuleMapCheck(project: Project) =

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.fuzz.ProgramWriter
@@ -15,9 +16,9 @@ import kotlin.test.assertTrue
 class TranslationFuzzTest {
     @Test
     fun `programs made at random do the same in Java, and the linker of leJOS takes them`() {
-        val programs = (0 until RANDOM_PROGRAMS).associate { number ->
-            val text = ProgramWriter(Random(number)).write()
-            "program $number" to
+        val programs = (1..randomPrograms).associate { number ->
+            val text = ProgramWriter(Random(Fuzzing.seed + number)).write()
+            "program $number of seed ${Fuzzing.seed}" to
                 assertIs<RobolangResult.Ready>(compileRobolang("random", text, testTarget), text).rcxProgram
         }
         val comparison = RunComparison(programs)
@@ -26,10 +27,10 @@ class TranslationFuzzTest {
         assertEquals("", problems.filterNot { it.endsWith(" ldc_w") }.joinToString("\n"))
         val compared = programs.filterValues { !isReacting(it) }.keys.map { comparison.compare(it, emptyList()) }
         assertEquals(emptyList(), compared.filterIsInstance<Comparison.Different>())
-        assertTrue(compared.count { it == Comparison.Same } >= RANDOM_PROGRAMS / 4)
+        assertTrue(compared.count { it == Comparison.Same } >= randomPrograms / 4)
     }
 
     private companion object {
-        const val RANDOM_PROGRAMS = 500
+        val randomPrograms = Fuzzing.share(500)
     }
 }

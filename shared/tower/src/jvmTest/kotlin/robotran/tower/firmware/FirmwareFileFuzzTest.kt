@@ -1,5 +1,6 @@
 package robotran.tower.firmware
 
+import robotran.language.fuzz.Fuzzing
 import robotran.tower.recordedStreams
 import kotlin.random.Random
 import kotlin.test.Test
@@ -7,14 +8,14 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class FirmwareFileFuzzTest {
-    private val random = Random(2005)
+    private val random = Random(Fuzzing.seed)
     private val good = recordedStreams.getValue("madeup.srec").encodeToByteArray()
     private val expected = (readFirmwareFile(good) as FirmwareFile.Read).firmware
 
     @Test
     fun `a file with one wrong character is refused or is the same firmware`() {
         var refused = 0
-        repeat(20_000) {
+        repeat(Fuzzing.share(20_000)) {
             val file = good.copyOf()
             file[random.nextInt(file.size)] = random.nextInt(256).toByte()
             when (val result = readFirmwareFile(file)) {
@@ -22,18 +23,18 @@ class FirmwareFileFuzzTest {
                 is FirmwareFile.Read -> assertEquals(expected.bytes.toList(), result.firmware.bytes.toList())
             }
         }
-        assertTrue(refused > 15_000, "$refused refused")
+        assertTrue(refused > Fuzzing.share(15_000), "$refused refused")
     }
 
     @Test
     fun `no file whatever makes the reader fail`() {
-        repeat(20_000) {
+        repeat(Fuzzing.share(20_000)) {
             var file = good
             repeat(random.nextInt(1, 5)) { file = mutated(file) }
             val result = readFirmwareFile(file)
             if (result is FirmwareFile.Read) assertTrue(result.firmware.bytes.size <= 0x8000)
         }
-        repeat(2_000) { readFirmwareFile(random.nextBytes(random.nextInt(2000))) }
+        repeat(Fuzzing.share(2_000)) { readFirmwareFile(random.nextBytes(random.nextInt(2000))) }
     }
 
     @Test
@@ -41,7 +42,7 @@ class FirmwareFileFuzzTest {
         for (header in listOf("FIRM0328.LGO", "?LIB_VERSION_L00")) {
             val file = legoFile(header)
             assertEquals(FirmwareKind.LEGO, (readFirmwareFile(file) as FirmwareFile.Read).firmware.kind)
-            repeat(300) {
+            repeat(Fuzzing.share(300)) {
                 var damaged = mutated(file)
                 if (damaged.isNotEmpty() &&
                     random.nextBoolean()

@@ -4,6 +4,7 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.SourceSetContainer
 import org.gradle.language.base.plugins.LifecycleBasePlugin
+import robotran.build.Rings
 import robotran.build.ecj.EcjPlugin
 import robotran.build.ecj.RewriteEcj
 
@@ -22,6 +23,6 @@ class AndroidReferencesPlugin : Plugin<Project> {
             task.framework.from(sdk.map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" })
             task.report.set(project.layout.buildDirectory.file("reports/androidReferences.txt"))
         }
-        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(check) }
+        Rings.addToAll(project, check)
     }
 }

@@ -15,10 +15,9 @@ import robotran.build.catalog
 internal class ReleaseChecks(private val project: Project, private val variant: ApplicationVariant) {
     private val reports = project.layout.buildDirectory.dir("reports")
 
-    /** R8 takes several minutes, so these checks are not part of `check`. */
     fun register(verifyApk: TaskProvider<*>) {
         val checks = listOf(registerApiCheck(), registerShrunkRun(), verifyApk)
-        project.tasks.register("checkRelease") {
+        project.tasks.register(TASK) {
             it.group = LifecycleBasePlugin.VERIFICATION_GROUP
             it.description = "Builds the release and looks whether it would run on every Android it is for."
             it.dependsOn(checks)
@@ -95,5 +94,9 @@ internal class ReleaseChecks(private val project: Project, private val variant: 
 
     private fun framework(): Provider<String> = project.providers.environmentVariable("ANDROID_HOME").map {
         "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar"
+    }
+
+    companion object {
+        const val TASK = "checkRelease"
     }
 }
