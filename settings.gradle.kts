@@ -55,6 +55,7 @@ if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
 }
 if (providers.systemProperty("robotran.targets").get().contains("wasm")) {
     include(":wasmTests")
+    include(":allWasmTests")
 }
 if (providers.systemProperty("robotran.targets").get().contains("compose")) {
     include(":shared:workshop")

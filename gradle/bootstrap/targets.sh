@@ -24,7 +24,7 @@ while [ $# -gt 0 ]; do
     :cli:* | :shared:physics:test | :shared:ecj:test) need jvm ;;
     :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui:*[jJ]vm* | :shared:ui:thoroughTest) need jvm compose ;;
     :shared:*:*[jJ]vm* | :shared:*:fuzzTest | :shared:*:thoroughTest) need jvm ;;
-    :wasmTests:* | :webApp:*) need wasm compose ;;
+    :wasmTests:* | :allWasmTests:* | :webApp:*) need wasm compose ;;
     :shared:workshop:*[wW]asm* | :shared:ui:*[wW]asm*) need wasm compose ;;
     :shared:*:*[wW]asm*) need wasm ;;
     :androidApp:*) need jvm android compose ;;

@@ -80,7 +80,13 @@ internal class Mutants(private val random: Random) {
         private const val TIMES = 30
         private const val CHANGES = 24
         private val EXCHANGES = 8 until CHANGES
-        private val KINDS = listOf("[0-9]+", "[+*/%&|^<>=!-]+", "[A-Z_]{3,}[0-9A-Z_]*", "\\b[a-z]+\\b", "[^;{}]+;").map(::Regex)
+        private val KINDS = listOf(
+            "[0-9]+",
+            "[+*/%&|^<>=!-]+",
+            "[A-Z_]{3,}[0-9A-Z_]*",
+            "\\b[a-z]+\\b",
+            "[^;{}]+;",
+        ).map(::Regex)
         private const val OLD = 20
         private const val DELETE = 127
 

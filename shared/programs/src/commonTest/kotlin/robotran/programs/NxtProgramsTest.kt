@@ -4,16 +4,12 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.NxjProgram
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
-
-/** The robot with an NXT of the test programs. */
-internal val nxtTestTarget = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
 
 class NxtProgramsTest {
     private val rcx = ProgramCompiler(testTarget)

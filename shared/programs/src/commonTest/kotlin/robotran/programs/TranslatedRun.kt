@@ -22,6 +22,9 @@ import robotran.robolang.translate.translateRobolang
 /** The robot of the test programs, with round numbers. */
 internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
+/** The robot with an NXT of the test programs. */
+internal val nxtTestTarget = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
+
 /** Compiles [text]; null if it has errors. */
 internal fun robolangOf(name: String, text: String): RobolangRcxProgram? =
     (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)

@@ -36,6 +36,3 @@ class TranslationTest {
         val someTexts = (robolangExamples + robolangPrograms).entries.toList().every(SHARE).associate { it.toPair() }
     }
 }
-
-/** The first element and each [share]-th after it. */
-internal fun <T> List<T>.every(share: Int): List<T> = filterIndexed { index, _ -> index % share == 0 }

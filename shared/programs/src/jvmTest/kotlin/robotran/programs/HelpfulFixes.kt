@@ -3,7 +3,7 @@ package robotran.programs
 import kotlin.random.Random
 
 /** Programs of a language with mistakes, and how many of the fixes that it offers for them do harm. */
-internal class HelpfulFixes(programs: Map<String, String>, seed: Int) {
+internal class HelpfulFixes(programs: Map<String, String>, seed: Long) {
     private val programs = programs.filterValues { it.isNotBlank() }
     private val random = Random(seed)
 

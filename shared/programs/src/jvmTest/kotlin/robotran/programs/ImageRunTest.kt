@@ -1,76 +1,12 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.brick.controls.BrickButton
-import robotran.javacompiler.CompilationResult
-import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.loadJavaCompiler
-import robotran.programs.image.ImageComparison
-import robotran.rcxrom.RcxBrick
-import robotran.robolang.translate.translateRobolang
 import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
-/**
- * The virtual machine in the mode true to the brick does what the brick's image does: class files are linked to an image,
- * class files with made-up names are made of the image again, and both runs make the same ROM calls at the same times.
- */
+/** The examples; `thorough` has all other programs. */
 class ImageRunTest {
-    private val comparison = ImageComparison(BrickLibrary.classFilesOfBrick)
-
-    private suspend fun compare(programs: Map<String, String>, min: Int) {
-        val compiler = loadJavaCompiler()
-        val differences = programs.mapNotNull { (path, text) ->
-            val name = path.substringAfterLast('/')
-            val compiled = compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFilesOfBrick)
-            val classes = (compiled as? CompilationResult.Compiled)?.classes ?: return@mapNotNull null
-            val main = name.removeSuffix(".java")
-            if (main !in compiled.mainClasses) return@mapNotNull null
-            comparison.differenceOf(classes, main, happen = eventsIn(text))?.let { "$path: $it" }
-        }
-        assertEquals("", differences.joinToString("\n"))
-        assertTrue(comparison.compared >= min, "only ${comparison.compared} programs were compared")
-    }
-
     @Test
-    fun `images of the test programs`() = runTest(timeout = 10.minutes) { compare(libraryPrograms, MIN_TESTS) }
-
-    @Test
-    fun `images of the Java examples`() = runTest(timeout = 10.minutes) { compare(lejosExamples, lejosExamples.size) }
-
-    @Test
-    fun `images of what Robolang programs become`() = runTest(timeout = 10.minutes) {
-        val translations = (robolangExamples + robolangPrograms).mapNotNull { (path, text) ->
-            robolangOf(path, text)?.let { translateRobolang(it) }?.let {
-                "$path/${it.fileName}" to
-                    it.java + commentsOf(text)
-            }
-        }
-        compare(translations.toMap(), MIN_TRANSLATIONS)
-    }
-
-    /** Sensors that the Robolang program expects, for the Java that it becomes. */
-    private fun commentsOf(text: String) = sensorsIn(text).joinToString("") {
-        "\n// sensor ${it.port} at ${it.milliseconds}: raw ${it.raw}"
-    }
-
-    private fun eventsIn(text: String): (RcxBrick, Long) -> Unit {
-        val sensors = sensorsIn(text).groupBy { it.milliseconds }
-        val buttons = BUTTON.findAll(text).map { it.destructured }.groupBy { it.component2().toLong() }
-        return { brick, time ->
-            sensors[time]?.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
-            buttons[time]?.forEach { (name, _, action) ->
-                val button = BrickButton.valueOf(name)
-                if (action == "pressed") brick.press(button) else brick.release(button)
-            }
-        }
-    }
-
-    private companion object {
-        const val MIN_TESTS = 100
-        const val MIN_TRANSLATIONS = 200
-        val BUTTON = Regex("""button (\w+) at (\d+): (\w+)""")
-    }
+    fun `images of the Java examples`() =
+        runTest(timeout = 10.minutes) { ImageRuns().compare(lejosExamples, lejosExamples.size) }
 }

@@ -26,6 +26,7 @@ import robotran.robolang.fuzz.runFor
 import robotran.robolang.fuzz.spoiltProgram
 import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.readNumber
 import kotlin.random.Random
 
@@ -94,6 +95,7 @@ class RobolangFuzzTest :
         }
 
         "the longest programs are read without harm" {
-            longestPrograms().forEach(::checkHarmless)
+            val half = RobolangLimits.SOURCE_CHARACTERS / 2
+            longestPrograms(Fuzzing.share(half, atLeast = half / 8)).forEach(::checkHarmless)
         }
     })

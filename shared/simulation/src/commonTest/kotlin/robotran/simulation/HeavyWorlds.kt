@@ -109,8 +109,12 @@ internal object HeavyWorlds {
         }
     }
 
-    /** A session of sixty virtual seconds in the world [number], with user input. */
-    suspend fun session(number: Int): Session {
+    private val sessions = mutableMapOf<Int, Session>()
+
+    /** A session of sixty virtual seconds in the world [number], with user input; it is run once for all tests. */
+    suspend fun session(number: Int): Session = sessions[number] ?: run(number).also { sessions[number] = it }
+
+    private suspend fun run(number: Int): Session {
         val session = Session(world(number), loads(number), loadPhysicsEngine())
         for (robot in 0..2) {
             session.apply(SessionInput.Press(BrickButton.RUN, robot))

@@ -15,6 +15,7 @@ import io.kotest.property.checkAll
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -70,11 +71,11 @@ class RobotProperties :
         }
 
         "a random robot with an RCX is refused, or drives for a minute without leaving its pen" {
-            check(BrickKind.RCX, scriptedRcx, times = 180)
+            check(BrickKind.RCX, scriptedRcx, times = Fuzzing.share(180, atLeast = 20))
         }
 
         "so is or does one with an NXT" {
-            check(BrickKind.NXT, scriptedNxt, times = 150)
+            check(BrickKind.NXT, scriptedNxt, times = Fuzzing.share(150, atLeast = 20))
         }
 
         "a robot whose file was damaged is refused, or drives" {
@@ -95,7 +96,8 @@ class RobotProperties :
                 "[]",
             )
             var driven = 0
-            checkAll(600, robots, Arb.int(0..10_000), factors, others) { ready, place, factor, other ->
+            val times = Fuzzing.share(600, atLeast = 60)
+            checkAll(times, robots, Arb.int(0..10_000), factors, others) { ready, place, factor, other ->
                 val whole = writeRobot(ready.copy(base = null))
                 val values = VALUE.findAll(whole).filter { whole[it.range.last + 1] != ':' }.toList()
                 val value = values[place % values.size]
@@ -106,7 +108,7 @@ class RobotProperties :
                 driven++
                 DriveInPen(robot, heading = 30.0, realism = 1.0, programFor(robot), physics).letDrive(SECONDS)
             }
-            driven shouldBeGreaterThan 60
+            driven shouldBeGreaterThan times / 10
         }
     })
 

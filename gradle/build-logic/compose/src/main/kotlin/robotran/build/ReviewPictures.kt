@@ -16,7 +16,7 @@ object ReviewPictures {
         if (project.fileTree(project.projectDir) { it.include(FILES) }.isEmpty) return
         val jvmTest = project.tasks.named("jvmTest", Test::class.java)
         jvmTest.configure { it.filter.excludeTestsMatching(CLASSES) }
-        TestParts.register(project, "jvmTest", TASK, CLASSES).configure { task ->
+        TestParts.register(project, "jvmTest", TASK, listOf(CLASSES)).configure { task ->
             task.group = "documentation"
             task.description = "Draws pictures of the screens for review into build/review-pictures."
         }

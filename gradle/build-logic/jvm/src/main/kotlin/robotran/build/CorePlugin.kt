@@ -17,6 +17,8 @@ class CorePlugin : Plugin<Project> {
             if (targets.jvm) kotlin.jvm()
             if (targets.wasm) kotlin.wasmJs { nodejs() }
             declareSourceSets(kotlin, "jvmMain", "jvmTest", "wasmJsMain", "wasmJsTest")
+            // What may depend on the target: the tests of these folders run as wasm in every check, the others in `checkAll`.
+            kotlin.sourceSets.getByName("commonTest").kotlin.srcDir("src/contractTest/kotlin")
             kotlin.sourceSets.getByName("commonTest").dependencies {
                 implementation(kotlin("test"))
                 implementation(libraries.findLibrary("coroutines-test").get())

@@ -44,7 +44,9 @@ private const val SEED = "kotest.proptest.default.seed"
 internal abstract class FreshSeed : BuildService<BuildServiceParameters.None> {
     val seed: Int by lazy {
         Random.nextInt(0, Int.MAX_VALUE).also {
-            Logging.getLogger(FreshSeed::class.java).quiet("Fuzz tests use the seed $it: -PpropertySeed=$it repeats them.")
+            Logging.getLogger(
+                FreshSeed::class.java,
+            ).quiet("Fuzz tests use the seed $it: -PpropertySeed=$it repeats them.")
         }
     }
 }

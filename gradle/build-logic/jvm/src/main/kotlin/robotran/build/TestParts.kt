@@ -10,14 +10,14 @@ object TestParts {
     /** `thoroughTest`: what stands in packages with this segment is left out of [tests] and runs in `checkAll`. */
     private const val THOROUGH = "thorough"
 
-    /** A task [name] that runs the classes of [tests] that match the pattern [classes]. */
-    fun register(project: Project, tests: String, name: String, classes: String): TaskProvider<Test> {
+    /** A task [name] that runs the classes of [tests] that match one of the patterns [classes]. */
+    fun register(project: Project, tests: String, name: String, classes: List<String>): TaskProvider<Test> {
         val whole = project.tasks.named(tests, Test::class.java)
         return project.tasks.register(name, Test::class.java) { task ->
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP
             task.testClassesDirs = project.files(whole.map { it.testClassesDirs })
             task.classpath = project.files(whole.map { it.classpath })
-            task.filter.includeTestsMatching(classes)
+            classes.forEach(task.filter::includeTestsMatching)
         }
     }
 
@@ -25,7 +25,7 @@ object TestParts {
         if (project.fileTree(project.projectDir) { it.include("src/*/**/$THOROUGH/**/*.kt") }.isEmpty) return
         val classes = "*.$THOROUGH.*"
         project.tasks.named(tests, Test::class.java) { it.filter.excludeTestsMatching(classes) }
-        val thorough = register(project, tests, "${THOROUGH}Test", classes)
+        val thorough = register(project, tests, "${THOROUGH}Test", listOf(classes))
         thorough.configure { it.description = "Runs the tests that take longer than they find, on the JVM." }
         Rings.addToAll(project, thorough)
     }

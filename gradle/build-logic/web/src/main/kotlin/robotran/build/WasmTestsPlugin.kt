@@ -5,10 +5,14 @@ import org.gradle.api.Project
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import org.jetbrains.kotlin.gradle.tasks.Kotlin2JsCompile
+import java.io.File
 
 /**
  * Compiles the wasm tests of all core modules together, links them to one executable, and runs it in Node. Linking takes
  * most of the time of a wasm test and includes all libraries each time, so one link replaces one for each module.
+ *
+ * The project `wasmTests` holds the contract: the tests in `src/contractTest` of each module, about what may depend on the
+ * target. `allWasmTests`, in `checkAll`, holds all.
  */
 class WasmTestsPlugin : Plugin<Project> {
     @OptIn(ExperimentalWasmDsl::class)
@@ -17,13 +21,16 @@ class WasmTestsPlugin : Plugin<Project> {
         project.pluginManager.apply("robotran.physics-web")
         project.pluginManager.apply("robotran.ecj-web")
         WebTools.use(project)
-        leaveOutOfCheck(project, "allTests")
+        val hasAll = project.name == ALL
+        leaveOutOfCheck(project, *if (hasAll) arrayOf("allTests", RUN) else arrayOf("allTests"))
+        if (hasAll) Rings.addToAll(project, RUN)
         val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
         kotlin.wasmJs { nodejs() }
         kotlin.sourceSets.getByName("wasmJsTest").dependencies {
             implementation(kotlin("test"))
             implementation(catalog(project).findLibrary("coroutines-test").get())
         }
+        if (!hasAll) kotlin.sourceSets.getByName("wasmJsTest").kotlin.exclude { isOtherTest(it.file) }
         project.rootProject.subprojects { module ->
             module.pluginManager.withPlugin("robotran.core") { include(module, project, kotlin) }
         }
@@ -41,5 +48,14 @@ class WasmTestsPlugin : Plugin<Project> {
         project.tasks.named("compileTestKotlinWasmJs", Kotlin2JsCompile::class.java) { compile ->
             compile.friendPaths.from(main.flatMap { it.destinationDirectory })
         }
+    }
+
+    /** A test that is not in the contract. Other files may hold what tests share. */
+    private fun isOtherTest(file: File): Boolean =
+        file.name.endsWith("Test.kt") && "/src/contractTest/" !in file.invariantSeparatorsPath
+
+    private companion object {
+        const val ALL = "allWasmTests"
+        const val RUN = "wasmJsNodeTest"
     }
 }

@@ -14,8 +14,8 @@ object Fuzzing {
     private val percent = Integer.getInteger("robotran.fuzz.percent", 3)
     private val task = System.getProperty("robotran.fuzz.task")
 
-    /** Of [all] inputs, as many as this process tries: all of them in `fuzzTest`, a few per cent in `jvmTest`. */
-    fun share(all: Int): Int = maxOf(1, all * percent / 100)
+    /** Of [all] inputs, as many as this process tries: all in `fuzzTest`; in `jvmTest` a few per cent, or [atLeast]. */
+    fun share(all: Int, atLeast: Int = 1): Int = maxOf(atLeast, all * percent / 100)
 
     /**
      * Calls [check] for the [share] of [all] numbers, each with its own random numbers, and returns for how many it is
@@ -25,7 +25,10 @@ object Fuzzing {
         try {
             check(Random(seed + number))
         } catch (failure: Throwable) {
-            throw AssertionError("$failure, with input $number: ./gradlew $task -PpropertySeed=$seed repeats it", failure)
+            throw AssertionError(
+                "$failure, with input $number: ./gradlew $task -PpropertySeed=$seed repeats it",
+                failure,
+            )
         }
     }
 

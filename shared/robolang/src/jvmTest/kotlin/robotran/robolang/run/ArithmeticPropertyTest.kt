@@ -14,12 +14,13 @@ import robotran.robolang.SensorEvent
 import robotran.robolang.mistakesOf
 import robotran.robolang.programOf
 import robotran.robolang.runOn
+import robotran.language.fuzz.Fuzzing
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
 class ArithmeticPropertyTest :
     StringSpec({
-        val config = PropTestConfig(seed = 2005, iterations = 2_000)
+        val config = PropTestConfig(iterations = Fuzzing.share(2_000, atLeast = 200))
 
         "arithmetic is Java's" {
             checkAll(config, expression()) { (text, value) ->
@@ -36,7 +37,7 @@ class ArithmeticPropertyTest :
         }
 
         "a small budget does the same at the same times as a large one" {
-            checkAll(PropTestConfig(seed = 2005, iterations = 300), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) {
+            checkAll(PropTestConfig(iterations = Fuzzing.share(300, atLeast = 30)), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) {
                 steps,
                 left,
                 right,

@@ -9,6 +9,7 @@ import io.kotest.property.PropTestConfig
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.numericFloat
 import io.kotest.property.checkAll
+import robotran.language.fuzz.Fuzzing
 import kotlin.math.abs
 import kotlin.math.atan2
 import kotlin.math.ceil
@@ -20,7 +21,7 @@ import kotlin.math.sin
 @OptIn(ExperimentalKotest::class)
 class DecimalMathPropertyTest :
     StringSpec({
-        val config = PropTestConfig(seed = 2005, iterations = 20_000)
+        val config = PropTestConfig(iterations = Fuzzing.share(20_000))
         val angles = Arb.numericFloat(-100_000f, 100_000f)
 
         "sine and cosine are right to 3e-7" {

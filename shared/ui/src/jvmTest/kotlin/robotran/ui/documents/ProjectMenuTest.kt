@@ -18,11 +18,11 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.ui.language.InLanguage
 import robotran.ui.screen.noticeText
+import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
@@ -260,7 +260,7 @@ class ProjectMenuTest {
         shown(machine.window(*openRequests), check)
 
     private fun shown(workshop: Workshop, check: ComposeUiTest.(Workshop) -> Unit) {
-        runDesktopComposeUiTest(411, 891) {
+        undrawnTest(411, 891) {
             setContent {
                 InLanguage(workshop.state.settings.language ?: Language.ENGLISH) {
                     RobotranTheme(dark = false) {

@@ -24,20 +24,24 @@ internal object GoldenPicture {
 
     /** Fails if [picture] differs from the reference [name]. */
     fun check(name: String, picture: Image) {
-        File(seen, "$name.png").writeBytes(bytesOf(picture))
         val small = quarterOf(picture)
         val file = File(kept, "$name.png")
         if (recording) {
+            show(name, picture)
             kept.mkdirs()
             file.writeBytes(bytesOf(small))
         }
-        if (!file.exists()) fail("There is no picture $name yet: look at ${File(seen, "$name.png")} and record it.")
+        if (!file.exists()) fail("There is no picture $name yet: look at ${show(name, picture)} and record it.")
         val wanted = Image.makeFromEncoded(file.readBytes())
         val other = share(tilesOf(small), tilesOf(wanted))
         if (other > MAX_OTHER_TILES) {
-            fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${File(seen, "$name.png")}.")
+            fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${show(name, picture)}.")
         }
     }
+
+    /** Saves [picture] for review. */
+    private fun show(name: String, picture: Image): File =
+        File(seen, "$name.png").apply { writeBytes(bytesOf(picture)) }
 
     private fun share(seen: List<IntArray>, wanted: List<IntArray>): Double {
         if (seen.size != wanted.size) return 1.0

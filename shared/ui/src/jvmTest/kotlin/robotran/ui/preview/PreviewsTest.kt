@@ -5,12 +5,10 @@ import androidx.compose.foundation.layout.wrapContentSize
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.captureToImage
-import androidx.compose.ui.test.onNodeWithTag
-import androidx.compose.ui.test.runDesktopComposeUiTest
+import robotran.ui.screen.pixelsOf
+import robotran.ui.screen.undrawnTest
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
@@ -53,12 +51,12 @@ class PreviewsTest {
     @OptIn(ExperimentalTestApi::class)
     private fun coloursOf(preview: @Composable () -> Unit): Int {
         var colours = 0
-        runDesktopComposeUiTest(WIDTH, HEIGHT) {
+        undrawnTest(WIDTH, HEIGHT) {
             mainClock.autoAdvance = false
             setContent { Box(Modifier.testTag("preview").wrapContentSize(Alignment.TopStart)) { preview() } }
             repeat(FRAMES) { mainClock.advanceTimeByFrame() }
             waitForIdle()
-            val pixels = onNodeWithTag("preview").captureToImage().toPixelMap()
+            val pixels = pixelsOf("preview")
             colours = (0 until pixels.width step 2).flatMapTo(HashSet()) { x ->
                 (0 until pixels.height step 2).map { y -> pixels[x, y] }
             }.size

@@ -4,7 +4,6 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
@@ -32,7 +31,7 @@ internal fun onScreenOf(
     check: ComposeUiTest.() -> Unit,
 ) {
     try {
-        runDesktopComposeUiTest(width, height) {
+        undrawnTest(width, height) {
             mainClock.autoAdvance = false
             setContent { Undrawn { RobotranApp(workshop, dark = false, embedded = embedded) } }
             pass(SETTLE_MILLIS)

@@ -36,9 +36,9 @@ internal fun ComposeUiTest.assertUnmoved(before: Map<String, Rect>, tags: Collec
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.isThere(tag: String): Boolean = onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
 
-/** Fails unless [tag] is fully visible. */
+/** Fails unless [tag] is fully visible; returns its position. */
 @OptIn(ExperimentalTestApi::class)
-internal fun ComposeUiTest.assertWhole(tag: String, told: String) {
+internal fun ComposeUiTest.assertWhole(tag: String, told: String): Rect {
     val node = onNodeWithTag(tag).fetchSemanticsNode()
     assertEquals(node.size.width.toFloat(), node.boundsInRoot.width, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
     assertEquals(
@@ -47,6 +47,7 @@ internal fun ComposeUiTest.assertWhole(tag: String, told: String) {
         0.5f,
         "$told: $tag is cut at ${node.boundsInRoot}",
     )
+    return node.boundsInRoot
 }
 
 /**

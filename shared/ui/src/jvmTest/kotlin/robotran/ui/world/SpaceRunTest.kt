@@ -46,9 +46,9 @@ class SpaceRunTest {
     }
 
     private companion object {
-        const val WIDTH = 1024
-        const val HEIGHT = 768
-        const val FRAMES = 200
-        const val FRAME_NANOSECONDS = 16_666_667L
+        const val WIDTH = 640
+        const val HEIGHT = 480
+        const val FRAMES = 60
+        const val FRAME_NANOSECONDS = 50_000_000L
     }
 }

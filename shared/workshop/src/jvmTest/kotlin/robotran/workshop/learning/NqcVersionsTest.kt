@@ -68,7 +68,7 @@ class NqcVersionsTest {
     }
 
     private companion object {
-        const val SEEDS = 6
+        const val SEEDS = 2
 
         /** Their programs have something that NQC cannot do, each with its harder variations. */
         val UNTRANSLATED = listOf("thermometer", "line-gaps", "long-way", "remote-message")

@@ -15,7 +15,6 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.toSize
@@ -27,6 +26,7 @@ import robotran.ui.screen.Undrawn
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.undrawnTest
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.WorkshopEvent
@@ -57,7 +57,7 @@ internal fun onTabletInBlocks(
 ) {
     val workshop = runBlocking { openWorkshop() }
     try {
-        runDesktopComposeUiTest(1280, 800) {
+        undrawnTest(1280, 800) {
             mainClock.autoAdvance = false
             setContent {
                 CompositionLocalProvider(

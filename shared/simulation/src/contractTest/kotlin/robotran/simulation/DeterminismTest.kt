@@ -28,11 +28,7 @@ class DeterminismTest {
     fun `ten worlds full of things make the same runs on every target`() = runTest(timeout = 10.minutes) {
         assertEquals(
             recorded,
-            List(10) { number ->
-                val session = HeavyWorlds.session(number)
-                session.close()
-                session.traceHash
-            },
+            List(10) { HeavyWorlds.session(it).traceHash },
         )
     }
 

@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.language.fuzz.Fuzzing
 import robotran.language.Language
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
@@ -11,7 +12,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 /** A fix that is offered leaves a program with fewer mistakes, and with none that is new. */
-class HelpfulFixesTest {
+class HelpfulFixesFuzzTest {
     private val compiler = ProgramCompiler(testTarget)
 
     @Test
@@ -27,13 +28,13 @@ class HelpfulFixesTest {
     @Test
     fun `the languages seldom suggest a fix that has to be dropped`() {
         val robolang = RobolangProgramCompiler(testTarget, RobolangMessages.of(Language.ENGLISH))
-        val ofRobolang = HelpfulFixes(robolangPrograms + robolangExamples, seed = 2)
-        ofRobolang.check(PROGRAMS, { name, text -> ProgramSource.Robolang(name, text) }) {
+        val ofRobolang = HelpfulFixes(robolangPrograms + robolangExamples, Fuzzing.seed)
+        ofRobolang.check(count, { name, text -> ProgramSource.Robolang(name, text) }) {
             robolang.read(it as ProgramSource.Robolang)
         }
         val nqc = FirmwareProgramCompiler(FirmwareSettings(), Language.ENGLISH)
-        val ofNqc = HelpfulFixes(nqcExamples + nqcPrograms, seed = 3)
-        ofNqc.check(PROGRAMS, { name, text -> ProgramSource.Nqc(name, listOf(SourceFile(name, text))) }) {
+        val ofNqc = HelpfulFixes(nqcExamples + nqcPrograms, Fuzzing.seed)
+        ofNqc.check(count, { name, text -> ProgramSource.Nqc(name, listOf(SourceFile(name, text))) }) {
             nqc.read(it as ProgramSource.Nqc)
         }
         for (fixes in listOf(ofRobolang, ofNqc)) {
@@ -65,14 +66,14 @@ class HelpfulFixesTest {
         ProgramDiagnostic("a.robo", SourceRange(line, 1, 2), message)
 
     private fun assertHelpful(programs: Map<String, String>, sourceOf: (String, String) -> ProgramSource) {
-        val fixes = HelpfulFixes(programs, seed = 1)
-        fixes.check(PROGRAMS, sourceOf) { compiler.compileNow(it) }
-        assertTrue(fixes.offered > PROGRAMS / 5, "${fixes.offered}")
+        val fixes = HelpfulFixes(programs, Fuzzing.seed)
+        fixes.check(count, sourceOf) { compiler.compileNow(it) }
+        assertTrue(fixes.offered > count / 5, "${fixes.offered}")
         assertEquals(emptyList(), fixes.harmful)
     }
 
     private companion object {
-        const val PROGRAMS = 1_500
+        val count = Fuzzing.share(1_500, atLeast = 300)
         const val MAX_DROPPED = 0.4
 
         /** Fixes that are printed. */

@@ -1,10 +1,13 @@
-package robotran.programs
+package robotran.programs.thorough
 
-import kotlinx.coroutines.test.runTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
+import kotlinx.coroutines.test.runTest
+import robotran.programs.NxtComparison
+import robotran.programs.NxtTranslatedExamplesTest
+import robotran.programs.robolangPrograms
 
 /** The same as [NxtTranslatedExamplesTest] with the test programs of Robolang. */
 class NxtTranslatedProgramsTest {

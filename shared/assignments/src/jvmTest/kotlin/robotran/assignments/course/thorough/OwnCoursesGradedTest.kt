@@ -1,5 +1,6 @@
-package robotran.assignments.course
+package robotran.assignments.course.thorough
 
+import robotran.assignments.course.OwnCourses
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.Submission
 import robotran.assignments.doing.firstPrograms

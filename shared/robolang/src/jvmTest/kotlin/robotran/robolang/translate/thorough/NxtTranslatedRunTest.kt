@@ -1,5 +1,11 @@
-package robotran.robolang.translate
+package robotran.robolang.translate.thorough
 
+import robotran.robolang.translate.translateRobolang
+import robotran.robolang.translate.runNxtJava
+import robotran.robolang.translate.nxtPrograms
+import robotran.robolang.translate.isReacting
+import robotran.robolang.translate.interpretOnNxt
+import robotran.robolang.translate.LejosCompiler
 import robotran.brick.controls.MotorPort
 import robotran.robolang.Expectations
 import robotran.robolang.RobolangNxtProgram

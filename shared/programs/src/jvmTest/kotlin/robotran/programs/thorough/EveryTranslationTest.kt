@@ -1,8 +1,13 @@
-package robotran.programs
+package robotran.programs.thorough
 
-import kotlinx.coroutines.test.runTest
 import kotlin.test.Test
 import kotlin.time.Duration.Companion.minutes
+import kotlinx.coroutines.test.runTest
+import robotran.programs.NxtTranslatedPoses
+import robotran.programs.TranslatedPoses
+import robotran.programs.TranslationDifferences
+import robotran.programs.robolangExamples
+import robotran.programs.robolangPrograms
 
 /** All Robolang programs and examples against their translations. */
 class EveryTranslationTest {
