@@ -1,7 +1,7 @@
 package robotran.programs
 
-import robotran.language.fuzz.Fuzzing
 import robotran.language.Language
+import robotran.language.fuzz.Fuzzing
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages

@@ -20,7 +20,9 @@ object FuzzTests {
     private const val FEW_INPUTS = 150
 
     fun register(project: Project) {
-        val files = project.fileTree(project.projectDir) { tree -> CLASSES.forEach { tree.include("src/jvmTest/**/$it.kt") } }
+        val files = project.fileTree(project.projectDir) { tree ->
+            CLASSES.forEach { tree.include("src/jvmTest/**/$it.kt") }
+        }
         if (files.isEmpty) return
         val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
         kotlin.sourceSets.getByName("jvmTest").kotlin.srcDir(project.rootProject.file(KIT))

@@ -1,13 +1,13 @@
 package robotran.programs.thorough
 
-import kotlin.test.Test
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.programs.NxtTranslatedPoses
 import robotran.programs.TranslatedPoses
 import robotran.programs.TranslationDifferences
 import robotran.programs.robolangExamples
 import robotran.programs.robolangPrograms
+import kotlin.test.Test
+import kotlin.time.Duration.Companion.minutes
 
 /** All Robolang programs and examples against their translations. */
 class EveryTranslationTest {

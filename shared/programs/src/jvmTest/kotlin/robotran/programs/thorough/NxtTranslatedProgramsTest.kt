@@ -1,13 +1,13 @@
 package robotran.programs.thorough
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.programs.NxtComparison
 import robotran.programs.NxtTranslatedExamplesTest
 import robotran.programs.robolangPrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 /** The same as [NxtTranslatedExamplesTest] with the test programs of Robolang. */
 class NxtTranslatedProgramsTest {

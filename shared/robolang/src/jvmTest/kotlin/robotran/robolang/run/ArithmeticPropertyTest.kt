@@ -8,13 +8,13 @@ import io.kotest.property.PropTestConfig
 import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
+import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RecordedCall
 import robotran.robolang.RecordingRom
 import robotran.robolang.SensorEvent
 import robotran.robolang.mistakesOf
 import robotran.robolang.programOf
 import robotran.robolang.runOn
-import robotran.language.fuzz.Fuzzing
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
@@ -37,7 +37,12 @@ class ArithmeticPropertyTest :
         }
 
         "a small budget does the same at the same times as a large one" {
-            checkAll(PropTestConfig(iterations = Fuzzing.share(300, atLeast = 30)), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) {
+            checkAll(
+                PropTestConfig(iterations = Fuzzing.share(300, atLeast = 30)),
+                Arb.int(1, 7),
+                Arb.int(0, 400),
+                Arb.int(0, 400),
+            ) {
                 steps,
                 left,
                 right,

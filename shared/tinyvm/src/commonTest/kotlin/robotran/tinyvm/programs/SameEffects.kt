@@ -47,7 +47,12 @@ internal object SameEffects {
 
     fun check(mode: TinyVmMode, speed: TinyVmSpeed, shares: IntRange) {
         val random = Random(8)
-        val programs = testPrograms.keys.sorted().filterIndexed { place, _ -> place % SHARES in shares }.mapNotNull { path ->
+        val programs = testPrograms.keys.sorted().filterIndexed {
+            place,
+            _,
+            ->
+            place % SHARES in shares
+        }.mapNotNull { path ->
             (link(path, mode = mode, speed = speed) as? TinyVmResult.Ready)?.let { path to it.program }
         }
         assertTrue(programs.size > 20 * shares.count(), "There are only ${programs.size} programs.")
@@ -73,7 +78,6 @@ internal object SameEffects {
         val heaps = listOf(fast, debugged).map { it.run.machine.heap.words }
         assertTrue(heaps[0].contentEquals(heaps[1]), "$path: the heaps differ")
     }
-
 
     private const val ROUNDS = 150
 

@@ -16,6 +16,5 @@ class SameEffectsTest {
     fun `on a brick at full speed`() = SameEffects.check(TinyVmMode.BRICK, TinyVmSpeed.UNLIMITED, 2..2)
 
     @Test
-    fun `with garbage collection at full speed`() =
-        SameEffects.check(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED, 3..3)
+    fun `with garbage collection at full speed`() = SameEffects.check(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED, 3..3)
 }

@@ -1,8 +1,8 @@
 package robotran.assignments.course.thorough
 
-import robotran.assignments.course.OwnCourses
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.Submission
+import robotran.assignments.course.OwnCourses
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan

@@ -1,11 +1,5 @@
 package robotran.robolang.translate.thorough
 
-import robotran.robolang.translate.translateRobolang
-import robotran.robolang.translate.runNxtJava
-import robotran.robolang.translate.nxtPrograms
-import robotran.robolang.translate.isReacting
-import robotran.robolang.translate.interpretOnNxt
-import robotran.robolang.translate.LejosCompiler
 import robotran.brick.controls.MotorPort
 import robotran.robolang.Expectations
 import robotran.robolang.RobolangNxtProgram
@@ -19,6 +13,12 @@ import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.testNxt
 import robotran.robolang.testPrograms
+import robotran.robolang.translate.LejosCompiler
+import robotran.robolang.translate.interpretOnNxt
+import robotran.robolang.translate.isReacting
+import robotran.robolang.translate.nxtPrograms
+import robotran.robolang.translate.runNxtJava
+import robotran.robolang.translate.translateRobolang
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
