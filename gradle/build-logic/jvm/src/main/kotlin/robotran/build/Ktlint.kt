@@ -3,6 +3,7 @@ package robotran.build
 import org.gradle.api.DefaultTask
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.FileType
 import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
@@ -16,6 +17,9 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.process.ExecOperations
+import org.gradle.work.ChangeType
+import org.gradle.work.Incremental
+import org.gradle.work.InputChanges
 import javax.inject.Inject
 
 /** Runs ktlint on [files]. Fails if one is not in the project's style, or with [format] cannot be put into it. */
@@ -28,6 +32,7 @@ abstract class Ktlint
 
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
+        @get:Incremental
         abstract val files: ConfigurableFileCollection
 
         /** `.editorconfig`. */
@@ -50,8 +55,13 @@ abstract class Ktlint
             format.convention(false)
         }
 
+        /** Only files that have changed since a run that found nothing; all of them when the style has changed. */
         @TaskAction
-        fun run() {
+        fun run(changes: InputChanges) {
+            val changed = changes.getFileChanges(files)
+                .filter { it.changeType != ChangeType.REMOVED && it.fileType == FileType.FILE }
+                .map { it.file }
+            if (changed.isEmpty()) return
             val rootFolder = root.get().asFile
             val options =
                 if (format.get()) {
@@ -65,7 +75,7 @@ abstract class Ktlint
                 java.jvmArgs("-Xmx768m", "-XX:+UseSerialGC", "--add-opens=java.base/java.lang=ALL-UNNAMED")
                 java.workingDir = rootFolder
                 java.args(listOf("--relative") + options)
-                java.args(files.files.map { it.relativeTo(rootFolder).invariantSeparatorsPath }.sorted())
+                java.args(changed.map { it.relativeTo(rootFolder).invariantSeparatorsPath }.sorted())
             }
         }
     }

@@ -54,14 +54,6 @@ class ProgramDownloadTest {
     }
 
     @Test
-    fun `the largest example arrives though 5 percent of all bytes are lost`() = runTest(timeout = 180.seconds) {
-        val line = TestLine(this, lejos, faults = LineFaults(seed = 22, loss = 0.05))
-        assertIs<TransferResult.Complete>(line.tower.sendProgram(largestImage))
-        assertContentEquals(largestImage, lejos.program)
-        assertTrue(currentTime < 3_600_000, "$currentTime ms")
-    }
-
-    @Test
     fun `an image arrives through the USB tower though 5 percent of all bytes are lost`() = runTest {
         val line = TestLine(this, lejos, TowerKind.USB, LineFaults(seed = 22, loss = 0.05))
         assertIs<TransferResult.Complete>(line.tower.sendProgram(smallImage))
