@@ -66,7 +66,7 @@ class RobotProperties :
                 val program = if (isScripted) scripted else programFor(robot)
                 if (DriveInPen(robot, heading.toDouble(), noise / 3.0, program, physics).letDrive(MINUTE) > 1) moved++
             }
-            driven shouldBeGreaterThan times / 5
+            driven shouldBeGreaterThan times / 10
             moved shouldBeGreaterThan driven * 9 / 10
         }
 

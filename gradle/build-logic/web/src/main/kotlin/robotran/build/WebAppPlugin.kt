@@ -30,6 +30,12 @@ class WebAppPlugin : Plugin<Project> {
         addReleaseTest(project, sites.addRelease())
         sites.addRecording()
         addMeasuring(project)
+        joinRings(project)
+    }
+
+    private fun joinRings(project: Project) {
+        Rings.addToQuick(project, project.tasks.matching { it.name == "quickTest" })
+        Rings.addToAll(project, "engineTest", "releaseTest", project.tasks.matching { it.name == "allBrowserTests" })
     }
 
     @OptIn(ExperimentalWasmDsl::class)

@@ -3,6 +3,7 @@ package robotran.assignments.course.thorough
 import kotlinx.coroutines.test.runTest
 import robotran.assignments.collecting.Submission
 import robotran.assignments.course.OwnCourses
+import robotran.assignments.course.assignmentId
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
