@@ -24,6 +24,7 @@ kotlin {
         jvmTest {
             // Random programs and texts, shared with the tests of the language.
             kotlin.srcDir(rootProject.file("shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz"))
+            resources.srcDir(rootProject.file("shared/robolang/src/jvmTest/resources"))
         }
     }
 }
