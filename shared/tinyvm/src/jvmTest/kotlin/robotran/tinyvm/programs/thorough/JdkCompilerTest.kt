@@ -1,7 +1,11 @@
-package robotran.tinyvm.programs
+package robotran.tinyvm.programs.thorough
 
 import robotran.tinyvm.JavaCompiler
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.programs.Expectations
+import robotran.tinyvm.programs.RecordingBrick
+import robotran.tinyvm.programs.classFilesOf
+import robotran.tinyvm.programs.link
 import robotran.tinyvm.testPrograms
 import kotlin.test.Test
 import kotlin.test.assertEquals
