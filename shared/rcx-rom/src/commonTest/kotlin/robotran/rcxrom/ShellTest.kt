@@ -213,10 +213,3 @@ class ShellTest {
         }
     }
 }
-
-internal fun RcxBrick.push(button: BrickButton) {
-    press(button)
-    release(button)
-}
-
-internal fun RcxBrick.tick(milliseconds: Int) = repeat(milliseconds) { tick() }
