@@ -30,12 +30,8 @@ class WebAppPlugin : Plugin<Project> {
         addReleaseTest(project, sites.addRelease())
         sites.addRecording()
         addMeasuring(project)
-        joinRings(project)
-    }
-
-    private fun joinRings(project: Project) {
-        Rings.addToQuick(project, project.tasks.matching { it.name == "quickTest" })
-        Rings.addToAll(project, "engineTest", "releaseTest", project.tasks.matching { it.name == "allBrowserTests" })
+        Rings.addToQuick(project, "quickTest")
+        Rings.addToAll(project, "allBrowserTests", "engineTest", "releaseTest")
     }
 
     @OptIn(ExperimentalWasmDsl::class)
