@@ -11,6 +11,8 @@ const QUIET = [
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
+  // The later part of the page for tests is larger than that of the published page, see `parts.js`.
+  '--enable-features=WebAssemblyUnlimitedSyncCompilation',
 ];
 
 /** V8's quick compiler alone: its optimising one takes four seconds of a processor each time the page is opened. */

@@ -97,18 +97,33 @@ async function newPerson(options) {
   return { context, leave: () => context.close().then(() => rm(folder, { recursive: true, force: true })) };
 }
 
+/** Prints what has come to `page`, the largest first. */
+async function tellBudget(page) {
+  await page.waitForFunction(() => !document.getElementById('parts') && navigator.serviceWorker);
+  const { needed, entries } = await page.evaluate(() => ({
+    needed: JSON.parse(document.getElementById('site').textContent).first.map(([address]) => address),
+    entries: performance.getEntriesByType('resource').map(({ name, encodedBodySize }) => [name, encodedBodySize]),
+  }));
+  for (const [name, bytes] of entries.sort(([, one], [, other]) => other - one).filter(([, size]) => size > 10_000)) {
+    const when = needed.some((address) => name.endsWith(address)) ? 'first' : 'later or on request';
+    console.log(`  ${megabytes(bytes)} ${name.replace(/.*files./, '').replace(/\.[0-9a-f]{16}/, '')}, ${when}`);
+  }
+}
+
 async function measureLoading() {
   const rehearsal = await newPerson({ serviceWorkers: 'block' });
   const { page } = await load(rehearsal.context, { slow: false });
   await isReady(page);
+  const square = await placeOf(page, 'try-square');
   const close = await placeOf(page, 'first-run-close');
   await putWelcomeAway(page);
   const button = await placeOfRun(page);
   await rehearsal.leave();
 
   const first = await newPerson({ serviceWorkers: 'block' });
-  const cold = await load(first.context, { clicks: [close, button] });
+  const cold = await load(first.context, { clicks: [square] });
   console.log(`cold, 10 Mbit/s: ${told(cold)}`);
+  await tellBudget(cold.page);
   const compile = await cold.page.evaluate(async () => {
     const begin = performance.now();
     await globalThis.robotran.run('public class A { public static void main(String[] a) { } }', 1000, 'A.java');

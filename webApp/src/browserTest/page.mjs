@@ -4,7 +4,6 @@ import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { EMPTY } from './serve.mjs';
-import { recordSkikoCalls } from './skiko-calls.mjs';
 import { PATIENCE, press, words } from './words.mjs';
 
 /** The colour of Run on the brick. */
@@ -41,7 +40,6 @@ async function openContext(
   await context.addInitScript(drawSeldom, { always: drawn, pause });
   context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
-  await recordSkikoCalls(page);
   const troubles = [];
   const fetched = [];
   page.on('request', (request) => fetched.push(request.url()));

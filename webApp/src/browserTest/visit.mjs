@@ -19,7 +19,7 @@ after(async () => {
   site?.stop();
 });
 
-export async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route, viewport, hasTouch, isMobile } = {}) {
+export async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route, viewport, hasTouch, isMobile, address = '' } = {}) {
   const context = await browser.newContext({
     viewport: viewport || { width: 411, height: 891 },
     locale,
@@ -33,7 +33,7 @@ export async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', 
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   if (route) await page.route(...route);
-  await page.goto(site.address, { waitUntil: 'domcontentloaded' });
+  await page.goto(site.address + address, { waitUntil: 'domcontentloaded' });
   return page;
 }
 

@@ -10,6 +10,7 @@
       notFetched: 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.',
       noNetwork: 'The network is still away. Please try again a little later.',
       notStarted: 'Robotran could not start.',
+      rest: 'One moment: the rest of Robotran is still on its way.',
       again: 'Try again',
       title: 'Welcome to Robotran',
       greeting: 'You write a program, and a robot draws it on a sheet of paper.',
@@ -31,6 +32,7 @@
       notFetched: 'No se ha podido traer una parte de Robotran. Quizá no hay red, o la red no la deja pasar.',
       noNetwork: 'Sigue sin haber red. Inténtalo otra vez un poco más tarde.',
       notStarted: 'Robotran no ha podido empezar.',
+      rest: 'Un momento: el resto de Robotran todavía está llegando.',
       again: 'Intentarlo otra vez',
       title: 'Te damos la bienvenida a Robotran',
       greeting: 'Tú escribes un programa y un robot lo dibuja en una hoja de papel.',
@@ -53,6 +55,7 @@
         'Ein Teil von Robotran ließ sich nicht holen. Vielleicht ist das Netz weg oder lässt ihn nicht durch.',
       noNetwork: 'Das Netz ist noch weg. Versuche es bitte etwas später noch einmal.',
       notStarted: 'Robotran konnte nicht starten.',
+      rest: 'Einen Moment: Der Rest von Robotran ist noch unterwegs.',
       again: 'Noch einmal versuchen',
       title: 'Willkommen bei Robotran',
       greeting: 'Du schreibst ein Programm, und ein Roboter zeichnet es auf ein Blatt Papier.',
@@ -176,6 +179,7 @@
   const isEmbedded = new URLSearchParams(location.search).has('embed') || window.top !== window;
   const choices = [...document.querySelectorAll('[data-wish]')];
   let wish = '';
+  const needsRest = (chosen) => chosen !== '' && chosen !== 'square';
   for (const choice of choices) {
     choice.textContent = words[choice.dataset.wish];
     choice.addEventListener('click', () => {
@@ -198,9 +202,13 @@
   if (!isFirstVisit) part('loading-progress').removeAttribute('value');
   part('greeting-title').textContent = words.title;
   part('greeting-words').textContent = words.greeting;
-  greet(!isEmbedded && location.hash.length <= 1 && isFirstVisit);
 
-  const count = site.first.reduce((sum, [, bytes]) => sum + bytes, 0);
+  // Who comes for the first time begins with the first parts. Links, embedded pages and saved work need more, and whoever
+  // comes again has everything at hand.
+  const isGreeted = !isEmbedded && location.hash.length <= 1 && isFirstVisit;
+  greet(isGreeted);
+  const needed = isGreeted ? site.first : [...site.first, ...site.rests];
+  const count = needed.reduce((sum, [, bytes]) => sum + bytes, 0);
   let here = 0;
   const arrived = (bytes) => {
     here += bytes;
@@ -212,14 +220,14 @@
   const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
   // A captive portal responds with its own HTML page.
   const isWanted = (response) => response.ok && !(response.headers.get('content-type') || '').startsWith('text/html');
-  const download = async (address) => {
+  const download = async (address, isNeeded = true) => {
     for (let attempt = 1; attempt <= ATTEMPTS; attempt++) {
       const response = await fetchAsEver(address).catch(() => null);
       if (response && isWanted(response)) return response;
       if (attempt < ATTEMPTS) await pause(attempt * 700);
     }
     const error = new Error(`${address} could not be fetched`);
-    fail('notFetched', error);
+    if (isNeeded) fail('notFetched', error);
     throw error;
   };
   const countBytes = async (response) => {
@@ -246,47 +254,24 @@
     if (site.streamed.includes(address)) compileWhileItComes(address, response);
     return response;
   };
+  const parts = globalThis.robotranParts({ rests: site.rests, words, absolute, download: (address) => downloadWhenFree(address) });
 
   // The app would compile one module after the other, each when the one before runs. With Kotlin's options for both.
-  const BUILTINS = { builtins: ['js-string'], importedStringConstants: "'" };
   const compiled = new WeakMap();
   const compilations = new Map();
+  const numbers = new WeakMap();
   const compileWhileItComes = (address, response) => {
-    const module = WebAssembly.compileStreaming(response, BUILTINS);
+    const module = WebAssembly.compileStreaming(response, parts.BUILTINS);
     module.catch(() => undefined); // The app reports it.
     compilations.set(address, module);
     compiled.set(response, module);
+    numbers.set(response, site.streamed.indexOf(address));
   };
 
-  // Skiko comes in two parts (`WasmModuleSplitter`): the functions that the app has been seen to call, and the rest. The rest
-  // is downloaded after all that is needed first. If one of its functions is called before, the page waits for it.
-  const ENTRIES_OF_REST = 'first.cold';
-  // A module that exports its import `page.call` as `call`: a table takes no function of JavaScript.
-  const CALL = 'AGFzbQEAAAABBAFgAAACDQEEcGFnZQRjYWxsAAAHCAEEY2FsbAAA';
-  const bytesIn = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
-  const callable = (call) => new WebAssembly.Instance(new WebAssembly.Module(bytesIn(atob(CALL))), { page: { call } }).exports.call;
-  let bringRest = () => undefined;
-  const prepareRest = (first, imports) => {
-    const address = absolute(site.skikoRest);
-    let isHere = false;
-    const join = (module) => {
-      if (isHere) return;
-      isHere = true;
-      new WebAssembly.Instance(module, { ...imports, first });
-    };
-    const bringAtOnce = () => {
-      const request = new XMLHttpRequest();
-      request.open('GET', address, false);
-      // Only text can be waited for: each byte is a letter.
-      request.overrideMimeType('text/plain; charset=x-user-defined');
-      request.send();
-      if (request.status !== 200) throw new Error(`${address} could not be fetched`);
-      join(new WebAssembly.Module(bytesIn(request.responseText)));
-    };
-    first[ENTRIES_OF_REST].set(0, callable(bringAtOnce));
-    const bytes = Promise.allSettled(compilations.values()).then(() => download(address)).then((response) => response.arrayBuffer());
-    bytes.catch(() => undefined); // Then it is brought when it is needed.
-    bringRest = async () => join(await WebAssembly.compile(await bytes));
+  // What comes later leaves the network to what is needed first.
+  const downloadWhenFree = async (address) => {
+    await Promise.allSettled(compilations.values());
+    return typed(address, await download(address, false));
   };
   const instantiateStreaming = WebAssembly.instantiateStreaming.bind(WebAssembly);
   const instantiateWhatIsCompiled = async (source, imports, options) => {
@@ -294,7 +279,10 @@
     if (!compiled.has(response)) return instantiateStreaming(response, imports, options);
     const module = await compiled.get(response);
     const instance = await WebAssembly.instantiate(module, imports);
-    if (ENTRIES_OF_REST in instance.exports) prepareRest(instance.exports, imports);
+    const number = numbers.get(response);
+    parts.connect(number, instance, imports);
+    if (!isGreeted) await parts.complete(number);
+    else if (needsRest(wish)) await parts.complete(number).catch(() => undefined);
     return { module, instance };
   };
   // Compose downloads a file of texts again for each text it shows, and the font of programs for each screen with one.
@@ -344,8 +332,14 @@
     /** The URL of one of the app's resources, whose file name contains a content hash. */
     addressOf: (path) => absolute(site.resources[path] || path),
 
-    /** What was chosen on the greeting: `square`, `tutorial` or `worlds`; empty if nothing. */
-    wish: () => wish,
+    /** The test tags of what works before all parts have come. */
+    atOnce: parts.AT_ONCE,
+
+    /** What was chosen on the greeting, as soon as it can be done: `square`, `tutorial` or `worlds`; empty if nothing. */
+    async wish() {
+      if (needsRest(wish)) await parts.allCome;
+      return wish;
+    },
 
     /** How programs are shown as chosen on the greeting: `blocks` or `text`; empty if nothing was chosen. */
     view: () => view,
@@ -356,13 +350,17 @@
       const [app, skiko] = site.streamed;
       const scripts = [...site.chunks, site.script].map(absolute);
       const order = { scripts, app: absolute(app), skiko: absolute(skiko) };
-      compilations.get(app).then((module) => worker.postMessage({ ...order, module }));
+      const modules = [compilations.get(app), ...(site.rests.length > 0 ? [parts.restOf(0)] : [])];
+      // If a part does not come, the worker does not answer, which the app expects of one that has died.
+      Promise.all(modules).then(([module, rest]) => worker.postMessage({ ...order, module, rest }), () => undefined);
       return worker;
     },
 
     /** Called when the app is visible. Removes the loading screen and, once idle, caches everything for offline use. */
     started() {
       for (const choice of choices) choice.disabled = true;
+      parts.hold();
+      const rest = parts.bring().catch(() => undefined);
       // Wait until it is drawn.
       requestAnimationFrame(() => requestAnimationFrame(() => fadeOut(part('loading'))));
       try {
@@ -373,9 +371,7 @@
       coming.clear();
       removeEventListener('error', onError, true);
       removeEventListener('unhandledrejection', onRejection);
-      whenIdle(async () => {
-        for (const each of [bringRest, keepForLater]) await Promise.resolve(each()).catch(() => undefined);
-      });
+      whenIdle(() => rest.then(keepForLater).catch(() => undefined));
     },
   };
 
@@ -391,11 +387,13 @@
   }
   globalThis.fetch = fetchWhatComes;
   WebAssembly.instantiateStreaming = instantiateWhatIsCompiled;
-  for (const file of site.first) {
+  for (const file of needed) {
     const response = bring(file);
     response.catch(() => undefined);
     const address = absolute(file[0]);
-    if (address.endsWith('.ttf')) bytesOf(address, response);
+    const number = site.rests.indexOf(file);
+    if (number >= 0) parts.expect(number, response);
+    else if (address.endsWith('.ttf')) bytesOf(address, response);
     else coming.set(address, response);
   }
   const script = document.createElement('script');

@@ -1,13 +1,17 @@
 // Loads the app into a worker, where it has no page, draws nothing and grades hand-ins: see docs/web-page.md.
 addEventListener(
   'message',
-  ({ data: { scripts, app, module, skiko } }) => {
-    // The page has compiled the app's module. Skia, which the app imports, would be of no use here: its functions do
+  ({ data: { scripts, app, module, rest, skiko } }) => {
+    // The page has compiled both parts of the app's module. Skia, which the app imports, would be of no use here: its functions do
     // nothing, and none is called.
     const memory = new WebAssembly.Memory({ initial: 1 });
     const nothing = new Proxy({}, { get: (_, name) => (name === 'memory' ? memory : () => 0) });
     const known = {
-      [app]: async (imports) => ({ module, instance: await WebAssembly.instantiate(module, imports) }),
+      [app]: async (imports) => {
+        const instance = await WebAssembly.instantiate(module, imports);
+        if (rest) await WebAssembly.instantiate(rest, { ...imports, first: instance.exports });
+        return { module, instance };
+      },
       [skiko]: async () => ({ module, instance: { exports: nothing } }),
     };
     const fetchAsEver = globalThis.fetch;

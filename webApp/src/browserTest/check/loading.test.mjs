@@ -35,40 +35,6 @@ test('no file of the app is requested twice, not even the font of programs', asy
   await page.context().close();
 });
 
-/** Runs in the page: keeps what Skiko exports. */
-function keepSkiko() {
-  const instantiate = WebAssembly.instantiate.bind(WebAssembly);
-  WebAssembly.instantiate = async (...values) => {
-    const instance = await instantiate(...values);
-    if (instance.exports && 'first.cold' in instance.exports) globalThis.skiko = instance.exports;
-    return instance;
-  };
-}
-
-// Nothing in the app plays films, so this function is in the rest of Skiko.
-const callRest = (page) =>
-  page.evaluate(() => globalThis.skiko.org_jetbrains_skia_skottie_Animation__1nGetFinalizer());
-
-test('the rest of Skiko comes when the app is there', async () => {
-  const page = await visit({ prepare: keepSkiko });
-  await appIsThere(page);
-  await page.waitForFunction(() => globalThis.skiko['first.cold'].get(1) !== null, null, { timeout: PATIENCE });
-  const asked = site.asked.length;
-  assert.ok((await callRest(page)) > 0);
-  assert.equal(site.asked.length, asked);
-  await page.context().close();
-});
-
-test('the rest of Skiko comes at once if it is needed before, and later if it could not come', async () => {
-  site.refuse = (path) => (/skiko-rest/.test(path) ? 503 : null);
-  const page = await visit({ prepare: keepSkiko });
-  await appIsThere(page);
-  await assert.rejects(callRest(page), /could not be fetched/);
-  site.refuse = () => null;
-  assert.ok((await callRest(page)) > 0);
-  await page.context().close();
-});
-
 test('the robot of the greeting draws, and stands still for those who prefer less motion', async () => {
   const moves = () => document.getAnimations().length > 0;
   const ink = () => getComputedStyle(document.querySelector('.ink')).strokeDashoffset;

@@ -39,7 +39,7 @@ private fun openPage(scope: CoroutineScope) {
             openPageInterface(workshop, scope)
             if (!isEmbedded) saveOnPageHide(workshop, scope)
             if (embedding == Embedding.ASSIGNMENT) scope.launch { reportToParent(workshop) }
-            fulfilWish(workshop)
+            scope.launch { fulfilWish(workshop) }
             notifyAppStarted()
         })
     }

@@ -17,22 +17,29 @@ import robotran.world.World
  *
  * @property name the unique name under which progress is saved, such as `repeat`.
  * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
- * @property program the program that the pupil tries and changes.
- * @property solution the same program with the task done.
  * @property otherSolutions the task done in other languages than that of [program], for a pupil who writes them.
  * @param forNxt makes the same lesson with a robot that has an NXT; null for such a lesson itself, and for the task of a
  * [GalleryWorld].
+ * @param version reads programs and world when they are needed.
  */
 class Lesson internal constructor(
     val name: String,
     val strand: String,
-    val program: SourceFile,
-    val solution: SourceFile,
-    val otherSolutions: List<SourceFile>,
-    private val plainWorld: World,
+    val otherSolutions: List<SourceFile> = emptyList(),
     private val forNxt: (() -> Lesson)? = null,
+    version: () -> LessonVersion,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
+    // Whoever only looks for a name reads no files.
+    private val version by lazy(version)
+    private val plainWorld: World get() = version.world
+
+    /** The program that the pupil tries and changes. */
+    val program: SourceFile get() = version.program
+
+    /** The same program with the task done. */
+    val solution: SourceFile get() = version.solution
+
     private val onNxt by lazy { forNxt?.invoke() }
     private val texts by lazy { Language.entries.associateWith { read(it, false) } }
     private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }

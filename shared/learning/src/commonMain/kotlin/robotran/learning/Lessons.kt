@@ -1,8 +1,7 @@
 package robotran.learning
 
-import robotran.language.Language
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
@@ -16,9 +15,8 @@ import robotran.world.file.readWorld
 object Lessons {
     /** The strands, in the order in which a pupil takes them. */
     val strands: List<Strand> by lazy {
-        val lessons = lessonTexts.entries.groupBy({ it.key.substringBeforeLast('/') }) {
-            it.key.substringAfterLast('/') to it.value
-        }.toList().sortedBy { it.first }.map { (folder, files) -> lessonOf(folder, files.toMap()) }
+        val lessons = lessonTexts.keys.groupBy { it.substringBeforeLast('/') }.toList().sortedBy { it.first }
+            .map { (folder, paths) -> lessonOf(folder, textsIn(lessonTexts, paths)) }
         strandNames().mapNotNull { name ->
             lessons.filter { it.strand == name }.takeIf { it.isNotEmpty() }?.let { Strand(name, it) }
         }
@@ -28,7 +26,8 @@ object Lessons {
     val all: List<Lesson> by lazy { strands.flatMap { it.lessons } }
 
     /** The lesson, on one of its bricks, whose world is [world], in any language; null if there is none. */
-    fun lessonIn(world: World): Lesson? = all.firstNotNullOfOrNull { it.foundIn(world) }
+    fun lessonIn(world: World): Lesson? =
+        if (world.goals.isEmpty()) null else all.firstNotNullOfOrNull { it.foundIn(world) }
 
     /** The lesson called [name], also by its name of an older version, such as `03-repeat`; null if there is none. */
     fun named(name: String): Lesson? = name.replace(NUMBER, "").let { plain -> all.firstOrNull { it.name == plain } }
@@ -40,28 +39,31 @@ object Lessons {
     fun strandOf(lesson: Lesson): Strand = strands.first { it.name == lesson.strand }
 
     private fun lessonOf(folder: String, files: Map<String, String>): Lesson {
-        val rcx = versionForRcx(files)
-        val nxt = versionForNxt(rcx, files)
-        return lesson(folder, rcx, files) { lesson(folder, nxt, files, null) }
+        val rcx by lazy { versionForRcx(files) }
+        return lesson(folder, BrickKind.RCX, files, { rcx }) {
+            lesson(folder, BrickKind.NXT, files, { versionForNxt(rcx, files) })
+        }
     }
 
     private fun lesson(
         folder: String,
-        version: LessonVersion,
+        brick: BrickKind,
         files: Map<String, String>,
-        forNxt: (() -> Lesson)?,
+        version: () -> LessonVersion,
+        forNxt: (() -> Lesson)? = null,
     ): Lesson = Lesson(
         folder.substringAfter('/').replace(NUMBER, ""),
         folder.substringBefore('/'),
-        version.program,
-        version.solution,
-        otherSolutions = emptyList(),
-        version.world,
-        forNxt,
-    ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks, version.brick) }
+        forNxt = forNxt,
+        version = version,
+    ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks, brick) }
 
     private val NUMBER = Regex("^[0-9]+-")
 }
+
+/** The texts at [paths] of [all], by the name of their file. */
+internal fun textsIn(all: Map<String, String>, paths: List<String>): Map<String, String> =
+    LazyTexts(paths.associateBy { it.substringAfterLast('/') }, all::getValue)
 
 internal fun isProgram(file: String): Boolean = ProgramLanguage.ofFile(file) != null
 

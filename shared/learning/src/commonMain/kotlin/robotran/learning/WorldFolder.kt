@@ -77,15 +77,9 @@ internal class WorldFolder(
         val others = (ProgramLanguage.entries - own).mapNotNull { language ->
             files[stem + language.extension]?.let { SourceFile(nameOfSolution(language), it) }
         }
-        return Lesson(
-            name,
-            "",
-            given,
-            SourceFile(given.name, files.getValue(stem + own.extension)),
-            others,
-            world,
-            read = read,
-        )
+        val brick = world.robots.first().description.brick
+        val solved = SourceFile(given.name, files.getValue(stem + own.extension))
+        return Lesson(name, "", others, version = { LessonVersion(brick, given, solved, world) }, read = read)
     }
 
     private fun textIn(language: Language): String = files.getValue("text.${language.tag}.md")

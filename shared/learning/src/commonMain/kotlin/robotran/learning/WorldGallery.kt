@@ -25,7 +25,8 @@ object WorldGallery {
     private val withHarder: List<GalleryWorld> by lazy { worlds + worlds.flatMap { it.harder } }
 
     /** The gallery world or variation that equals [world] apart from language, seed and realism; null if none does. */
-    fun find(world: World): GalleryWorld? = withHarder.firstOrNull { it.plainWorld.isSameWorldAs(world) }
+    fun find(world: World): GalleryWorld? =
+        if (world.goals.isEmpty()) null else withHarder.firstOrNull { it.plainWorld.isSameWorldAs(world) }
 
     /** The gallery world or variation called [name]; null if there is none. */
     fun named(name: String): GalleryWorld? = withHarder.firstOrNull { it.name == name }

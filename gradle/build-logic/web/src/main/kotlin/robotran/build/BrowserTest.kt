@@ -2,7 +2,6 @@ package robotran.build
 
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
-import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Input
@@ -10,12 +9,10 @@ import org.gradle.api.tasks.InputDirectory
 import org.gradle.api.tasks.InputFiles
 import org.gradle.api.tasks.Optional
 import org.gradle.api.tasks.OutputDirectory
-import org.gradle.api.tasks.OutputFile
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.process.ExecOperations
-import robotran.build.site.MarkSkiko
 import java.io.File
 import javax.inject.Inject
 
@@ -86,11 +83,6 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedGrades: DirectoryProperty
 
-        /** A file for the functions of Skiko that the tests call; absent if it is not a marked one, see [MarkSkiko]. */
-        @get:OutputFile
-        @get:Optional
-        abstract val skikoCalls: RegularFileProperty
-
         /** Where the screenshots of the tests and of failures go. */
         @get:OutputDirectory
         abstract val pictures: DirectoryProperty
@@ -113,11 +105,9 @@ abstract class BrowserTest
                 "--test-reporter=junit",
                 "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
             )
-            skikoCalls.orNull?.asFile?.writeText("")
             val lines = engines.files.filter { it.exists() }.flatMap { it.readLines() }
             runNode(runner + tests.files.map { it.path }.sorted()) { exec ->
                 // What fails calls functions too, and the tests run for their own sake elsewhere.
-                exec.isIgnoreExitValue = skikoCalls.isPresent
                 for (line in lines) exec.environment(line.substringBefore('='), line.substringAfter('='))
                 onlyEngine.orNull?.let { exec.environment("ONLY_ENGINE", it) }
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
@@ -130,7 +120,6 @@ abstract class BrowserTest
                 exec.environment("EXPECTED_GRADES", expectedGrades.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
                 if (takesPictures.get()) exec.environment("TAKES_PICTURES", "yes")
-                skikoCalls.orNull?.let { exec.environment("SKIKO_CALLS", it.asFile.path) }
             }
         }
 

@@ -1,34 +1,29 @@
 package robotran.build
 
 import org.gradle.api.Project
+import org.gradle.api.file.Directory
 import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.jetbrains.kotlin.gradle.targets.js.ir.KotlinJsIrLink
 import robotran.build.site.AssembleSite
 import robotran.build.site.CompressSite
-import robotran.build.site.ListCalledFunctions
-import robotran.build.site.MarkSkiko
+import robotran.build.site.DividedModule
+import robotran.build.site.MarkCalls
 import robotran.build.site.OptimizeWasm
 import robotran.build.site.ReplaceWasm
-import robotran.build.site.SplitSkiko
+import robotran.build.site.SplitWasm
 import java.io.File
 
 /** The tasks that make web sites of what Kotlin's plugin and webpack have made of the app. */
 internal class SiteTasks(private val project: Project) {
     private val build = project.layout.buildDirectory
-    private val calledFunctions = project.layout.projectDirectory.file("src/skiko/called-functions.txt")
+    private val lists = project.layout.projectDirectory.dir("src/first-part")
 
     /** The output of webpack and Kotlin's plugin. */
     private val builtApp: Provider<File> =
         project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile }
 
-    private val split: TaskProvider<SplitSkiko> =
-        project.tasks.register("splitSkiko", SplitSkiko::class.java) { task ->
-            task.description = "Splits Skiko into what the app calls and the rest."
-            task.app.fileProvider(builtApp)
-            task.calledFunctions.set(calledFunctions)
-            task.parts.set(build.dir("skiko-parts"))
-        }
+    private val splitSkiko = split("splitSkiko", DividedModule.SKIKO, project.layout.dir(builtApp))
 
     init {
         project.tasks.withType(AssembleSite::class.java).configureEach {
@@ -38,7 +33,13 @@ internal class SiteTasks(private val project: Project) {
 
     /** `assembleSite`: the site for tests, hardly optimised. */
     fun addSite(): TaskProvider<AssembleSite> {
-        val app = replace("siteApp", "Puts the parts of Skiko into what webpack has made.", split.flatMap { it.parts })
+        val split = split("splitApp", DividedModule.APP, project.layout.dir(builtApp))
+        val app = replace(
+            "siteApp",
+            "Puts the parts of the modules into what webpack has made.",
+            splitSkiko.flatMap { it.parts },
+            split.flatMap { it.parts },
+        )
         return project.tasks.register("assembleSite", AssembleSite::class.java) { task ->
             task.description = "Assembles the site for tests."
             task.app.set(app.flatMap { it.replaced })
@@ -55,11 +56,14 @@ internal class SiteTasks(private val project: Project) {
             task.arguments.set(WasmOptimisation.arguments(project, WasmOptimisation.RELEASE_PASSES))
             task.optimized.set(build.file("optimized-app/$APP"))
         }
+        val optimized = build.dir("optimized-app")
+        val split = split("splitRelease", DividedModule.APP, optimize.flatMap { optimized })
+        split.configure { it.largest.set(COMPILED_AT_ONCE) }
         val app = replace(
             "releaseApp",
-            "Puts the small and fast wasm and the parts of Skiko into what webpack has made.",
+            "Puts the parts of the small and fast modules into what webpack has made.",
+            splitSkiko.flatMap { it.parts },
             split.flatMap { it.parts },
-            optimize.flatMap { it.optimized },
         )
         val assemble = project.tasks.register("assembleRelease", AssembleSite::class.java) { task ->
             task.description = "Assembles the site for pupils, without compressed files."
@@ -75,43 +79,37 @@ internal class SiteTasks(private val project: Project) {
         return assemble
     }
 
-    /**
-     * `recordSkiko`: runs the tests of the page to find the functions of Skiko that belong into its first part; run by
-     * hand.
-     */
+    /** `recordFirstPart`: finds the functions that belong into the first parts of the modules; run by hand. */
     fun addRecording() {
-        val mark = project.tasks.register("markSkiko", MarkSkiko::class.java) { task ->
-            task.description = "Makes a Skiko that tells which of its functions are called."
+        val mark = project.tasks.register("markCalls", MarkCalls::class.java) { task ->
+            task.description = "Makes modules that tell which of their functions are called."
             task.app.fileProvider(builtApp)
-            task.marked.set(build.dir("marked-skiko"))
+            task.marked.set(build.dir("marked-modules"))
         }
-        val app = replace("markedApp", "Puts the marked Skiko into what webpack has made.", mark.flatMap { it.marked })
+        val app = replace("markedApp", "Puts marked modules into what webpack has made.", mark.flatMap { it.marked })
         val site = project.tasks.register("assembleMarked", AssembleSite::class.java) { task ->
-            task.description = "Assembles a site with the marked Skiko."
+            task.description = "Assembles a site with the marked modules."
             task.app.set(app.flatMap { it.replaced })
             task.site.set(build.dir("marked-site"))
         }
-        val calls = project.tasks.register("recordSkikoCalls", BrowserTest::class.java) { task ->
-            task.description = "Drives the page and records which functions of Skiko it calls."
-            task.page.set(site.flatMap { it.site })
-            // Measures of size and requests do not fit a marked Skiko, and those tests call nothing else.
-            task.tests.from(
-                project.fileTree("src/browserTest") {
-                    it.include("*.test.mjs")
-                    it.exclude("compress.test.mjs", "loading.test.mjs", "offline.test.mjs")
-                },
-            )
-            task.skikoCalls.set(build.file("skiko-calls.txt"))
-            task.pictures.set(build.dir("marked-pictures"))
-        }
-        project.tasks.register("recordSkiko", ListCalledFunctions::class.java) { task ->
+        project.tasks.register("recordFirstPart", RecordFirstPart::class.java) { task ->
             task.group = "build setup"
-            task.description = "Finds out which functions of Skiko the app calls, after a change of its version."
+            task.description = "Finds out which functions the first minute of the page calls."
+            task.page.set(site.flatMap { it.site })
+            task.script.set(project.file("src/browserTest/record-first-part.mjs"))
             task.app.fileProvider(builtApp)
-            task.recorded.set(calls.flatMap { it.skikoCalls })
-            task.calledFunctions.set(calledFunctions)
+            task.lists.set(lists)
         }
     }
+
+    private fun split(name: String, module: DividedModule, folder: Provider<Directory>): TaskProvider<SplitWasm> =
+        project.tasks.register(name, SplitWasm::class.java) { task ->
+            task.description = "Splits ${module.stem}.wasm into what the first minute calls and the rest."
+            task.app.set(folder)
+            task.stem.set(module.stem)
+            task.lists.set(lists)
+            task.parts.set(build.dir("parts/$name"))
+        }
 
     private fun replace(name: String, description: String, vararg modules: Provider<*>): TaskProvider<ReplaceWasm> =
         project.tasks.register(name, ReplaceWasm::class.java) { task ->
@@ -125,5 +123,8 @@ internal class SiteTasks(private val project: Project) {
         /** The task of Kotlin's plugin that links the app, and the file that it makes. */
         const val LINK = "compileProductionExecutableKotlinWasmJs"
         const val APP = "robotran.wasm"
+
+        /** How many bytes of a module Chromium compiles while the page waits; `parts.js` does so only if it must. */
+        const val COMPILED_AT_ONCE = 8L * 1024 * 1024
     }
 }

@@ -30,10 +30,14 @@ internal object WasmOptimisation {
     /** Kotlin functions that Kotlin's generated code finds by name. */
     private val separate = listOf("throwValue", "getKotlinException", "jsToKotlinStringAdapter")
 
+    /** Keeps the names of functions, by which [robotran.build.site.SplitWasm] divides the app; the parts have none. */
+    private const val KEEP_NAMES = "-g"
+
     /** All arguments of binaryen's `wasm-opt` but the files; [property] names the passes. */
     fun arguments(project: Project, property: String): Provider<List<String>> =
         project.providers.gradleProperty(property).map { passes ->
             features.map { "--enable-$it" } +
+                KEEP_NAMES +
                 separate.map { "--no-inline=kotlin.wasm.internal.$it" } +
                 passes.split(" ")
         }

@@ -74,7 +74,7 @@ abstract class AssembleSite : DefaultTask() {
     }
 
     private fun htmlOf(app: BuiltApp, version: String, worker: SiteFile, addresses: Map<String, String>): String {
-        val script = filled("start.js", emptyMap())
+        val script = SCRIPTS.joinToString("") { filled(it, emptyMap()) }
         val style = filled("page.css", emptyMap())
         val site =
             mapOf(
@@ -84,7 +84,7 @@ abstract class AssembleSite : DefaultTask() {
                 "streamed" to app.streamed.map { it.address },
                 "worker" to worker.address,
                 "chunks" to app.chunksForWorkers.map { it.address },
-                "skikoRest" to app.skikoRest?.address.orEmpty(),
+                "rests" to app.rests.map { listOf(it.address, it.content.length()) },
                 "resources" to app.resources.mapValues { it.value.address },
             )
         val own =
@@ -100,7 +100,7 @@ abstract class AssembleSite : DefaultTask() {
 
     /** Includes the page's shell, so that pages with an older shell update. */
     private fun versionOf(files: List<SiteFile>, manifest: String): String {
-        val shell = listOf("index.html", "start.js", "page.css", "service-worker.js").map { shellFile(it).readText() }
+        val shell = (listOf("index.html", "page.css", "service-worker.js") + SCRIPTS).map { shellFile(it).readText() }
         return hexOf(
             sha256(
                 (
@@ -123,6 +123,9 @@ abstract class AssembleSite : DefaultTask() {
     private companion object {
         val PLACE = Regex("""\{\{([\w.-]+)}}""")
         const val VERSION_DIGITS = 16
+
+        /** What together is the script in the page. */
+        val SCRIPTS = listOf("parts.js", "start.js")
 
         /** Whoever hosts the site may edit it, so it is not a part of the version. */
         const val EMBEDDING = "embedding.json"

@@ -38,11 +38,10 @@ internal class BuiltApp(folder: File) {
             ?: throw GradleException("There is no $chunk.js in the built app.")
     }
 
-    /** The module that draws the app. */
-    val skiko: SiteFile get() = module(SKIKO)
-
-    /** What is not part of [skiko] but may be called; null if Skiko is not split. */
-    val skikoRest: SiteFile? = code.firstOrNull { it.name.startsWith("${SplitSkiko.REST}.") }
+    /** What is not part of the [streamed] modules but may be called, in the same order; none if they are not split. */
+    val rests: List<SiteFile> = DividedModule.entries.mapNotNull { module ->
+        code.firstOrNull { it.name.startsWith("${module.rest}.") }
+    }
 
     /** The licences of bundled code, as collected by webpack. */
     val notices: List<File> = atTop.filter { it.name.endsWith(".LICENSE.txt") }
@@ -59,11 +58,10 @@ internal class BuiltApp(folder: File) {
         const val FONTS = "font"
         const val DATA = "bin"
         val CODE = listOf("js", "wasm", DATA)
-        const val SKIKO = "skiko"
 
         /** The classes of leJOS NXJ, and the compiler: named in the Kotlin code, and in webApp/webpack.config.d. */
         val COMPILER = listOf("ecj", "ecj-module")
-        val STREAMED_MODULES = listOf("robotran", SKIKO)
+        val STREAMED_MODULES = DividedModule.entries.map { it.stem }
         val FIRST_MODULES = STREAMED_MODULES + "physics"
     }
 }

@@ -1,36 +1,32 @@
 package robotran.build.wasm
 
 /**
- * [module] with a global for each function that it defines, exported as `called N`, which becomes 1 when the function
- * is called.
+ * [module] with a byte for each function that it defines, which becomes 1 when the function is called: a memory of
+ * their own, exported as `called`.
  */
 internal fun withCallMarks(module: WasmModule): WasmModule {
-    val globals = module.entries(WasmModule.GLOBAL) { GlobalDefinition.read(this) }
+    val memories = WasmContents(module).run { importsOf(IndexSpace.MEMORY).size + definedIn(IndexSpace.MEMORY).count() }
     val bodies = module.bodies
-    val marks = bodies.indices.map { globals.size + it }
-    val exports = bodies.indices.map {
-        WasmWriter().name("called $it").byte(WasmModule.GLOBALS).number(marks[it]).bytes()
-    }
+    val pages = bodies.size / PAGE + 1
+    val memory = WasmWriter().byte(0).number(pages).bytes()
+    val export = WasmWriter().name("called").byte(IndexSpace.MEMORY.kind).number(memories).bytes()
     val marked = bodies.mapIndexed { index, body ->
         val reader = WasmReader(body)
-        val locals = reader.copy {
-            reader.vector {
-                reader.number()
-                reader.byte()
-            }
-        }
-        val mark = WasmWriter().constant(1).byte(GLOBAL_SET).number(marks[index]).bytes()
-        WasmWriter().sized(locals + mark + reader.rest()).bytes()
+        val locals = reader.copy { sameCopier(reader).locals() }
+        val mark = WasmWriter().constant(0).constant(1).byte(STORE_BYTE, NAMED_MEMORY).number(memories).number(index)
+        WasmWriter().sized(locals + mark.bytes() + reader.rest()).bytes()
     }
     return module.with(
         mapOf(
-            WasmModule.GLOBAL to WasmModule.vector(globals.map { it.type + it.initialValue } + bodies.map { MARK }),
-            WasmModule.EXPORT to module.withMore(WasmModule.EXPORT, exports),
+            WasmModule.MEMORY to module.withMore(WasmModule.MEMORY, listOf(memory)),
+            WasmModule.EXPORT to module.withMore(WasmModule.EXPORT, listOf(export)),
             WasmModule.CODE to WasmModule.vector(marked),
         ),
     )
 }
 
-/** A 32-bit integer that can change and is 0 at first. */
-private val MARK = byteArrayOf(0x7f, 1, 0x41, 0, 0x0b)
-private const val GLOBAL_SET = 0x24
+private const val PAGE = 65_536
+private const val STORE_BYTE = 0x3a
+
+/** An alignment of one byte in a memory that is named. */
+private const val NAMED_MEMORY = 0x40

@@ -1,13 +1,40 @@
 package robotran.build.wasm
 
+/** Which functions of a module were called while the page was driven, as a text file of the repository. */
+internal sealed interface CalledFunctions {
+    /**
+     * The functions that were called, by their index among those that [module] defines; null if the file belongs to
+     * another version of it.
+     *
+     * @param sha256 of the module's file.
+     */
+    fun indicesIn(module: WasmModule, sha256: String): Set<Int>?
+
+    companion object {
+        const val COMMENT = "# Written by ./gradlew :webApp:recordFirstPart, see docs/hosting.md."
+
+        /** Reads what [CalledNames] or [CalledIndices] have written. */
+        fun parse(text: String): CalledFunctions {
+            val lines = text.lines().filterNot { it.isEmpty() || it.startsWith("#") }
+            return if (lines.firstOrNull().orEmpty().startsWith(CalledIndices.SHA_256)) {
+                CalledIndices.parse(lines)
+            } else {
+                CalledNames.parse(lines)
+            }
+        }
+    }
+}
+
 /**
- * Which functions of one version of a module were called, as a text file: comments after `#`, the module's [sha256],
- * and ranges of [functions], by their index among the functions that the module defines.
+ * The functions of a module without names, which a library brings: the [sha256] of this version, and ranges of
+ * [functions], by their index among the functions that the module defines.
  */
-internal class CalledFunctions(val sha256: String, val functions: Set<Int>) {
+internal class CalledIndices(val sha256: String, val functions: Set<Int>) : CalledFunctions {
+    override fun indicesIn(module: WasmModule, sha256: String): Set<Int>? = functions.takeIf { sha256 == this.sha256 }
+
     override fun toString(): String = buildString {
-        appendLine(COMMENT)
-        appendLine("sha256 $sha256")
+        appendLine(CalledFunctions.COMMENT)
+        appendLine("$SHA_256 $sha256")
         ranges().chunked(RANGES_PER_LINE).forEach { appendLine(it.joinToString(" ")) }
     }
 
@@ -19,18 +46,15 @@ internal class CalledFunctions(val sha256: String, val functions: Set<Int>) {
     }
 
     companion object {
-        private const val COMMENT = "# Written by ./gradlew :webApp:recordSkiko, see docs/hosting.md."
+        const val SHA_256 = "sha256"
         private const val RANGES_PER_LINE = 16
 
-        fun parse(text: String): CalledFunctions {
-            val lines = text.lines().filterNot { it.startsWith("#") }
-            val words = lines.flatMap { it.split(" ") }.filter { it.isNotEmpty() }
-            require(words.getOrNull(0) == "sha256" && words.size > 1) { "The file names no SHA-256." }
-            val functions = words.drop(2).flatMap { range ->
+        fun parse(lines: List<String>): CalledIndices {
+            val functions = lines.drop(1).flatMap { it.split(" ") }.flatMap { range ->
                 val ends = range.split("-").map { it.toInt() }
                 ends.first()..ends.last()
             }
-            return CalledFunctions(words[1], functions.toSet())
+            return CalledIndices(lines.first().substringAfter(" "), functions.toSet())
         }
     }
 }

@@ -10,7 +10,8 @@ import org.jetbrains.kotlin.gradle.targets.js.ir.KotlinJsIrLink
  * does the same for Android by the rules that come with Compose. Kotlin's linker and binaryen know no such rules.
  *
  * These are the calls that tell a profiler and Compose's tools where in the source something is composed, and the
- * texts of Material in 80 languages that the app does not speak, instead of which it gets the English ones.
+ * texts of Material in 80 languages that the app does not speak, instead of which it gets the English ones. It also
+ * shortens strings that only tell functions apart.
  *
  * @param wasmName the file to change, in the folder of the task.
  */
@@ -44,6 +45,11 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
          * since they write to memory.
          */
         private val LITERALS = listOf("_stringLiteralJsString", "_stringLiteralLatin1", "_stringLiteralUtf16")
+
+        /** The module from which string constants are imported, and how those begin that tell functions apart. */
+        private const val STRINGS = "'"
+        private const val SIGNATURE = "[ File '"
+
         private const val REMOVABLE = "binaryen.removable.if.unused"
         private const val ONE_HINT = 1
         private const val AT_FUNCTION = 0
@@ -65,7 +71,22 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
                 bodyOf(names[first + index].orEmpty(), english) ?: body
             }
             val code = WasmModule.vector(bodies.map { WasmWriter().sized(it).bytes() })
-            return module.with(mapOf(WasmModule.CODE to code)) + removable(names.filterValues { it in LITERALS }.keys)
+            val imports = shortSignatures(module.imports).map { it.bytes() }
+            val replaced = mapOf(WasmModule.CODE to code, WasmModule.IMPORT to WasmModule.vector(imports))
+            return module.with(replaced) + removable(names.filterValues { it in LITERALS }.keys)
+        }
+
+        /**
+         * Kotlin compares references of functions and properties by a string with the path of the source on the machine
+         * that has built the app. A number does as well.
+         */
+        fun shortSignatures(imports: List<WasmImport>): List<WasmImport> {
+            val numbers = mutableMapOf<String, Int>()
+            return imports.map { import ->
+                if (import.module != STRINGS || !import.name.startsWith(SIGNATURE)) return@map import
+                val number = numbers.getOrPut(import.name) { numbers.size }
+                WasmImport(import.module, "$SIGNATURE$number", import.space, import.type)
+            }
         }
 
         /** The section that allows binaryen to remove calls of [functions] whose results nobody uses. */

@@ -8,6 +8,9 @@ internal class WasmReader(val bytes: ByteArray, var position: Int = 0, private v
 
     fun byte(): Int = bytes[position++].toInt() and 0xff
 
+    /** The next byte, which stays to be read. */
+    fun peek(): Int = bytes[position].toInt() and 0xff
+
     /** An unsigned number of up to 32 bits in LEB128. */
     fun number(): Int {
         var number = 0
@@ -56,9 +59,11 @@ internal class WasmWriter {
         output.write(rest)
     }
 
-    /** `i32.const` of a number that is not negative: its LEB128 is a signed one, so the sixth bit must be free. */
-    fun constant(number: Int): WasmWriter = apply {
-        byte(I32_CONST)
+    /** `i32.const` of a number that is not negative. */
+    fun constant(number: Int): WasmWriter = byte(I32_CONST).signed(number)
+
+    /** A number that is not negative in signed LEB128, so the sixth bit of the last byte must be free. */
+    fun signed(number: Int): WasmWriter = apply {
         var rest = number
         while (rest > 0x3f) {
             output.write(rest and 0x7f or 0x80)

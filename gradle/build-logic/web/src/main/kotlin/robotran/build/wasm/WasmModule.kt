@@ -15,8 +15,10 @@ internal class WasmModule(val sections: List<WasmSection>) {
     /** The bodies of the functions that the module defines, each without its length. */
     val bodies: List<ByteArray> get() = entries(CODE) { take(number()) }
 
+    val exports: List<WasmExport> get() = entries(EXPORT) { WasmExport.read(this) }
+
     /** The number of imported functions, which come first among the functions. */
-    val importedFunctions: Int get() = imports.count { it.kind == FUNCTION }
+    val importedFunctions: Int get() = imports.count { it.space == IndexSpace.FUNCTION }
 
     val imports: List<WasmImport> get() = entries(IMPORT) { WasmImport.read(this) }
 
@@ -55,21 +57,17 @@ internal class WasmModule(val sections: List<WasmSection>) {
         const val MEMORY = 5
         const val GLOBAL = 6
         const val EXPORT = 7
+        const val START = 8
         const val ELEMENT = 9
         const val CODE = 10
         const val DATA = 11
-
-        /** The kind of an import or export. */
-        const val FUNCTION = 0
-        const val TABLES = 1
-        const val MEMORIES = 2
-        const val GLOBALS = 3
-        const val TAGS = 4
+        const val DATA_COUNT = 12
+        const val TAG = 13
 
         private val HEADER = byteArrayOf(0, 'a'.code.toByte(), 's'.code.toByte(), 'm'.code.toByte(), 1, 0, 0, 0)
 
         /** The order of the sections: tags (13) follow memories, the count of data segments (12) precedes the code. */
-        private val ORDER = listOf(1, 2, 3, 4, 5, 13, 6, 7, 8, 9, 12, 10, 11)
+        val ORDER = listOf(1, 2, 3, 4, 5, 13, 6, 7, 8, 9, 12, 10, 11)
 
         fun read(bytes: ByteArray): WasmModule {
             require(bytes.take(HEADER.size) == HEADER.toList()) { "This is no WebAssembly module." }
@@ -87,55 +85,26 @@ internal class WasmModule(val sections: List<WasmSection>) {
     }
 }
 
-/** An import of the [kind] of [WasmModule]; [whole] is the entry as it stands in the module. */
-internal class WasmImport(val kind: Int, val whole: ByteArray) {
+/** An import from [module] of what [space] says; [type] is what follows these in the binary format. */
+internal class WasmImport(val module: String, val name: String, val space: IndexSpace, val type: ByteArray) {
+    fun bytes(): ByteArray = WasmWriter().name(module).name(name).byte(space.kind).raw(type).bytes()
+
     companion object {
-        /** How the types of references begin whose target is named: nullable or not. */
-        private val REFERENCES = setOf(0x63, 0x64)
-
         fun read(reader: WasmReader): WasmImport {
-            var kind = 0
-            val whole = reader.copy {
-                reader.name()
-                reader.name()
-                kind = reader.byte()
-                when (kind) {
-                    WasmModule.FUNCTION -> {
-                        reader.number()
-                    }
-
-                    WasmModule.TABLES -> {
-                        reader.byte()
-                        skipLimits(reader)
-                    }
-
-                    WasmModule.MEMORIES -> {
-                        skipLimits(reader)
-                    }
-
-                    WasmModule.GLOBALS -> {
-                        if (reader.byte() in REFERENCES) reader.number()
-                        reader.byte()
-                    }
-
-                    WasmModule.TAGS -> {
-                        reader.byte()
-                        reader.number()
-                    }
-
-                    else -> {
-                        error("Imports of kind $kind are not known.")
-                    }
-                }
-            }
-            return WasmImport(kind, whole)
-        }
-
-        /** Skips the smallest and, if there is one, the largest size of a table or memory. */
-        fun skipLimits(reader: WasmReader) {
-            val hasMaximum = reader.byte() and 1 == 1
-            reader.number()
-            if (hasMaximum) reader.number()
+            val module = reader.name()
+            val name = reader.name()
+            val space = IndexSpace.ofKind(reader.byte())
+            return WasmImport(module, name, space, reader.copy { sameCopier(reader).importType(space) })
         }
     }
 }
+
+/** An entry that makes what is [index] in [space] known under a [name]. */
+internal class WasmExport(val name: String, val space: IndexSpace, val index: Int) {
+    companion object {
+        fun read(reader: WasmReader) = WasmExport(reader.name(), IndexSpace.ofKind(reader.byte()), reader.number())
+    }
+}
+
+/** Copies what [reader] reads without a change. */
+internal fun sameCopier(reader: WasmReader): WasmCopier = WasmCopier(reader) { _, index -> index }

@@ -1,119 +1,114 @@
 package robotran.build.wasm
 
 /**
- * Splits a module in two that together do the same: [first] with the functions that are called often, and [rest], which
- * can come later. Emscripten's `wasm-split` does the same, but no package that the build has contains it.
+ * Splits a module in two that together do the same: [first] with the functions that are called at the beginning, and
+ * [rest], which can come later. It does what binaryen's `wasm-split` does, which no package that the build has
+ * contains, and also divides globals, strings and types: each goes where it is needed.
  *
- * Both parts have the same functions under the same indices, so bodies are copied as they are. A function whose body is
- * in the other part is replaced by one that calls it through a table. [first] exports everything that [rest] imports
- * from a module [FIRST]. Entry 0 of the table [COLD] is for a function that brings the rest: [first] calls it before it
- * calls a function of the rest that is not there yet.
+ * [rest] imports what both need from the module [FIRST]: functions, globals, tables, memories and tags that [first]
+ * defines and exports. [first] reaches a function of [rest] through the table [COLD], with a function of the same type
+ * in its place. Entry 0 of that table is for a function that brings [rest]: [first] calls it before it calls a function
+ * of [rest] that is not there yet.
  *
  * @param called the functions of [first], by their index among the functions that the module defines.
  */
-internal class WasmModuleSplitter(private val module: WasmModule, private val called: Set<Int>) {
-    private val types = module.entries(WasmModule.TYPE) { FunctionType.read(this) }
-    private val functionTypes = module.entries(WasmModule.FUNCTIONS) { number() }
-    private val tables = module.entries(WasmModule.TABLE) { tableType() }
-    private val memories = module.entries(WasmModule.MEMORY) { copy { WasmImport.skipLimits(this) } }
-    private val globals = module.entries(WasmModule.GLOBAL) { GlobalDefinition.read(this) }
-    private val imported = module.importedFunctions
-    private val hot = functionTypes.indices.filter { it in called }
-    private val cold = functionTypes.indices.filterNot { it in called }
-    private val hotEntries = hot.withIndex().associate { (entry, function) -> function to entry }
-    private val coldEntries = cold.withIndex().associate { (entry, function) -> function to entry + 1 }
+internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>) {
+    private val contents = WasmContents(module)
+    private val functions = contents.definedIn(IndexSpace.FUNCTION)
+    private val hot = called.map { functions.first + it }.filter { it in functions }.toSet()
+    private val reachOfFirst = WasmReach(contents) { space, index -> space != IndexSpace.FUNCTION || index in hot }
+    private val reachOfRest = WasmReach(contents) { space, index -> !isInFirst(space, index) }
 
-    /** The type of functions without parameters and result. */
-    private val actionType = types.indexOfFirst { it.parameters == 0 && it.results == 0 }
+    /** The functions that the first part calls, or takes references of, without having them. */
+    private val cold: List<Int>
 
-    // The module's own table is the first.
-    private val coldTable = tables.size
-    private val hotTable = tables.size + 1
+    /** What the rest imports from the first part, with the names under which this exports it. */
+    private val shared: Map<Pair<IndexSpace, Int>, String>
 
     init {
-        require(module.imports.size == imported) { "Only a module that imports nothing but functions can be split." }
-        require(tables.size == 1 && memories.size == 1) { "Only a module with one table and one memory can be split." }
-        require(actionType >= 0) { "The module has no function without parameters and result." }
-    }
-
-    val first: WasmModule get() = module.with(
-        mapOf(
-            WasmModule.TABLE to
-                WasmModule.vector(tables + table(minimum = cold.size + 1) + table(minimum = hot.size)),
-            WasmModule.EXPORT to
-                module.withMore(WasmModule.EXPORT, shared.map { (name, kind, index) -> export(name, kind, index) }),
-            WasmModule.ELEMENT to
-                module.withMore(WasmModule.ELEMENT, listOf(elements(hotTable, offset = 0, hot))),
-            WasmModule.CODE to code { function, body -> if (function in called) body else callOfRest(function) },
-        ),
-    )
-
-    val rest: WasmModule get() = types().with(
-        mapOf(
-            WasmModule.IMPORT to WasmModule.vector(module.imports.map { it.whole } + sharedImports),
-            WasmModule.ELEMENT to WasmModule.vector(listOf(elements(coldTable, offset = 1, cold))),
-            WasmModule.CODE to code { function, body -> if (function in called) callOfFirst(function) else body },
-        ),
-    )
-
-    /** A module with nothing but the types of all functions. */
-    private fun types() =
-        WasmModule(module.sections.filter { it.id == WasmModule.TYPE || it.id == WasmModule.FUNCTIONS })
-
-    /** Name, kind and index of what the rest imports, in the order of its indices. */
-    private val shared: List<Triple<String, Int, Int>> =
-        listOf(
-            Triple("first.table", WasmModule.TABLES, 0),
-            Triple(COLD, WasmModule.TABLES, coldTable),
-            Triple(HOT, WasmModule.TABLES, hotTable),
-            Triple("first.memory", WasmModule.MEMORIES, 0),
-        ) + globals.indices.map { Triple("first.global$it", WasmModule.GLOBALS, it) }
-
-    private val sharedImports: List<ByteArray>
-        get() {
-            val types = tables + table(minimum = cold.size + 1) + table(minimum = hot.size) + memories +
-                globals.map { it.type }
-            return shared.zip(types) { (name, kind), type ->
-                WasmWriter().name(FIRST).name(name).byte(kind).raw(type).bytes()
-            }
+        for (function in hot) reachOfFirst.add(IndexSpace.FUNCTION, function)
+        for (export in contents.exports) reachOfFirst.add(export.space, export.index)
+        contents.start?.let { reachOfFirst.add(IndexSpace.FUNCTION, it) }
+        for (space in WITHOUT_PARTS) contents.definedIn(space).forEach { reachOfFirst.add(space, it) }
+        for (space in SEGMENTS) {
+            contents.definedIn(space).filter { contents.isActive(space, it) }.forEach { reachOfFirst.add(space, it) }
         }
+        for (function in functions) if (function !in hot) reachOfRest.add(IndexSpace.FUNCTION, function)
+        cold = reachOfFirst[IndexSpace.FUNCTION].filter { it in functions && it !in hot }
+        shared = (WITHOUT_PARTS + IndexSpace.FUNCTION + IndexSpace.GLOBAL)
+            .flatMap { space -> reachOfRest[space].map { space to it } }
+            .filter { (space, index) -> index in contents.definedIn(space) && isInFirst(space, index) }
+            .withIndex().associate { (number, what) -> what to ".${number.toString(radix = 36)}" }
+    }
 
-    private fun code(body: (function: Int, body: ByteArray) -> ByteArray): ByteArray =
-        WasmModule.vector(module.bodies.mapIndexed { function, own -> WasmWriter().sized(body(function, own)).bytes() })
+    private fun isInFirst(space: IndexSpace, index: Int): Boolean = when (space) {
+        IndexSpace.FUNCTION -> index in hot
+        in SEGMENTS -> contents.isActive(space, index)
+        else -> reachOfFirst.has(space, index)
+    }
 
-    /** The body of a function of the first part that calls [function] of the rest and, before, brings the rest. */
-    private fun callOfRest(function: Int): ByteArray {
-        val entry = coldEntries.getValue(function)
-        val bring = WasmWriter().constant(0).byte(CALL_INDIRECT).number(actionType).number(coldTable).bytes()
+    val first: WasmModule by lazy {
+        val part = WasmPart(contents, reachOfFirst) { _, _ -> false }
+        part.addDefinitions { _, _ -> error("The first part imports nothing from another.") }
+        val types = part.order(IndexSpace.TYPE).size
+        part.add(WasmModule.TYPE, ACTION)
+        part.add(WasmModule.TYPE, LOOK_UP)
+        val coldTable = part.order(IndexSpace.TABLE).size
+        part.add(WasmModule.TABLE, coldTableType())
+        val lookUp = part.order(IndexSpace.FUNCTION).size
+        val entries = cold.withIndex().associate { (entry, function) -> function to entry + 1 }
+        for (function in part.own(IndexSpace.FUNCTION)) {
+            val type = contents.typeOf(function)
+            val entry = entries[function]
+            val body = if (entry == null) {
+                contents.copyDefinition(IndexSpace.FUNCTION, function, part)
+            } else {
+                callOfRest(contents.types.parametersOf(type), part.map(IndexSpace.TYPE, type), entry, lookUp)
+            }
+            part.addFunction(part.map(IndexSpace.TYPE, type), body)
+        }
+        part.addFunction(types + 1, lookUp(action = types, coldTable))
+        part.declare(reachOfFirst.declared)
+        for (export in contents.exports) part.export(export.name, export.space, part.map(export.space, export.index))
+        for ((what, name) in shared) part.export(name, what.first, part.map(what.first, what.second))
+        part.export(COLD, IndexSpace.TABLE, coldTable)
+        part.module(contents.start?.let { part.map(IndexSpace.FUNCTION, it) })
+    }
+
+    val rest: WasmModule by lazy {
+        val part = WasmPart(contents, reachOfRest, ::isInFirst)
+        part.addDefinitions { space, index -> shared.getValue(space to index) }
+        part.import(FIRST, COLD, IndexSpace.TABLE, coldTableType())
+        for (function in part.own(IndexSpace.FUNCTION)) {
+            val type = part.map(IndexSpace.TYPE, contents.typeOf(function))
+            part.addFunction(type, contents.copyDefinition(IndexSpace.FUNCTION, function, part))
+        }
+        part.declare(reachOfRest.declared)
+        val segment = WasmWriter().number(WasmCopier.EXPLICIT).number(part.order(IndexSpace.TABLE).size)
+        segment.constant(1).byte(END, WasmPart.ELEMENTS_ARE_FUNCTIONS).number(cold.size)
+        for (function in cold) segment.number(part.map(IndexSpace.FUNCTION, function))
+        part.add(WasmModule.ELEMENT, segment.bytes())
+        part.module(start = null)
+    }
+
+    private fun coldTableType() = WasmWriter().byte(FUNCREF, 0).number(cold.size + 1).bytes()
+
+    /** A function that returns the entry of its parameter and, if this is empty, brings the rest before. */
+    private fun lookUp(action: Int, table: Int): ByteArray {
+        val entry = WasmWriter().byte(LOCAL_GET, 0, TABLE_GET).number(table).bytes()
+        val bring = WasmWriter().constant(0).byte(CALL_INDIRECT).number(action).number(table).bytes()
         return WasmWriter().byte(NO_LOCALS)
-            .constant(entry).byte(TABLE_GET).number(coldTable).byte(REF_IS_NULL)
-            .byte(IF, NO_RESULT).raw(bring).byte(END)
-            .raw(call(function, entry, coldTable)).byte(END).bytes()
+            .raw(entry).byte(REF_IS_NULL, IF, NO_RESULT).raw(bring).byte(END)
+            .raw(entry).byte(END).bytes()
     }
 
-    private fun callOfFirst(function: Int): ByteArray =
-        WasmWriter().byte(NO_LOCALS).raw(call(function, hotEntries.getValue(function), hotTable)).byte(END).bytes()
-
-    /** Calls the [entry] of [table] with the parameters of [function]. */
-    private fun call(function: Int, entry: Int, table: Int): ByteArray {
-        val type = functionTypes[function]
-        val writer = WasmWriter()
-        for (parameter in 0 until types[type].parameters) writer.byte(LOCAL_GET).number(parameter)
-        return writer.constant(entry).byte(CALL_INDIRECT).number(type).number(table).bytes()
+    /** The body of a function of the first part that calls the [entry] of [COLD] with its own parameters. */
+    private fun callOfRest(parameters: Int, type: Int, entry: Int, lookUp: Int): ByteArray {
+        val writer = WasmWriter().byte(NO_LOCALS)
+        for (parameter in 0 until parameters) writer.byte(LOCAL_GET).number(parameter)
+        return writer.constant(entry).byte(CALL).number(lookUp)
+            .byte(OBJECTS, CAST).signed(type).byte(CALL_REFERENCE).number(type).byte(END).bytes()
     }
-
-    /** A segment that puts [functions] into [table] from [offset] on. */
-    private fun elements(table: Int, offset: Int, functions: List<Int>): ByteArray {
-        val writer = WasmWriter().number(ACTIVE_WITH_TABLE).number(table)
-        writer.constant(offset).byte(END, ELEMENTS_ARE_FUNCTIONS).number(functions.size)
-        for (function in functions) writer.number(imported + function)
-        return writer.bytes()
-    }
-
-    private fun export(name: String, kind: Int, index: Int): ByteArray =
-        WasmWriter().name(name).byte(kind).number(index).bytes()
-
-    private fun table(minimum: Int): ByteArray = WasmWriter().byte(FUNCREF, 0).number(minimum).bytes()
 
     companion object {
         /** The name of the module from which the rest imports. */
@@ -121,23 +116,30 @@ internal class WasmModuleSplitter(private val module: WasmModule, private val ca
 
         /** The export of the first part that is the table of the functions of the rest; see also `start.js`. */
         const val COLD = "first.cold"
-        private const val HOT = "first.hot"
+
+        /** What is wholly in the first part. */
+        private val WITHOUT_PARTS = listOf(IndexSpace.TABLE, IndexSpace.MEMORY, IndexSpace.TAG)
+        private val SEGMENTS = listOf(IndexSpace.ELEMENT, IndexSpace.DATA)
 
         private const val FUNCREF = 0x70
+
+        /** The type of functions without parameters and result. */
+        private val ACTION = byteArrayOf(0x60, 0, 0)
+
+        /** The type of functions from an integer to a function. */
+        private val LOOK_UP = byteArrayOf(0x60, 1, 0x7f, 1, FUNCREF.toByte())
+
         private const val NO_LOCALS = 0
         private const val NO_RESULT = 0x40
         private const val IF = 0x04
         private const val END = 0x0b
+        private const val CALL = 0x10
         private const val CALL_INDIRECT = 0x11
+        private const val CALL_REFERENCE = 0x14
         private const val LOCAL_GET = 0x20
         private const val TABLE_GET = 0x25
         private const val REF_IS_NULL = 0xd1
-        private const val ACTIVE_WITH_TABLE = 2
-        private const val ELEMENTS_ARE_FUNCTIONS = 0
+        private const val OBJECTS = 0xfb
+        private const val CAST = 0x16
     }
-}
-
-private fun WasmReader.tableType(): ByteArray = copy {
-    byte()
-    WasmImport.skipLimits(this)
 }

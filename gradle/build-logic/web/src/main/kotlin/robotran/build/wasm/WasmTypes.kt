@@ -1,33 +1,47 @@
 package robotran.build.wasm
 
-/** How many [parameters] and [results] a function has. */
-internal class FunctionType(val parameters: Int, val results: Int) {
-    companion object {
-        private const val FUNCTION_TYPE = 0x60
+/**
+ * The types of a module, in groups of those that may refer to each other. Two modules have the same type if they have
+ * the same group, so a group is kept or left out as a whole.
+ */
+internal class WasmTypes(module: WasmModule) {
+    /** The groups as they stand in the module. */
+    val groups: List<ByteArray> = module.entries(WasmModule.TYPE) { copy { sameCopier(this).typeGroup() } }
+    private val parameters = groups.map(::parametersIn)
+    private val starts = parameters.map { it.size }.runningFold(0, Int::plus)
+    private val groupOfType = parameters.flatMapIndexed { group, types -> types.map { group } }
 
-        /** Reads a type of a module without garbage collection. */
-        fun read(reader: WasmReader): FunctionType {
-            require(reader.byte() == FUNCTION_TYPE) { "The module has types that are no functions." }
-            return FunctionType(reader.vector { reader.byte() }.size, reader.vector { reader.byte() }.size)
+    fun groupOf(type: Int): Int = groupOfType[type]
+
+    fun typesOf(group: Int): IntRange = starts[group] until starts[group + 1]
+
+    /** How many parameters the function type [type] has. */
+    fun parametersOf(type: Int): Int = checkNotNull(parameters[groupOf(type)][type - starts[groupOf(type)]]) {
+        "The type $type is no function."
+    }
+
+    /** The number of parameters of each type of [group]; null for one that is no function. */
+    private fun parametersIn(group: ByteArray): List<Int?> {
+        val reader = WasmReader(group)
+        val isSingle = reader.peek() != GROUP
+        if (!isSingle) reader.byte()
+        return List(if (isSingle) 1 else reader.number()) {
+            val type = WasmReader(reader.copy { sameCopier(reader).type() })
+            if (type.peek() == OPEN || type.peek() == FINAL) {
+                type.byte()
+                type.vector { type.number() }
+            }
+            if (type.byte() == FUNCTION_TYPE) type.number() else null
         }
     }
-}
 
-/** A global with a constant of its [type], which also says whether it can change. */
-internal class GlobalDefinition(val type: ByteArray, val initialValue: ByteArray) {
     companion object {
-        private const val I32_CONST = 0x41
-        private const val END = 0x0b
-
-        /** Reads a global that is a 32-bit integer. */
-        fun read(reader: WasmReader): GlobalDefinition {
-            val type = reader.take(2)
-            val value = reader.copy {
-                require(reader.byte() == I32_CONST) { "The module has globals that are no 32-bit integers." }
-                reader.number()
-                require(reader.byte() == END) { "A global is not a constant." }
-            }
-            return GlobalDefinition(type, value)
-        }
+        /** How types begin in the binary format. */
+        const val GROUP = 0x4e
+        const val OPEN = 0x50
+        const val FINAL = 0x4f
+        const val FUNCTION_TYPE = 0x60
+        const val STRUCT = 0x5f
+        const val ARRAY = 0x5e
     }
 }

@@ -2,22 +2,35 @@ package robotran.build.wasm
 
 import kotlin.test.Test
 import kotlin.test.assertEquals
-import kotlin.test.assertFailsWith
+import kotlin.test.assertNull
 
 class CalledFunctionsTest {
     private val functions = setOf(0, 1, 2, 5, 7, 8)
+    private val text = CalledIndices("ba78", functions).toString()
 
     @Test
-    fun `functions are written as ranges, and read again`() {
-        val text = CalledFunctions("ba78", functions).toString()
+    fun `functions without names are written as ranges, and read again`() {
         assertEquals("sha256 ba78\n0-2 5 7-8\n", text.lines().drop(1).joinToString("\n"))
-        val again = CalledFunctions.parse(text)
-        assertEquals("ba78", again.sha256)
-        assertEquals(functions, again.functions)
+        assertEquals(functions, CalledFunctions.parse(text).indicesIn(sampleModule(), "ba78"))
     }
 
     @Test
-    fun `a file without the hash of its module is refused`() {
-        assertFailsWith<IllegalArgumentException> { CalledFunctions.parse("0-2 5\n") }
+    fun `indices of another version of the module are none`() {
+        assertNull(CalledFunctions.parse(text).indicesIn(sampleModule(), "ba79"))
+    }
+
+    @Test
+    fun `names are written by their owners, and read again`() {
+        val names = CalledNames(setOf("app.screen.draw", "app.screen.Brick.press", "app.screen.Brick.<init>", "main"))
+        val lines = "$names".lines().drop(1)
+        assertEquals(listOf("app.screen.Brick <init> press", "app.screen draw", "- main", ""), lines)
+        assertEquals(names.names, CalledNames.parse(lines.dropLast(1)).names)
+    }
+
+    @Test
+    fun `a name holds for all functions that differ in their parameters alone`() {
+        val module = sampleModule(names = listOf("app.sum_17", "app.sum", "app.other"))
+        val again = CalledFunctions.parse("${CalledNames(setOf("app.sum"))}")
+        assertEquals(setOf(0, 1), again.indicesIn(module, sha256 = ""))
     }
 }

@@ -20,12 +20,15 @@ internal fun sampleModule(names: List<String> = listOf("none", "same", "sum")): 
                     WasmWriter().byte(0x60, 2, 0x7f, 0x7f, 1, 0x7f),
                 ),
             ),
-            WasmSection(WasmModule.IMPORT, list(WasmWriter().name("env").name("tell").byte(WasmModule.FUNCTION, 0))),
+            WasmSection(
+                WasmModule.IMPORT,
+                list(WasmWriter().name("env").name("tell").byte(IndexSpace.FUNCTION.kind, 0)),
+            ),
             WasmSection(WasmModule.FUNCTIONS, byteArrayOf(3, 0, 1, 2)),
             WasmSection(WasmModule.TABLE, list(WasmWriter().byte(0x70, 1, 4, 4))),
             WasmSection(WasmModule.MEMORY, list(WasmWriter().byte(0, 1))),
             WasmSection(WasmModule.GLOBAL, list(WasmWriter().byte(0x7f, 1, 0x41, 7, 0x0b))),
-            WasmSection(WasmModule.EXPORT, list(WasmWriter().name("sum").byte(WasmModule.FUNCTION, 3))),
+            WasmSection(WasmModule.EXPORT, list(WasmWriter().name("sum").byte(IndexSpace.FUNCTION.kind, 3))),
             WasmSection(WasmModule.ELEMENT, list(WasmWriter().byte(0, 0x41, 1, 0x0b, 1, 2))),
             WasmSection(
                 WasmModule.CODE,

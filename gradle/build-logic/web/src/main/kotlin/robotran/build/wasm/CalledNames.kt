@@ -1,0 +1,41 @@
+package robotran.build.wasm
+
+/**
+ * The [names] of the functions of the app: in each line an owner and its functions. A name holds for all functions that
+ * differ in their parameters alone, and for later versions of the app, since Kotlin's linker distinguishes those by a
+ * number that changes with each version.
+ */
+internal class CalledNames(val names: Set<String>) : CalledFunctions {
+    override fun indicesIn(module: WasmModule, sha256: String): Set<Int> =
+        namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { name in names } }.toSet()
+
+    override fun toString(): String {
+        val byOwner = names.sorted().groupBy({ it.substringBeforeLast(SEPARATOR, NO_OWNER) }) {
+            it.substringAfterLast(SEPARATOR)
+        }
+        val lines = byOwner.map { (owner, own) -> "$owner ${own.joinToString(" ")}" }
+        return (listOf(CalledFunctions.COMMENT) + lines).joinToString("\n", postfix = "\n")
+    }
+
+    companion object {
+        private const val NO_OWNER = "-"
+        private const val SEPARATOR = '.'
+        private val NUMBER = Regex("_\\d+$")
+
+        /** The names of the functions that [module] defines, without the numbers that the linker adds. */
+        fun namesIn(module: WasmModule): List<String> {
+            val names = functionNames(module)
+            val first = module.importedFunctions
+            return module.entries(WasmModule.FUNCTIONS) { number() }.indices.map { index ->
+                names[first + index].orEmpty().replace(NUMBER, "").replace(' ', '_')
+            }
+        }
+
+        fun parse(lines: List<String>): CalledNames = CalledNames(
+            lines.flatMap { line ->
+                val words = line.split(" ")
+                words.drop(1).map { if (words[0] == NO_OWNER) it else "${words[0]}$SEPARATOR$it" }
+            }.toSet(),
+        )
+    }
+}

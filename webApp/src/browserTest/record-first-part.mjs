@@ -1,0 +1,100 @@
+// Walks through the first minute in a page whose modules mark the functions that are called, and adds a line for each of
+// these to the file CALLS: the module and the index of the function. For ./gradlew :webApp:recordFirstPart.
+import { appendFile } from 'node:fs/promises';
+import { startBrowser } from './browser.mjs';
+import { serve } from './serve.mjs';
+import { appears, PATIENCE, press, reports, tap } from './words.mjs';
+
+const FINGER = { hasTouch: true, isMobile: true };
+const SCREENS = [
+  { width: 411, height: 891, ...FINGER },
+  { width: 891, height: 411, ...FINGER },
+  { width: 820, height: 1180, ...FINGER },
+  { width: 1280, height: 800, ...FINGER },
+  { width: 1280, height: 800 },
+];
+
+/** Further sizes, which have layouts of their own. */
+const OTHERS = [
+  { width: 360, height: 640, ...FINGER },
+  { width: 768, height: 1024, ...FINGER },
+  { width: 1024, height: 768, ...FINGER },
+  { width: 1180, height: 820, ...FINGER },
+  { width: 1024, height: 640 },
+  { width: 1366, height: 768 },
+  { width: 1920, height: 1080 },
+];
+const LANGUAGES = ['en-GB', 'de-AT', 'es-MX'];
+
+const browser = await startBrowser();
+const site = await serve(process.env.PAGE);
+
+/** Runs in the page: keeps the marks of each module, by the name of its file. */
+function keepMarks() {
+  globalThis.marks = {};
+  // While a later part is missing, the page lets no mouse through that only moves, see `parts.js`.
+  for (const type of ['pointermove', 'pointerenter', 'pointerleave'])
+    addEventListener(type, (event) => event.buttons === 0 && event.stopImmediatePropagation(), { capture: true });
+  const names = new WeakMap();
+  const compile = WebAssembly.compileStreaming.bind(WebAssembly);
+  WebAssembly.compileStreaming = async (source, options) => {
+    const response = await source;
+    const module = await compile(response, options);
+    names.set(module, /([\w-]+)\.\w+\.wasm$/.exec(response.url)[1]);
+    return module;
+  };
+  const instantiate = WebAssembly.instantiate.bind(WebAssembly);
+  WebAssembly.instantiate = async (module, imports) => {
+    const instance = await instantiate(module, imports);
+    if (instance.exports?.called) globalThis.marks[names.get(module)] = new Uint8Array(instance.exports.called.buffer);
+    return instance;
+  };
+}
+
+async function record(page) {
+  const called = await page.evaluate(() =>
+    Object.entries(globalThis.marks).flatMap(([name, marks]) =>
+      Array.from(marks, (mark, index) => (mark ? `${name} ${index}\n` : '')).filter(Boolean),
+    ),
+  );
+  await appendFile(process.env.CALLS, called.join(''));
+}
+
+/** Opens the page as somebody who comes for the first time, chooses `view` on the greeting, and uses the page. */
+async function walk({ view, wish, locale, colorScheme = 'light', ...screen }) {
+  const { width, height, ...more } = screen;
+  const context = await browser.newContext({ viewport: { width, height }, locale, colorScheme, serviceWorkers: 'block', ...more });
+  context.setDefaultTimeout(PATIENCE);
+  const page = await context.newPage();
+  page.on('pageerror', (error) => console.log(String(error)));
+  await page.addInitScript(keepMarks);
+  let goOn = () => undefined;
+  // What is chosen on the greeting is chosen before the app is there.
+  if (wish) {
+    const chosen = new Promise((resolve) => {
+      goOn = resolve;
+    });
+    await page.route('**/files/robotran.*.wasm', (route) => chosen.then(() => route.continue()));
+  }
+  await page.goto(site.address, { waitUntil: 'commit' });
+  if (wish) {
+    await page.check(`[name="view"][value="${view}"]`);
+    await page.click(`[data-wish="${wish}"]`);
+    goOn();
+  } else {
+    await appears(page, 'first-run');
+    await (more.hasTouch ? tap : press)(page, 'try-square');
+  }
+  await page.waitForFunction(() => globalThis.robotran);
+  await reports(page, (report) => report.status === 'ended');
+  await appears(page, 'notice-action');
+  await record(page);
+  await context.close();
+}
+
+for (const screen of SCREENS) for (const locale of LANGUAGES) await walk({ ...screen, locale });
+for (const screen of OTHERS) await walk({ ...screen, locale: 'en-GB' });
+for (const view of ['blocks', 'text'])
+  for (const screen of [SCREENS[0], SCREENS[4]]) await walk({ ...screen, view, wish: 'square', locale: 'en-GB', colorScheme: 'dark' });
+await browser.close();
+site.stop();

@@ -1,0 +1,188 @@
+// The modules of the app come in two parts: the functions that the first minute calls, and the rest, see docs/hosting.md.
+// The rest is requested when the first parts are compiled. What is touched before it is there is held back and done then.
+globalThis.robotranParts = ({ rests, words, download, absolute }) => {
+  // Kotlin's options.
+  const BUILTINS = { builtins: ['js-string'], importedStringConstants: "'" };
+
+  // A table that the first part exports. Its entry 0 is a function that the first part calls when an entry is missing.
+  const ENTRIES_OF_REST = 'first.cold';
+  // A module that exports its import `page.call` as `call`: a table takes no function of JavaScript.
+  const CALL = 'AGFzbQEAAAABBAFgAAACDQEEcGFnZQRjYWxsAAAHCAEEY2FsbAAA';
+  const bytesIn = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const callable = (call) => new WebAssembly.Instance(new WebAssembly.Module(bytesIn(atob(CALL))), { page: { call } }).exports.call;
+
+  /** What can be touched although the rest is missing: the journeys that recorded the first part touch the same. */
+  const AT_ONCE = ['try-square'];
+
+  const parts = rests.map(([address]) => ({
+    address: absolute(address),
+    module: null, // A promise of it.
+    imports: null, // What it is instantiated with.
+    isJoining: false,
+    isHere: false,
+    joinedAtOnce: null, // The entries, if the page has not waited until the part was joined.
+  }));
+  let haveCome;
+  const allCome = new Promise((resolve) => {
+    haveCome = resolve;
+  });
+  const tableOf = (part) => part.imports.first[ENTRIES_OF_REST];
+  const entriesOf = (table) => Array.from({ length: table.length }, (_, entry) => (entry === 0 ? null : table.get(entry)));
+
+  /** Requests a part, if that was not done or has failed. */
+  const moduleOf = (part, response = download(part.address)) => {
+    if (part.module === null) {
+      part.module = WebAssembly.compileStreaming(response, BUILTINS);
+      part.module.catch(() => {
+        part.module = null;
+      });
+    }
+    return part.module;
+  };
+
+  const join = async (part) => {
+    const module = await moduleOf(part);
+    if (part.isHere || part.isJoining) return;
+    part.isJoining = true;
+    await WebAssembly.instantiate(module, part.imports);
+    part.isJoining = false;
+    // There must be one instance of it alone.
+    part.joinedAtOnce?.forEach((each, entry) => entry > 0 && tableOf(part).set(entry, each));
+    part.isHere = true;
+    if (parts.every(({ isHere }) => isHere)) haveCome();
+  };
+
+  /**
+   * A call of a function that is not there, such as by a timer. WebAssembly cannot wait for anything but this request,
+   * and the page stands still meanwhile.
+   */
+  const joinAtOnce = (part) => {
+    const request = new XMLHttpRequest();
+    request.open('GET', part.address, false);
+    // Only text can be waited for: each byte is a letter.
+    request.overrideMimeType('text/plain; charset=x-user-defined');
+    try {
+      request.send();
+      if (request.status !== 200) throw new Error(`${part.address} could not be fetched`);
+      new WebAssembly.Instance(new WebAssembly.Module(bytesIn(request.responseText), BUILTINS), part.imports);
+    } catch (error) {
+      isBroken = true; // The app has been left in the middle of something.
+      tell(words.notFetched);
+      throw error;
+    }
+    if (part.isJoining) part.joinedAtOnce = entriesOf(tableOf(part));
+    part.isHere = true;
+  };
+
+  let isBroken = false;
+  let told = null;
+
+  /** Says something at the top of the page, with a button to try again if something is missing. */
+  const tell = (sentence) => {
+    told ??= document.body.appendChild(document.createElement('aside'));
+    told.id = 'parts';
+    told.setAttribute('role', 'status');
+    const paragraph = document.createElement('p');
+    paragraph.textContent = sentence;
+    const again = document.createElement('button');
+    again.type = 'button';
+    again.textContent = words.again;
+    again.addEventListener('click', () => {
+      if (isBroken) location.reload();
+      tell(words.rest);
+      bring().catch(() => undefined);
+    });
+    told.replaceChildren(...(sentence === words.rest ? [paragraph] : [paragraph, again]));
+  };
+  const beQuiet = () => {
+    told?.remove();
+    told = null;
+  };
+
+  /** Requests what is missing and joins it. */
+  const bring = async () => {
+    try {
+      await Promise.all(parts.map(join));
+      await letGo();
+    } catch (error) {
+      if (isHolding) tell(words.notFetched);
+      throw error;
+    }
+  };
+
+  const EVENTS = ['pointerdown', 'pointermove', 'pointerup', 'pointercancel', 'pointerenter', 'pointerleave', 'wheel', 'keydown', 'keyup', 'click'];
+  const KEPT = ['pointerdown', 'pointerup', 'keydown', 'keyup', 'click'];
+  const nextFrame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+  let isHolding = false;
+  let isPassing = false;
+  let held = [];
+
+  const isAtOnce = ({ target, clientX, clientY, type }) =>
+    AT_ONCE.some((tag) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${tag}"]`);
+      if (!element || type === 'click') return element !== null && element === target;
+      const { left, right, top, bottom } = element.getBoundingClientRect();
+      return clientX >= left && clientX <= right && clientY >= top && clientY <= bottom;
+    });
+
+  const take = (event) => {
+    // The page's own loading screen and words need no part.
+    if (!event.isTrusted || (event.target instanceof Element && event.target.closest('#parts, #loading, .leaving'))) return;
+    // The canvas answers pointers, and the elements for screen readers answer clicks.
+    if (event.type === 'click' && event.target instanceof HTMLCanvasElement) return;
+    if (event.type === 'pointerdown') isPassing = isAtOnce(event);
+    if (event.type === 'click' ? isAtOnce(event) : isPassing && event.type.startsWith('pointer')) return;
+    event.stopImmediatePropagation();
+    if (event.cancelable) event.preventDefault();
+    if (!KEPT.includes(event.type) || (event.type === 'pointerup' && held.length === 0)) return;
+    if (event.type === 'pointerdown') held = []; // Whoever touches again means that.
+    held.push([event, event.target]);
+    if (told === null) tell(words.rest);
+  };
+
+  const hold = () => {
+    if (parts.every(({ isHere }) => isHere)) return;
+    isHolding = true;
+    for (const type of EVENTS) addEventListener(type, take, { capture: true, passive: false });
+  };
+
+  /** Repeats what was held back. */
+  const letGo = async () => {
+    if (!isHolding) return;
+    isHolding = false;
+    beQuiet();
+    while (held.length > 0) {
+      const [event, target] = held.shift();
+      const place = target.isConnected ? target : document.elementFromPoint(event.clientX, event.clientY);
+      place?.dispatchEvent(new event.constructor(event.type, event));
+      if (event.type !== 'pointerup') await nextFrame(); // Between a finger that goes down and up.
+    }
+    for (const type of EVENTS) removeEventListener(type, take, { capture: true });
+  };
+
+  return {
+    BUILTINS,
+    AT_ONCE,
+    bring,
+    hold,
+
+    /** Resolved when all parts have been joined. */
+    allCome,
+
+    /** Uses the `response` to a request of the rest of the module `number` that was made already. */
+    expect: (number, response) => moduleOf(parts[number], response).catch(() => undefined),
+
+    /** The compiled rest of the module `number`. */
+    restOf: (number) => moduleOf(parts[number]),
+
+    /** Connects the first part of the module `number`, an instance made with `imports`, with its rest. */
+    connect(number, instance, imports) {
+      if (number >= parts.length) return;
+      parts[number].imports = { ...imports, first: instance.exports };
+      instance.exports[ENTRIES_OF_REST].set(0, callable(() => joinAtOnce(parts[number])));
+    },
+
+    /** Joins the rest of the module `number` before the app uses it. */
+    complete: async (number) => parts[number] && join(parts[number]),
+  };
+};
