@@ -10,7 +10,8 @@ import { PATIENCE, press, words } from './words.mjs';
 export const RUN_GREEN = [0x2e, 0x9e, 0x4f];
 
 // Skiko of Compose 1.7.3 accesses the memory through a deprecated export. It works, and newer versions fix it.
-const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
+// Chromium fails a request for a file that it was keeping for a page that has been left meanwhile. The page asks again.
+const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated|ERR_CACHE_WRITE_FAILURE/;
 
 /**
  * Opens the page and waits until the workshop is ready. `troubles` collects errors in the page and downloads from other
@@ -211,8 +212,8 @@ export async function putWelcomeAway(page) {
 /** The report of the workshop's run so far. */
 export const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
 
-/** Whether there are to be pictures for people to look at. What Skiko does for them belongs to what is recorded. */
-const takesPictures = Boolean(process.env.TAKES_PICTURES ?? process.env.SKIKO_CALLS);
+/** Whether there are to be pictures for people to look at. */
+const takesPictures = Boolean(process.env.TAKES_PICTURES);
 
 /** Takes a picture of the page for people to look at, in the ring that has time for it. */
 export const photograph = async (page, name) => takesPictures && takePicture(page, name);

@@ -36,7 +36,8 @@ function goesLate() {
 }
 
 test('a browser that goes back late closes nothing that was opened meanwhile, and stays in the page', () =>
-  onPage({ ...TABLET, prepare: goesLate }, async ({ page, site, troubles }) => {
+  onPage(TABLET, async ({ page, site, troubles }) => {
+    await page.evaluate(goesLate);
     await tap(page, 'find-open');
     await appears(page, 'find-close');
     await hasEntries(page, 1);
