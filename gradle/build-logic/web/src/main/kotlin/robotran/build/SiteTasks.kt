@@ -56,9 +56,11 @@ internal class SiteTasks(private val project: Project) {
             task.arguments.set(WasmOptimisation.arguments(project, WasmOptimisation.RELEASE_PASSES))
             task.optimized.set(build.file("optimized-app/$APP"))
         }
-        val optimized = build.dir("optimized-app")
-        val split = split("splitRelease", DividedModule.APP, optimize.flatMap { optimized })
-        split.configure { it.largest.set(COMPILED_AT_ONCE) }
+        val split = split("splitRelease", DividedModule.APP, build.dir("optimized-app"))
+        split.configure {
+            it.dependsOn(optimize)
+            it.largest.set(COMPILED_AT_ONCE)
+        }
         val app = replace(
             "releaseApp",
             "Puts the parts of the small and fast modules into what webpack has made.",
