@@ -14,6 +14,8 @@ const SCREENS = [
   { width: 1280, height: 800 },
 ];
 
+const SLOW = { offline: false, latency: 40, downloadThroughput: 2_500_000, uploadThroughput: 1_250_000 };
+
 /** Further sizes, which have layouts of their own. */
 const OTHERS = [
   { width: 360, height: 640, ...FINGER },
@@ -61,11 +63,17 @@ async function record(page) {
 }
 
 /** Opens the page as somebody who comes for the first time, chooses `view` on the greeting, and uses the page. */
-async function walk({ view, wish, locale, colorScheme = 'light', ...screen }) {
+async function walk({ view, wish, locale, colorScheme = 'light', isSlow = false, ...screen }) {
   const { width, height, ...more } = screen;
   const context = await browser.newContext({ viewport: { width, height }, locale, colorScheme, serviceWorkers: 'block', ...more });
   context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
+  // Texts and fonts that come late are another way through the app.
+  if (isSlow) {
+    const devtools = await context.newCDPSession(page);
+    await devtools.send('Network.enable');
+    await devtools.send('Network.emulateNetworkConditions', SLOW);
+  }
   page.on('pageerror', (error) => console.log(String(error)));
   await page.addInitScript(keepMarks);
   let goOn = () => undefined;
@@ -93,6 +101,7 @@ async function walk({ view, wish, locale, colorScheme = 'light', ...screen }) {
 }
 
 for (const screen of SCREENS) for (const locale of LANGUAGES) await walk({ ...screen, locale });
+for (const screen of [SCREENS[0], SCREENS[4]]) await walk({ ...screen, locale: 'en-US', isSlow: true });
 for (const screen of OTHERS) await walk({ ...screen, locale: 'en-GB' });
 for (const view of ['blocks', 'text'])
   for (const screen of [SCREENS[0], SCREENS[4]]) await walk({ ...screen, view, wish: 'square', locale: 'en-GB', colorScheme: 'dark' });
