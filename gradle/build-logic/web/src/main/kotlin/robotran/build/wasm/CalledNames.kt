@@ -6,8 +6,9 @@ package robotran.build.wasm
  * number that changes with each version.
  */
 internal class CalledNames(val names: Set<String>) : CalledFunctions {
+    /** Also functions without a name, which binaryen has made: it is not known what calls them. */
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int> =
-        namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { name in names } }.toSet()
+        namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { name.isEmpty() || name in names } }.toSet()
 
     override fun toString(): String {
         val byOwner = names.sorted().groupBy({ it.substringBeforeLast(SEPARATOR, NO_OWNER) }) {
