@@ -18,7 +18,7 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
     address: absolute(address),
     module: null, // A promise of it.
     imports: null, // What it is instantiated with.
-    isJoining: false,
+    joining: null, // A promise, from the request on until it fails.
     isHere: false,
     joinedAtOnce: null, // The entries, if the page has not waited until the part was joined.
   }));
@@ -40,16 +40,27 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
     return part.module;
   };
 
-  const join = async (part) => {
-    const module = await moduleOf(part);
-    if (part.isHere || part.isJoining) return;
-    part.isJoining = true;
-    await WebAssembly.instantiate(module, part.imports);
-    part.isJoining = false;
-    // There must be one instance of it alone.
-    part.joinedAtOnce?.forEach((each, entry) => entry > 0 && tableOf(part).set(entry, each));
+  const arrive = (part) => {
     part.isHere = true;
     if (parts.every(({ isHere }) => isHere)) haveCome();
+  };
+
+  const instantiate = async (part) => {
+    const module = await moduleOf(part);
+    if (part.isHere) return;
+    await WebAssembly.instantiate(module, part.imports);
+    // There must be one instance of it alone.
+    part.joinedAtOnce?.forEach((each, entry) => entry > 0 && tableOf(part).set(entry, each));
+    arrive(part);
+  };
+
+  /** Requests a part and connects it, once. */
+  const join = (part) => {
+    part.joining ??= instantiate(part).catch((error) => {
+      part.joining = null;
+      throw error;
+    });
+    return part.joining;
   };
 
   /**
@@ -70,8 +81,8 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
       tell(words.notFetched);
       throw error;
     }
-    if (part.isJoining) part.joinedAtOnce = entriesOf(tableOf(part));
-    part.isHere = true;
+    part.joinedAtOnce = entriesOf(tableOf(part));
+    arrive(part);
   };
 
   let isBroken = false;
@@ -88,9 +99,12 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
     again.type = 'button';
     again.textContent = words.again;
     again.addEventListener('click', () => {
-      if (isBroken) location.reload();
-      tell(words.rest);
-      bring().catch(() => undefined);
+      if (isBroken) {
+        location.reload();
+      } else {
+        tell(words.rest);
+        bring().catch(() => undefined);
+      }
     });
     told.replaceChildren(...(sentence === words.rest ? [paragraph] : [paragraph, again]));
   };
@@ -103,7 +117,6 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
   const bring = async () => {
     try {
       await Promise.all(parts.map(join));
-      await letGo();
     } catch (error) {
       if (isHolding) tell(words.notFetched);
       throw error;
@@ -131,7 +144,10 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
     // The canvas answers pointers, and the elements for screen readers answer clicks.
     if (event.type === 'click' && event.target instanceof HTMLCanvasElement) return;
     if (event.type === 'pointerdown') isPassing = isAtOnce(event);
-    if (event.type === 'click' ? isAtOnce(event) : isPassing && event.type.startsWith('pointer')) return;
+    if (event.type === 'click' ? isAtOnce(event) : isPassing && event.type.startsWith('pointer')) {
+      if (['pointerup', 'pointercancel'].includes(event.type)) isPassing = false;
+      return;
+    }
     event.stopImmediatePropagation();
     if (event.cancelable) event.preventDefault();
     if (!KEPT.includes(event.type) || (event.type === 'pointerup' && held.length === 0)) return;
@@ -143,12 +159,12 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
   const hold = () => {
     if (parts.every(({ isHere }) => isHere)) return;
     isHolding = true;
+    allCome.then(letGo);
     for (const type of EVENTS) addEventListener(type, take, { capture: true, passive: false });
   };
 
   /** Repeats what was held back. */
   const letGo = async () => {
-    if (!isHolding) return;
     isHolding = false;
     beQuiet();
     while (held.length > 0) {

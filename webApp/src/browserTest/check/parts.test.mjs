@@ -70,6 +70,7 @@ for (const [name, screen] of Object.entries(SCREENS))
 const CHOICES = {
   'try-tutorial': (page) => appears(page, 'tutorial'),
   'try-worlds': (page) => appears(page, 'worlds-page'),
+  'try-lessons': (page) => appears(page, 'map-page'),
   'first-run-close': (page) => page.waitForFunction(() => !document.querySelector('[data-tag="first-run"]'), null, { timeout: PATIENCE }),
 };
 
@@ -126,6 +127,21 @@ test('a part that does not come is told, the robot draws meanwhile, and trying a
   await page.context().close();
 });
 
+test('a part that fails once comes by itself', async () => {
+  const failed = new Set();
+  site.refuse = (file) => {
+    if (!/-rest/.test(file) || failed.has(file)) return null;
+    failed.add(file);
+    return 503;
+  };
+  const page = await begin(PHONE);
+  await press(page, 'try-tutorial', PHONE);
+  await appears(page, 'tutorial');
+  assert.equal(failed.size, 2);
+  assert.equal(await page.locator('#parts').count(), 0);
+  await page.context().close();
+});
+
 test('what was chosen on the greeting and needs a later part is done when that has come', async () => {
   const { route, goOn } = holdRests();
   const page = await visit({ ...PHONE, route });
@@ -149,6 +165,10 @@ test('a call of a function that is not there, such as by a timer, waits for its 
   await page.waitForSelector('#parts button', { timeout: PATIENCE });
   site.refuse = () => null;
   assert.equal(await runJava(page), 'ended');
+  await page.click('#parts button'); // The other part.
+  await page.waitForFunction(() => !document.getElementById('parts'), null, { timeout: PATIENCE });
+  await press(page, 'try-tutorial', PHONE);
+  await appears(page, 'tutorial');
   await page.context().close();
 });
 

@@ -41,6 +41,11 @@ for (const [name, open] of Object.entries(ENGINES)) {
       const { inkCentimetres } = await report(page);
       assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
       await photograph(page, `engine-${name.toLowerCase()}`);
+      // A page that calls a function of a later part requests that part a second time, and stands still meanwhile.
+      const later = await page.evaluate(() =>
+        performance.getEntriesByType('resource').flatMap(({ name: address }) => /[\w]+-rest\./.exec(address) ?? []),
+      );
+      assert.deepEqual(later.sort(), ['robotran-rest.', 'skiko-rest.'], 'record again: ./gradlew :webApp:recordFirstPart');
     });
 
     step(`a program that is typed in ${name} runs`, async (page) => {

@@ -87,7 +87,10 @@ abstract class BrowserTest
         @get:OutputDirectory
         abstract val pictures: DirectoryProperty
 
-        /** Whether tests take screenshots for people to look at; a failure is always photographed. Drawing in software takes seconds. */
+        /**
+         * Whether tests take screenshots for people to look at, which takes seconds each, since they are drawn in
+         * software. A failure is always photographed.
+         */
         @get:Input
         abstract val takesPictures: Property<Boolean>
 
@@ -107,7 +110,6 @@ abstract class BrowserTest
             )
             val lines = engines.files.filter { it.exists() }.flatMap { it.readLines() }
             runNode(runner + tests.files.map { it.path }.sorted()) { exec ->
-                // What fails calls functions too, and the tests run for their own sake elsewhere.
                 for (line in lines) exec.environment(line.substringBefore('='), line.substringAfter('='))
                 onlyEngine.orNull?.let { exec.environment("ONLY_ENGINE", it) }
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })

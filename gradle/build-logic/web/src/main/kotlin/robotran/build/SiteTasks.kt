@@ -50,7 +50,7 @@ internal class SiteTasks(private val project: Project) {
     /** `assembleRelease`: the same, small and fast. `dist`: the folder to upload, with compressed files. */
     fun addRelease(): TaskProvider<AssembleSite> {
         val link = project.tasks.named(LINK, KotlinJsIrLink::class.java)
-        val optimize = project.tasks.register("optimizeApp", OptimizeWasm::class.java) { task ->
+        val optimize = project.tasks.register(OPTIMIZE, OptimizeWasm::class.java) { task ->
             task.description = "Makes the app's wasm small and fast."
             task.linked.set(link.flatMap { it.destinationDirectory.file(APP) })
             task.arguments.set(WasmOptimisation.arguments(project, WasmOptimisation.RELEASE_PASSES))
@@ -83,24 +83,42 @@ internal class SiteTasks(private val project: Project) {
 
     /** `recordFirstPart`: finds the functions that belong into the first parts of the modules; run by hand. */
     fun addRecording() {
-        val mark = project.tasks.register("markCalls", MarkCalls::class.java) { task ->
-            task.description = "Makes modules that tell which of their functions are called."
-            task.app.fileProvider(builtApp)
-            task.marked.set(build.dir("marked-modules"))
-        }
-        val app = replace("markedApp", "Puts marked modules into what webpack has made.", mark.flatMap { it.marked })
-        val site = project.tasks.register("assembleMarked", AssembleSite::class.java) { task ->
-            task.description = "Assembles a site with the marked modules."
-            task.app.set(app.flatMap { it.replaced })
-            task.site.set(build.dir("marked-site"))
-        }
+        val optimize = project.tasks.named(OPTIMIZE, OptimizeWasm::class.java)
+        val whole =
+            replace(
+                "wholeRelease",
+                "Puts the optimised app into what webpack has made.",
+                optimize.flatMap {
+                    it.optimized
+                },
+            )
+        val page = addMarked("Site", project.layout.dir(builtApp))
+        val published = addMarked("Release", whole.flatMap { it.replaced })
         project.tasks.register("recordFirstPart", RecordFirstPart::class.java) { task ->
             task.group = "build setup"
             task.description = "Finds out which functions the first minute of the page calls."
-            task.page.set(site.flatMap { it.site })
-            task.script.set(project.file("src/browserTest/record-first-part.mjs"))
+            task.page.set(page.flatMap { it.site })
             task.app.fileProvider(builtApp)
+            task.published.set(published.flatMap { it.site })
+            task.publishedApp.set(whole.flatMap { it.replaced })
+            task.script.set(project.file("src/browserTest/record-first-part.mjs"))
             task.lists.set(lists)
+        }
+    }
+
+    /** A site with the modules of [app], which tell which of their functions are called. */
+    private fun addMarked(name: String, app: Provider<Directory>): TaskProvider<AssembleSite> {
+        val mark = project.tasks.register("mark$name", MarkCalls::class.java) { task ->
+            task.description = "Makes modules that tell which of their functions are called."
+            task.app.set(app)
+            task.marked.set(build.dir("marked/$name"))
+        }
+        val marked =
+            replace("marked$name", "Puts marked modules into what webpack has made.", mark.flatMap { it.marked })
+        return project.tasks.register("assembleMarked$name", AssembleSite::class.java) { task ->
+            task.description = "Assembles a site with marked modules."
+            task.app.set(marked.flatMap { it.replaced })
+            task.site.set(build.dir("assembled-marked/$name"))
         }
     }
 
@@ -125,6 +143,7 @@ internal class SiteTasks(private val project: Project) {
         /** The task of Kotlin's plugin that links the app, and the file that it makes. */
         const val LINK = "compileProductionExecutableKotlinWasmJs"
         const val APP = "robotran.wasm"
+        const val OPTIMIZE = "optimizeApp"
 
         /** How many bytes of a module Chromium compiles while the page waits; `parts.js` does so only if it must. */
         const val COMPILED_AT_ONCE = 8L * 1024 * 1024

@@ -57,6 +57,7 @@ class WebAppPlugin : Plugin<Project> {
             task.group = "verification"
             task.page.set(site.flatMap { it.site })
             task.helpers.from(project.fileTree("src/browserTest") { it.exclude("**/*.test.mjs") })
+            task.helpers.from("src/first-part/budget.json")
             task.examples.from(project.rootProject.fileTree("examples"))
             task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
             task.expectedRuns.set(project.rootProject.file("shared/simulation/src/commonTest/resources/runs"))

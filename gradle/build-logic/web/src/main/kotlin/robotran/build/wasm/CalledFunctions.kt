@@ -10,7 +10,20 @@ internal sealed interface CalledFunctions {
      */
     fun indicesIn(module: WasmModule, sha256: String): Set<Int>?
 
+    /** These functions and [others], of the same module as it is for another page. */
+    fun with(others: CalledFunctions): CalledFunctions
+
     companion object {
+        /** The [functions] of [module]: by their names, if it has names. */
+        fun of(functions: Set<Int>, module: WasmModule, sha256: String): CalledFunctions {
+            val names = CalledNames.namesIn(module)
+            return if (names.all { it.isEmpty() }) {
+                CalledIndices(sha256, functions)
+            } else {
+                CalledNames(functions.map { names[it] }.filter { it.isNotEmpty() }.toSet())
+            }
+        }
+
         const val COMMENT = "# Written by ./gradlew :webApp:recordFirstPart, see docs/hosting.md."
 
         /** Reads what [CalledNames] or [CalledIndices] have written. */
@@ -31,6 +44,11 @@ internal sealed interface CalledFunctions {
  */
 internal class CalledIndices(val sha256: String, val functions: Set<Int>) : CalledFunctions {
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int>? = functions.takeIf { sha256 == this.sha256 }
+
+    override fun with(others: CalledFunctions): CalledIndices {
+        require(others is CalledIndices && others.sha256 == sha256) { "The functions are those of two modules." }
+        return CalledIndices(sha256, functions + others.functions)
+    }
 
     override fun toString(): String = buildString {
         appendLine(CalledFunctions.COMMENT)

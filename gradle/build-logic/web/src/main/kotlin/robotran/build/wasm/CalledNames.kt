@@ -10,6 +10,11 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int> =
         namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { name.isEmpty() || name in names } }.toSet()
 
+    override fun with(others: CalledFunctions): CalledNames {
+        require(others is CalledNames) { "The functions are those of two modules." }
+        return CalledNames(names + others.names)
+    }
+
     override fun toString(): String {
         val byOwner = names.sorted().groupBy({ it.substringBeforeLast(SEPARATOR, NO_OWNER) }) {
             it.substringAfterLast(SEPARATOR)

@@ -2,6 +2,7 @@ package robotran.build.wasm
 
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
 import kotlin.test.assertNull
 
 class CalledFunctionsTest {
@@ -32,5 +33,22 @@ class CalledFunctionsTest {
         val module = sampleModule(names = listOf("app.sum_17", "app.sum", "app.other"))
         val again = CalledFunctions.parse("${CalledNames(setOf("app.sum"))}")
         assertEquals(setOf(0, 1), again.indicesIn(module, sha256 = ""))
+    }
+
+    @Test
+    fun `functions without a name are always called`() {
+        val module = sampleModule(names = listOf("", "app.sum", "app.other"))
+        assertEquals(setOf(0, 1), CalledNames(setOf("app.sum")).indicesIn(module, sha256 = ""))
+    }
+
+    @Test
+    fun `what two pages call of a module is joined, and of two modules refused`() {
+        val module = sampleModule(names = listOf("app.a", "app.b", "app.c"))
+        val both = CalledFunctions.of(setOf(0), module, "ba78").with(CalledFunctions.of(setOf(2), module, "ba78"))
+        assertEquals(setOf(0, 2), both.indicesIn(module, "ba78"))
+        val unnamed = CalledFunctions.of(setOf(0), sampleModule(names = listOf("", "", "")), "ba78")
+        assertEquals(setOf(0, 5), unnamed.with(CalledIndices("ba78", setOf(5))).indicesIn(module, "ba78"))
+        assertFailsWith<IllegalArgumentException> { unnamed.with(CalledIndices("ba79", setOf(5))) }
+        assertFailsWith<IllegalArgumentException> { unnamed.with(both) }
     }
 }
