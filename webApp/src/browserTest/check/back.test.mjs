@@ -57,6 +57,25 @@ test('a browser that goes back late closes nothing that was opened meanwhile, an
     assert.deepEqual(troubles, []);
   }));
 
+test('a link that is opened before the browser has gone back stays open', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await page.evaluate(goesLate);
+    await tap(page, 'find-open');
+    await hasEntries(page, 1);
+    await page.keyboard.press('Escape');
+    await page.waitForFunction(() => globalThis.asked.length > 0);
+    await page.evaluate(() => {
+      location.hash = '#p=zzzz';
+    });
+    await appears(page, 'document-trouble');
+    const went = page.evaluate(() => new Promise((resolve) => addEventListener('popstate', () => resolve())));
+    await page.evaluate(() => globalThis.goAtLast());
+    await went;
+    await hasEntries(page, 1);
+    assert.equal(await words(page, 'document-trouble').count(), 1);
+    assert.deepEqual(troubles, []);
+  }));
+
 test('on a phone Back goes to the world from the other panes, again after a reload', () =>
   onPage(PHONE, async ({ page, troubles }) => {
     await openAndGoBack(page, ['tab-program'], 'program');

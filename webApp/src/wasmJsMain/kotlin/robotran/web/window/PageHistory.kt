@@ -17,7 +17,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     private var closable = 0
     private var here = numberOfEntry().coerceAtLeast(0)
 
-    /** The entry that this has asked the browser for, which may come late; null once something has come. */
+    /** The entry that this has asked the browser for, which may come late; null once the browser has gone. */
     private var asked: Int? = null
     private var waits = 0
     private var timer = 0
@@ -37,14 +37,14 @@ internal class PageHistory(private val closeTop: () -> Unit) {
         val number = numberOfEntry()
         val before = here
         if (number < 0) {
-            // A link was opened in this page: its entry is above all others.
+            // A link was opened in this page: its entry is above all others. What this has asked for still comes.
             here = before + 1
             numberEntry(here)
         } else {
             here = number
-            if (number != asked && here < before && closable > 0) closeTop()
+            if (asked == null && here < before && closable > 0) closeTop()
+            asked = null
         }
-        asked = null
         settleSoon()
     }
 
