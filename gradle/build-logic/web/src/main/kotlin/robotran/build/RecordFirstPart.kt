@@ -27,7 +27,7 @@ import javax.inject.Inject
 abstract class RecordFirstPart
     @Inject
     constructor(processes: ExecOperations) : BrowserTask(processes) {
-        /** The script that walks: it writes lines with a module's stem and the index of a function into `CALLS`. */
+        /** The script that walks: it writes lines with a module's stem and a set mark's address into `CALLS`. */
         @get:InputFile
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val script: RegularFileProperty
@@ -71,8 +71,7 @@ abstract class RecordFirstPart
             val called = calls.readLines().map { it.split(" ") }.groupBy({ it[0] }) { it[1].toInt() }
             return DividedModule.entries.associateWith { divided ->
                 val bytes = divided.fileIn(folder).readBytes()
-                val functions = called.getValue(divided.stem).toSet()
-                CalledFunctions.of(functions, WasmModule.read(bytes), hexOf(sha256(bytes)))
+                CalledFunctions.of(called.getValue(divided.stem).toSet(), WasmModule.read(bytes), hexOf(sha256(bytes)))
             }
         }
     }

@@ -13,6 +13,7 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import robotran.build.wasm.CalledFunctions
+import robotran.build.wasm.LargeData
 import robotran.build.wasm.WasmModule
 import robotran.build.wasm.WasmModuleSplitter
 
@@ -52,7 +53,8 @@ abstract class SplitWasm : DefaultTask() {
             "${divided.list} belongs to another version of ${divided.stem}.wasm. " +
                 "Record it again: ./gradlew :webApp:recordFirstPart",
         )
-        val splitter = WasmModuleSplitter(module, functions)
+        val (cut, lateData) = LargeData.cut(module, called.unread)
+        val splitter = WasmModuleSplitter(cut, functions, lateData)
         val folder = parts.get().asFile
         val rest = splitter.rest.bytes()
         if (rest.size > largest.getOrElse(Long.MAX_VALUE)) {

@@ -1,32 +1,36 @@
 package robotran.build.wasm
 
 /**
- * [module] with a byte for each function that it defines, which becomes 1 when the function is called: a memory of
- * their own, exported as `called`.
+ * [module] with a byte for each function that it defines, which becomes 1 when the function is called, and behind these
+ * one for each block of [LargeData], which becomes 1 when it is read: a memory of their own, exported as `called`.
  */
 internal fun withCallMarks(module: WasmModule): WasmModule {
-    val memories = WasmContents(module).run { importsOf(IndexSpace.MEMORY).size + definedIn(IndexSpace.MEMORY).count() }
+    val contents = WasmContents(module)
+    val memory = contents.importsOf(IndexSpace.MEMORY).size + contents.definedIn(IndexSpace.MEMORY).count()
     val bodies = module.bodies
-    val pages = bodies.size / PAGE + 1
-    val memory = WasmWriter().byte(0).number(pages).bytes()
-    val export = WasmWriter().name("called").byte(IndexSpace.MEMORY.kind).number(memories).bytes()
+    val data = LargeData.of(module)
+    val marks = ReadMarks(module, data, memory, firstMark = bodies.size).takeIf { data.isNotEmpty() }
     val marked = bodies.mapIndexed { index, body ->
         val reader = WasmReader(body)
         val locals = reader.copy { sameCopier(reader).locals() }
-        val mark = WasmWriter().constant(0).constant(1).byte(STORE_BYTE, NAMED_MEMORY).number(memories).number(index)
-        WasmWriter().sized(locals + mark.bytes() + reader.rest()).bytes()
-    }
+        val code = WasmReader(reader.rest())
+        val copier = WasmCopier(code, marks = marks) { _, target -> target }.apply { expression() }
+        locals + ReadMarks.markOf(memory, index) + copier.bytes()
+    } + marks?.added.orEmpty()
+    val types = marks?.types.orEmpty()
+    val typesOfAdded = types.indices.map { WasmWriter().number(contents.types.count + it).bytes() }
+    val pages = (bodies.size + data.sumOf { it.blocks.size }) / PAGE + 1
+    val ofMarks = WasmWriter().byte(0).number(pages).bytes()
+    val export = WasmWriter().name("called").byte(IndexSpace.MEMORY.kind).number(memory).bytes()
     return module.with(
         mapOf(
-            WasmModule.MEMORY to module.withMore(WasmModule.MEMORY, listOf(memory)),
+            WasmModule.TYPE to module.withMore(WasmModule.TYPE, types),
+            WasmModule.FUNCTIONS to module.withMore(WasmModule.FUNCTIONS, typesOfAdded),
+            WasmModule.MEMORY to module.withMore(WasmModule.MEMORY, listOf(ofMarks)),
             WasmModule.EXPORT to module.withMore(WasmModule.EXPORT, listOf(export)),
-            WasmModule.CODE to WasmModule.vector(marked),
+            WasmModule.CODE to WasmModule.vector(marked.map { WasmWriter().sized(it).bytes() }),
         ),
     )
 }
 
 private const val PAGE = 65_536
-private const val STORE_BYTE = 0x3a
-
-/** An alignment of one byte in a memory that is named. */
-private const val NAMED_MEMORY = 0x40

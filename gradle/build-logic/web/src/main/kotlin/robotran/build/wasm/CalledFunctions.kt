@@ -1,7 +1,13 @@
 package robotran.build.wasm
 
-/** Which functions of a module were called while the page was driven, as a text file of the repository. */
+/**
+ * Which functions of a module were called while the page was driven, and which of its [LargeData] were not read, as a text
+ * file of the repository.
+ */
 internal sealed interface CalledFunctions {
+    /** The blocks of [LargeData] that were not read, by their address. */
+    val unread: Set<Int>
+
     /**
      * The functions that were called, by their index among those that [module] defines; null if the file belongs to
      * another version of it.
@@ -14,11 +20,18 @@ internal sealed interface CalledFunctions {
     fun with(others: CalledFunctions): CalledFunctions
 
     companion object {
-        /** The [functions] of [module]: by their names, if it has names. */
-        fun of(functions: Set<Int>, module: WasmModule, sha256: String): CalledFunctions {
+        /**
+         * What is called in [module]: by names, if it has names.
+         *
+         * @param marks the addresses of the bytes that are set in the memory of [withCallMarks].
+         */
+        fun of(marks: Set<Int>, module: WasmModule, sha256: String): CalledFunctions {
             val names = CalledNames.namesIn(module)
+            val functions = marks.filter { it < names.size }.toSet()
             return if (names.all { it.isEmpty() }) {
-                CalledIndices(sha256, functions)
+                val blocks = LargeData.of(module).flatMap { it.blocks }
+                val unread = blocks.filterIndexed { number, _ -> names.size + number !in marks }
+                CalledIndices(sha256, functions, unread.toSet())
             } else {
                 CalledNames(functions.map { names[it] }.filter { it.isNotEmpty() }.toSet())
             }
@@ -42,17 +55,20 @@ internal sealed interface CalledFunctions {
  * The functions of a module without names, which a library brings: the [sha256] of this version, and ranges of
  * [functions], by their index among the functions that the module defines.
  */
-internal class CalledIndices(val sha256: String, val functions: Set<Int>) : CalledFunctions {
+internal class CalledIndices(val sha256: String, val functions: Set<Int>, override val unread: Set<Int> = emptySet()) :
+    CalledFunctions {
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int>? = functions.takeIf { sha256 == this.sha256 }
 
     override fun with(others: CalledFunctions): CalledIndices {
         require(others is CalledIndices && others.sha256 == sha256) { "The functions are those of two modules." }
-        return CalledIndices(sha256, functions + others.functions)
+        return CalledIndices(sha256, functions + others.functions, unread intersect others.unread)
     }
 
     override fun toString(): String = buildString {
         appendLine(CalledFunctions.COMMENT)
         appendLine("$SHA_256 $sha256")
+        val data = LargeData.sequences(unread.sorted())
+        if (data.isNotEmpty()) appendLine("$UNREAD ${data.joinToString(" ") { "${it.first}-${it.last}" }}")
         ranges().chunked(RANGES_PER_LINE).forEach { appendLine(it.joinToString(" ")) }
     }
 
@@ -65,14 +81,21 @@ internal class CalledIndices(val sha256: String, val functions: Set<Int>) : Call
 
     companion object {
         const val SHA_256 = "sha256"
+        private const val UNREAD = "unread data"
         private const val RANGES_PER_LINE = 16
 
         fun parse(lines: List<String>): CalledIndices {
-            val functions = lines.drop(1).flatMap { it.split(" ") }.flatMap { range ->
-                val ends = range.split("-").map { it.toInt() }
-                ends.first()..ends.last()
-            }
-            return CalledIndices(lines.first().substringAfter(" "), functions.toSet())
+            val (ofData, ofFunctions) = lines.drop(1).partition { it.startsWith(UNREAD) }
+            val functions = ofFunctions.flatMap { rangesIn(it) }.flatten()
+            val unread = ofData.flatMap {
+                rangesIn(it.removePrefix(UNREAD).trim())
+            }.flatMap { it.step(LargeData.BLOCK) }
+            return CalledIndices(lines.first().substringAfter(" "), functions.toSet(), unread.toSet())
+        }
+
+        private fun rangesIn(line: String): List<IntRange> = line.split(" ").map { range ->
+            val ends = range.split("-").map { it.toInt() }
+            ends.first()..ends.last()
         }
     }
 }

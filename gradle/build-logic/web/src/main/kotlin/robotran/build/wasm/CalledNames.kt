@@ -6,9 +6,19 @@ package robotran.build.wasm
  * number that changes with each version.
  */
 internal class CalledNames(val names: Set<String>) : CalledFunctions {
-    /** Also functions without a name, which binaryen has made: it is not known what calls them. */
+    /** The app reads its constants by their segments, which are where they are needed. */
+    override val unread: Set<Int> get() = emptySet()
+
+    /**
+     * Also lambdas in functions of the list: when Compose composes a function again depends on time, and it does so by a
+     * lambda in it. And functions without a name, which binaryen has made: it is not known what calls them.
+     */
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int> =
-        namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { name.isEmpty() || name in names } }.toSet()
+        namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { isFirst(name) } }.toSet()
+
+    private fun isFirst(name: String): Boolean = name.isEmpty() || name in names || isLambdaOfFirst(name)
+
+    private fun isLambdaOfFirst(name: String) = LAMBDA in name && name.substringBefore(LAMBDA) in names
 
     override fun with(others: CalledFunctions): CalledNames {
         require(others is CalledNames) { "The functions are those of two modules." }
@@ -16,7 +26,9 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
     }
 
     override fun toString(): String {
-        val byOwner = names.sorted().groupBy({ it.substringBeforeLast(SEPARATOR, NO_OWNER) }) {
+        val byOwner = names.filterNot(::isLambdaOfFirst).sorted().groupBy({
+            it.substringBeforeLast(SEPARATOR, NO_OWNER)
+        }) {
             it.substringAfterLast(SEPARATOR)
         }
         val lines = byOwner.map { (owner, own) -> "$owner ${own.joinToString(" ")}" }
@@ -25,6 +37,9 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
 
     companion object {
         private const val NO_OWNER = "-"
+
+        /** What follows the name of a function in the name of a lambda in it. */
+        private const val LAMBDA = "\$lambda"
         private const val SEPARATOR = '.'
         private val NUMBER = Regex("_\\d+$")
 

@@ -6,7 +6,10 @@ internal class InstructionCopier(private val copier: WasmCopier) {
     private var depth = 1
 
     fun expression() {
-        while (depth > 0) instruction(copier.byte())
+        while (depth > 0) {
+            copier.mark()
+            instruction(copier.byte())
+        }
     }
 
     private fun instruction(code: Int) {

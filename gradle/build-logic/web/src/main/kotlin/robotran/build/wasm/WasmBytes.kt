@@ -23,6 +23,22 @@ internal class WasmReader(val bytes: ByteArray, var position: Int = 0, private v
         }
     }
 
+    /** A number of up to 32 bits in signed LEB128. */
+    fun signed(): Int {
+        var number = 0
+        var shift = 0
+        while (true) {
+            val byte = byte()
+            number = number or (byte and 0x7f shl shift)
+            shift += 7
+            if (byte <
+                0x80
+            ) {
+                return if (byte and 0x40 != 0 && shift < Int.SIZE_BITS) number or (-1 shl shift) else number
+            }
+        }
+    }
+
     fun take(length: Int): ByteArray = bytes.copyOfRange(position, position + length).also { position += length }
 
     /** All that has not been read. */

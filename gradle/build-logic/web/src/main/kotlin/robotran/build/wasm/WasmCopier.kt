@@ -38,10 +38,13 @@ internal fun interface IndexMap {
 /**
  * Copies parts of a module from [input] to [output] and replaces each index by that of [indices]. The format is that of
  * the WebAssembly specification 3.0, chapter 5.
+ *
+ * @param marks adds instructions before those that read the memory; null if nothing is added.
  */
 internal class WasmCopier(
     private val input: WasmReader,
     private val output: WasmWriter = WasmWriter(),
+    private val marks: ReadMarks? = null,
     private val indices: IndexMap,
 ) {
     fun bytes(): ByteArray = output.bytes()
@@ -70,6 +73,11 @@ internal class WasmCopier(
     /** The first of [space], which an instruction uses without naming it, so its index must stay. */
     fun unnamed(space: IndexSpace) {
         check(indices.map(space, 0) == 0) { "The $space 0 must be the first of each part." }
+    }
+
+    /** Adds what marks the instruction that comes next. */
+    fun mark() {
+        if (marks != null) output.raw(marks.before(WasmReader(input.bytes, input.position)))
     }
 
     inline fun vector(element: () -> Unit) {
@@ -184,8 +192,13 @@ internal class WasmCopier(
     /** A segment of bytes for memories and arrays. */
     fun data() {
         val flags = number()
-        if (flags and EXPLICIT != 0) index(IndexSpace.MEMORY)
-        if (flags and 1 == 0) expression()
+        val isActive = flags and PASSIVE == 0
+        if (flags and EXPLICIT != 0) {
+            index(IndexSpace.MEMORY)
+        } else if (isActive) {
+            unnamed(IndexSpace.MEMORY)
+        }
+        if (isActive) expression()
         raw(number())
     }
 

@@ -11,8 +11,10 @@ package robotran.build.wasm
  * of [rest] that is not there yet.
  *
  * @param called the functions of [first], by their index among the functions that the module defines.
+ * @param lateData the data segments that only [rest] reads, by their index. They must be constant, since [rest] writes
+ *   them into the memory when it comes.
  */
-internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>) {
+internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>, private val lateData: Set<Int> = emptySet()) {
     private val contents = WasmContents(module)
     private val functions = contents.definedIn(IndexSpace.FUNCTION)
     private val hot = called.map { functions.first + it }.filter { it in functions }.toSet()
@@ -31,8 +33,9 @@ internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>) {
         contents.start?.let { reachOfFirst.add(IndexSpace.FUNCTION, it) }
         for (space in WITHOUT_PARTS) contents.definedIn(space).forEach { reachOfFirst.add(space, it) }
         for (space in SEGMENTS) {
-            contents.definedIn(space).filter { contents.isActive(space, it) }.forEach { reachOfFirst.add(space, it) }
+            contents.definedIn(space).filter { isInFirst(space, it) }.forEach { reachOfFirst.add(space, it) }
         }
+        for (data in lateData) reachOfRest.add(IndexSpace.DATA, data)
         for (function in functions) if (function !in hot) reachOfRest.add(IndexSpace.FUNCTION, function)
         cold = reachOfFirst[IndexSpace.FUNCTION].filter { it in functions && it !in hot }
         shared = (WITHOUT_PARTS + IndexSpace.FUNCTION + IndexSpace.GLOBAL)
@@ -43,9 +46,11 @@ internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>) {
 
     private fun isInFirst(space: IndexSpace, index: Int): Boolean = when (space) {
         IndexSpace.FUNCTION -> index in hot
-        in SEGMENTS -> contents.isActive(space, index)
+        in SEGMENTS -> contents.isActive(space, index) && !isLate(space, index)
         else -> reachOfFirst.has(space, index)
     }
+
+    private fun isLate(space: IndexSpace, index: Int) = space == IndexSpace.DATA && index in lateData
 
     val first: WasmModule by lazy {
         val part = WasmPart(contents, reachOfFirst) { _, _ -> false }

@@ -11,6 +11,8 @@ internal class WasmTypes(module: WasmModule) {
     private val starts = parameters.map { it.size }.runningFold(0, Int::plus)
     private val groupOfType = parameters.flatMapIndexed { group, types -> types.map { group } }
 
+    val count: Int get() = groupOfType.size
+
     fun groupOf(type: Int): Int = groupOfType[type]
 
     fun typesOf(group: Int): IntRange = starts[group] until starts[group + 1]

@@ -36,6 +36,30 @@ class CalledFunctionsTest {
     }
 
     @Test
+    fun `lambdas in a function that is called belong to it`() {
+        val module =
+            sampleModule(names = listOf("app.Row\$lambda.invoke_3", "app.Row\$lambda\$lambda.invoke", "app.Rows"))
+        val names = CalledNames(setOf("app.Row", "app.Row\$lambda.invoke"))
+        assertEquals(setOf(0, 1), names.indicesIn(module, sha256 = ""))
+        assertEquals(listOf("app Row", ""), "$names".lines().drop(1))
+    }
+
+    @Test
+    fun `large data that both pages leave unread is written, and read again`() {
+        val module = moduleWithData(LargeData.BLOCK * 9 + 1, 16, LargeData.LARGE)
+        val blocks = LargeData.of(module).flatMap { it.blocks }
+        assertEquals(listOf(1024, 1024 + LargeData.BLOCK), blocks.take(2))
+        assertEquals(10 + 8, blocks.size)
+        // The module has one function, so its marks of data begin at 1.
+        val called = CalledFunctions.of(setOf(0, 2, 18), module, "ba78")
+        assertEquals(setOf(0), called.indicesIn(module, "ba78"))
+        assertEquals((blocks - blocks[1] - blocks[17]).toSet(), called.unread)
+        assertEquals(called.unread, CalledFunctions.parse("$called").unread)
+        val both = called.with(CalledFunctions.of(setOf(1), module, "ba78"))
+        assertEquals(called.unread - blocks[0], both.unread)
+    }
+
+    @Test
     fun `functions without a name are always called`() {
         val module = sampleModule(names = listOf("", "app.sum", "app.other"))
         assertEquals(setOf(0, 1), CalledNames(setOf("app.sum")).indicesIn(module, sha256 = ""))

@@ -42,3 +42,36 @@ internal fun sampleModule(names: List<String> = listOf("none", "same", "sum")): 
         ),
     )
 }
+
+/**
+ * A module whose memory has data of [sizes] bytes, one after the other from address 1024 on. Its only own function copies
+ * memory by the imported function of Emscripten's script, and reads a byte at the target plus 3.
+ */
+internal fun moduleWithData(vararg sizes: Int): WasmModule {
+    val addresses = sizes.runningFold(1024, Int::plus)
+    val segments = sizes.zip(addresses) { size, address ->
+        WasmWriter().byte(0).constant(address).byte(0x0b).sized(ByteArray(size) { 1 }).bytes()
+    }
+    val code = byteArrayOf(0, 0x20, 0, 0x20, 1, 0x20, 2, 0x10, 0, 0x20, 0, 0x2d, 0, 3, 0x0b)
+    return WasmModule(
+        listOf(
+            WasmSection(WasmModule.TYPE, byteArrayOf(2, 0x60, 3, I32, I32, I32, 0, 0x60, 3, I32, I32, I32, 1, I32)),
+            WasmSection(
+                WasmModule.IMPORT,
+                WasmModule.vector(
+                    listOf(WasmImport("env", "emscripten_memcpy_js", IndexSpace.FUNCTION, byteArrayOf(0)).bytes()),
+                ),
+            ),
+            WasmSection(WasmModule.FUNCTIONS, byteArrayOf(1, 1)),
+            WasmSection(WasmModule.MEMORY, byteArrayOf(1, 0, 2)),
+            WasmSection(
+                WasmModule.EXPORT,
+                WasmModule.vector(listOf(WasmWriter().name("copy").byte(IndexSpace.FUNCTION.kind, 1).bytes())),
+            ),
+            WasmSection(WasmModule.CODE, WasmModule.vector(listOf(WasmWriter().sized(code).bytes()))),
+            WasmSection(WasmModule.DATA, WasmModule.vector(segments)),
+        ),
+    )
+}
+
+private const val I32: Byte = 0x7f

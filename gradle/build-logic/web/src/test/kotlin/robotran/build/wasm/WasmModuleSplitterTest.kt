@@ -61,11 +61,34 @@ class WasmModuleSplitterTest {
     }
 
     @Test
-    fun `a marked module has a byte for each function, which its first instruction sets`() {
-        val marked = withCallMarks(module)
-        assertEquals("called", marked.exports.last().name)
-        val mark = byteArrayOf(0x41, 0, 0x41, 1, 0x3a, 0x40, 1, 1)
-        assertContentEquals(byteArrayOf(1, 1, 0x7f) + mark + byteArrayOf(0x20, 0, 0x0b), marked.bodies[1])
+    fun `data that only the rest reads is written when the rest comes`() {
+        val whole = moduleWithData(64, LargeData.BLOCK * 12, 32)
+        val start = 1024 + 64
+        val blocks = (2 until 10).map { start + it * LargeData.BLOCK }
+        // Less than what is large stays where it is.
+        assertEquals(emptySet(), LargeData.cut(whole, blocks.drop(1).toSet()).second)
+        val (cut, late) = LargeData.cut(whole, blocks.toSet())
+        val splitter = WasmModuleSplitter(cut, called = setOf(0), lateData = late)
+        val end = blocks.last() + LargeData.BLOCK
+        val read = listOf(
+            1024 to 64,
+            start to 2 * LargeData.BLOCK,
+            start + LargeData.BLOCK * 12 to 32,
+            end to 2 * LargeData.BLOCK,
+        )
+        assertEquals(read, placesOf(splitter.first))
+        assertEquals(listOf(blocks[0] to LargeData.LARGE), placesOf(splitter.rest))
+        val memory = splitter.rest.imports.single { it.space == IndexSpace.MEMORY }
+        assertEquals(WasmModuleSplitter.FIRST, memory.module)
+    }
+
+    /** The addresses and sizes of the data of [module]. */
+    private fun placesOf(module: WasmModule): List<Pair<Int, Int>> = module.entries(WasmModule.DATA) {
+        number()
+        byte()
+        val address = signed()
+        byte()
+        address to take(number()).size
     }
 
     private companion object {
