@@ -26,7 +26,7 @@ const compressed = (file) => readFile(`${file}.br`).catch(() => null);
 /**
  * Serves the folder on a free port, or at the path `under` of it. Returns the address, the requests so far, and
  * functions to change the folder, to fail and to stop. `refuse` gets the path of a request and returns a status that
- * replaces the response, or null. `pages` has texts that are served in place of files, by their path.
+ * replaces the response, or null, or a promise of one, for which the answer waits. `pages` has texts that are served in place of files, by their path.
  */
 export async function serve(folder, { under = '/', compresses = false, headers = {}, refuse = () => null } = {}) {
   const site = { folder, refuse, asked: [], pages: {} };
@@ -34,7 +34,7 @@ export async function serve(folder, { under = '/', compresses = false, headers =
     const asked = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
     const inside = asked.startsWith(under) ? asked.slice(under.length) : null;
     site.asked.push(asked);
-    const refusal = site.refuse(asked);
+    const refusal = await site.refuse(asked);
     try {
       if (refusal !== null || inside === null) throw new Error('refused');
       const file = path.join(
