@@ -1,7 +1,6 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -12,30 +11,6 @@ class HostileSourcesTest {
     fun `sources that are too long are not read`() = runTest {
         assertContains(diagnostics("/*" + "x".repeat(200_000) + "*/").single().message, "characters")
         assertContains(diagnostics(program("int x = 1;\n".repeat(100_000))).single().message, "characters")
-    }
-
-    @Test
-    fun `sources as long as they may be are compiled or told about`() = runTest {
-        val texts = listOf(
-            "int x = 0;\n" + "x = x + 1;\n".repeat(5_000),
-            "int x = 0;\n" + "x = y1;\n".repeat(20_000),
-            "wrng();\n".repeat(20_000),
-            "%&$! ".repeat(30_000),
-            "\\u0041 ".repeat(25_000),
-            "String s = \"" + "x".repeat(150_000) + "\";",
-            "/*" + "*".repeat(150_000),
-            "\"" + "\\".repeat(150_000),
-            "\"\n".repeat(60_000),
-            "long a = 1;" + "a = a % a;\n".repeat(15_000),
-        )
-        texts.forEach { assertIs<CompilationResult>(compile(program(it))) }
-        val files = List(100) {
-            JavaSource(
-                "Wrong$it.java",
-                "class Wrong$it { " + "int f$it() { return lenght; } ".repeat(50) + "}",
-            )
-        }
-        assertIs<CompilationResult.Rejected>(compiler().compile(files, library))
     }
 
     @Test

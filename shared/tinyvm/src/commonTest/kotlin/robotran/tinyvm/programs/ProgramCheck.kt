@@ -13,7 +13,10 @@ import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
+import robotran.tinyvm.testPrograms
 import kotlin.io.encoding.Base64
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /** The class files of the library by internal name. */
 internal val libraryClassFiles: Map<String, ByteArray> by lazy {
@@ -38,6 +41,13 @@ internal fun link(
     mode,
     speed = speed,
 )
+
+/** Fails if a test program in [folder] does anything else than its comments say. */
+internal fun doWhatTheySay(folder: String) {
+    val programs = testPrograms.filterKeys { it.startsWith("$folder/") }
+    assertTrue(programs.isNotEmpty(), "There are no programs in $folder.")
+    assertEquals("", programs.flatMap { (path, source) -> differences(path, source) }.joinToString("\n"))
+}
 
 /** The differences between the program at [path] and the expectations in the comments of its [source], one per line. */
 internal fun differences(

@@ -12,21 +12,17 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.ui.language.stringsFile
-import robotran.ui.screen.keepAs
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.screen.photograph
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -153,37 +149,6 @@ class ExamplesPageTest {
         pass(300)
         onNodeWithText("Zählt von zehn rückwärts und hebt ab").assertExists()
     }
-
-    @Test
-    fun `the page can be photographed`() {
-        for ((name, width, height) in listOf(Triple("tablet", 1280, 800), Triple("phone", 411, 891))) {
-            val workshop = runBlocking { openWorkshop() }
-            workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
-            runBlocking {
-                for (example in ProgramLanguage.ROBOLANG.examples.keys) {
-                    ExamplePictures.of(
-                        example,
-                        SheetColours.LIGHT,
-                        ROOM,
-                    )
-                }
-            }
-            photograph(workshop, width, height).keepAs("examples-$name")
-            workshop.close()
-        }
-        for (set in listOf(ExampleSet.LEJOS, ExampleSet.NXJ)) {
-            val workshop = runBlocking { openWorkshop(listOf(newJava())) }
-            set.brick?.let { workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, it)) }
-            workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
-            runBlocking {
-                for (name in set.programs.keys) ExamplePictures.of(set.idOf(name), SheetColours.LIGHT, ROOM)
-            }
-            photograph(workshop, 1280, 1600).keepAs("examples-java" + if (set == ExampleSet.NXJ) "-nxt" else "")
-            workshop.close()
-        }
-    }
-
-    private fun newJava() = PupilProgram("Square.java", ProgramLanguage.JAVA.examples.getValue("Square.java"))
 
     private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
 

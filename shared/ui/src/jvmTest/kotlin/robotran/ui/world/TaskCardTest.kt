@@ -5,17 +5,13 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import kotlinx.coroutines.runBlocking
 import robotran.ui.screen.checkTargets
-import robotran.ui.screen.keepAs
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
-import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.openWorkshop
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Settings
 import robotran.world.World
@@ -101,19 +97,6 @@ class TaskCardTest {
         pass(300)
         onNodeWithTag("task-chip").assertDoesNotExist()
         onNodeWithTag("task-card").assertDoesNotExist()
-    }
-
-    @Test
-    fun `it can be photographed`() {
-        for ((name, size) in screens) {
-            for (scale in listOf(1f, 2f)) {
-                val workshop = runBlocking { openWorkshop() }
-                workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale)))
-                workshop.changeWorld(workshop.withTask(TASK), isAnother = true)
-                photograph(workshop, size.first, size.second, dark = scale == 2f).keepAs("task-$name-${scale.toInt()}")
-                workshop.close()
-            }
-        }
     }
 
     private fun Workshop.withTask(task: String): World = state.world.copy(title = "Corner", task = task)

@@ -4,22 +4,14 @@ import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
-import kotlinx.coroutines.runBlocking
-import robotran.language.Language
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
-import robotran.ui.screen.keepAs
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
-import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.openWorkshop
-import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -63,30 +55,6 @@ class WorldTaskCardTest {
         assertEquals(square.harder.first(), workshop.state.learning.worldTask?.world)
         onNodeWithTag("task-card").assertExists()
     }
-
-    @Test
-    fun `it can be photographed`() {
-        for ((name, size) in screens) {
-            for (scale in listOf(1f, 2f)) {
-                val workshop = runBlocking { openWorkshop() }
-                workshop.handle(
-                    SettingsEvent.SettingsChanged(Settings(textScale = scale, language = Language.GERMAN)),
-                )
-                workshop.handle(LearningEvent.WorldChosen("square"))
-                workshop.draw("$name-${scale.toInt()}", size, dark = scale == 2f)
-                workshop.tries(task.solution.text.replace("left", "right"))
-                workshop.draw("$name-${scale.toInt()}-missing", size, dark = scale == 2f)
-                workshop.handle(WorkshopEvent.TaskShown(true))
-                workshop.draw("$name-${scale.toInt()}-hint", size, dark = scale == 2f)
-                workshop.tries(task.solution.text)
-                workshop.draw("$name-${scale.toInt()}-solved", size, dark = scale == 2f)
-                workshop.close()
-            }
-        }
-    }
-
-    private fun Workshop.draw(name: String, size: Pair<Int, Int>, dark: Boolean) =
-        photograph(this, size.first, size.second, dark).keepAs("world-task/$name")
 
     private fun Workshop.tries(program: String) {
         handle(ProgramEvent.ProgramEdited(program))
