@@ -3,7 +3,7 @@
 import { appendFile } from 'node:fs/promises';
 import { startBrowser } from './browser.mjs';
 import { serve } from './serve.mjs';
-import { appears, PATIENCE, press, reports, tap } from './words.mjs';
+import { appears, PATIENCE, placeOf, reports } from './words.mjs';
 
 const FINGER = { hasTouch: true, isMobile: true };
 const SCREENS = [
@@ -62,7 +62,40 @@ async function record(page) {
   await appendFile(process.env.CALLS, called.join(''));
 }
 
-/** Opens the page as somebody who comes for the first time, chooses `view` on the greeting, and uses the page. */
+/** How long somebody looks at the page before doing anything, in milliseconds: animations come to their end meanwhile. */
+const LOOKING = 12_000;
+
+/** For how long a button is held, in milliseconds, one after the other: its ripple is drawn in another way as it grows. */
+const HELD = [30, 150, 300, 600];
+let walks = 0;
+
+async function hold(page, tag, hasTouch) {
+  const { x, y } = await placeOf(page, tag);
+  const devtools = await page.context().newCDPSession(page);
+  const touch = (type, touchPoints) => devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
+  if (hasTouch) {
+    await touch('touchStart', [{ x, y }]);
+  } else {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+  }
+  await page.waitForTimeout(HELD[walks++ % HELD.length]);
+  await (hasTouch ? touch('touchEnd', []) : page.mouse.up());
+}
+
+/** Runs in the page: what another tab in front of it does, and leaving it. */
+function goAway() {
+  Object.defineProperty(document, 'visibilityState', { get: () => 'hidden', configurable: true });
+  document.dispatchEvent(new Event('visibilitychange'));
+  dispatchEvent(new Event('pagehide'));
+  delete document.visibilityState;
+  document.dispatchEvent(new Event('visibilitychange'));
+}
+
+/**
+ * Opens the page as somebody who comes for the first time, chooses `view` on the greeting, and uses the page, at once or,
+ * with a slow network, after having looked at it.
+ */
 async function walk({ view, wish, locale, colorScheme = 'light', isSlow = false, ...screen }) {
   const { width, height, ...more } = screen;
   const context = await browser.newContext({ viewport: { width, height }, locale, colorScheme, serviceWorkers: 'block', ...more });
@@ -91,11 +124,18 @@ async function walk({ view, wish, locale, colorScheme = 'light', isSlow = false,
     goOn();
   } else {
     await appears(page, 'first-run');
-    await (more.hasTouch ? tap : press)(page, 'try-square');
+    if (isSlow) {
+      await page.waitForTimeout(LOOKING);
+      await page.evaluate(goAway);
+    }
+    await hold(page, 'try-square', more.hasTouch);
   }
   await page.waitForFunction(() => globalThis.robotran);
   await reports(page, (report) => report.status === 'ended');
   await appears(page, 'notice-action');
+  if (isSlow) await page.waitForTimeout(LOOKING);
+  await page.evaluate(goAway);
+  await page.waitForTimeout(1_000);
   await record(page);
   await context.close();
 }

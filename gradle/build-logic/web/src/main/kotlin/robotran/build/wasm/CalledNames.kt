@@ -9,14 +9,18 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
     /** The app reads its constants by their segments, which are where they are needed. */
     override val unread: Set<Int> get() = emptySet()
 
+    private val varyingOwners = names.filter { name -> VARYING.any(name::startsWith) }.map(::ownerOf).toSet()
+
     /**
      * Also lambdas in functions of the list: when Compose composes a function again depends on time, and it does so by a
-     * lambda in it. And functions without a name, which binaryen has made: it is not known what calls them.
+     * lambda in it. All functions of a class or file of [VARYING] of which one is in the list. And functions without a name,
+     * which binaryen has made: it is not known what calls them.
      */
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int> =
         namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { isFirst(name) } }.toSet()
 
-    private fun isFirst(name: String): Boolean = name.isEmpty() || name in names || isLambdaOfFirst(name)
+    private fun isFirst(name: String): Boolean =
+        name.isEmpty() || name in names || isLambdaOfFirst(name) || ownerOf(name) in varyingOwners
 
     private fun isLambdaOfFirst(name: String) = LAMBDA in name && name.substringBefore(LAMBDA) in names
 
@@ -41,6 +45,20 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
         /** What follows the name of a function in the name of a lambda in it. */
         private const val LAMBDA = "\$lambda"
         private const val SEPARATOR = '.'
+
+        /**
+         * What frames, animations and coroutines do depends on time, and what the page does on its browser, so each
+         * journey calls others of these functions.
+         */
+        private val VARYING = listOf(
+            "androidx.compose.animation.",
+            "androidx.compose.material.ripple.",
+            "androidx.compose.runtime.",
+            "kotlin.coroutines.",
+            "kotlinx.coroutines.",
+            "org.jetbrains.skiko.",
+            "robotran.web.",
+        )
         private val NUMBER = Regex("_\\d+$")
 
         /** The names of the functions that [module] defines, without the numbers that the linker adds. */
@@ -51,6 +69,10 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
                 names[first + index].orEmpty().replace(NUMBER, "").replace(' ', '_')
             }
         }
+
+        /** The class or file of the function that is called [name], or in which the lambda of that name stands. */
+        private fun ownerOf(name: String): String =
+            name.substringBefore(LAMBDA).substringBeforeLast(SEPARATOR, NO_OWNER)
 
         fun parse(lines: List<String>): CalledNames = CalledNames(
             lines.flatMap { line ->

@@ -45,6 +45,14 @@ class CalledFunctionsTest {
     }
 
     @Test
+    fun `of what depends on time or the browser, all functions of a class belong to one that is called`() {
+        val owner = "androidx.compose.animation.core.Decay"
+        val module =
+            sampleModule(names = listOf("$owner.end_3", "androidx.compose.animation.core.Tween.end", "app.Row.end"))
+        assertEquals(setOf(0), CalledNames(setOf("$owner.start", "app.Row.start")).indicesIn(module, sha256 = ""))
+    }
+
+    @Test
     fun `large data that both pages leave unread is written, and read again`() {
         val module = moduleWithData(LargeData.BLOCK * 9 + 1, 16, LargeData.LARGE)
         val blocks = LargeData.of(module).flatMap { it.blocks }
