@@ -19,6 +19,9 @@ const PREFERENCES = {
   'toolkit.telemetry.enabled': false,
 };
 
+/** A page is waited for until it has been read: Firefox calls none complete whose script still waits for an answer. */
+const READ = 'interactive';
+
 /** Opens an empty page of this size in a new Firefox. */
 export async function openFirefox(executable, { width, height }) {
   const home = await mkdtemp(path.join(os.tmpdir(), 'robotran-firefox-'));
@@ -42,8 +45,8 @@ export async function openFirefox(executable, { width, height }) {
     return new EnginePage(
       { width, height },
       {
-        navigate: (url) => send('browsingContext.navigate', { context, url, wait: 'complete' }),
-        reload: () => send('browsingContext.reload', { context, wait: 'complete' }),
+        navigate: (url) => send('browsingContext.navigate', { context, url, wait: READ }),
+        reload: () => send('browsingContext.reload', { context, wait: READ }),
         perform: (actions) => send('input.performActions', { context, actions }),
         capture: async () => (await send('browsingContext.captureScreenshot', { context })).data,
         async call(functionDeclaration, argument) {
