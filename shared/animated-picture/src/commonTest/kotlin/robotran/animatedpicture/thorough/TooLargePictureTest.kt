@@ -1,5 +1,9 @@
-package robotran.animatedpicture
+package robotran.animatedpicture.thorough
 
+import robotran.animatedpicture.AnimatedPictureLimits
+import robotran.animatedpicture.AnimationStep
+import robotran.animatedpicture.FrameSource
+import robotran.animatedpicture.animatedGif
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
