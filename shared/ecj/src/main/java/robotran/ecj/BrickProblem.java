@@ -48,5 +48,11 @@ public final class BrickProblem {
     /** Argument: the max classes of a program. */
     public static final int TOO_MANY_CLASSES = -18;
 
+    /**
+     * Two texts that are compared as objects. Arguments: {@code ==} or {@code !=}, the offset behind the left one or -1 if
+     * no call can stand behind it, and the offset of the right one.
+     */
+    public static final int TEXTS_COMPARED = -19;
+
     private BrickProblem() {}
 }

@@ -15,31 +15,28 @@ import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
 /**
- * ECJ that also checks {@link LibraryGaps} and, if the brick has any, {@link BrickRules} and {@link LockRules} on each
- * source with resolved types, and prints nothing when it fails.
+ * ECJ that also checks {@link LibraryGaps} and what is special about the brick on each source with resolved types, and
+ * prints nothing when it fails.
  */
 final class CheckingCompiler extends Compiler {
-    private final boolean hasRules;
+    private final BrickTarget target;
     private final Set<String> gaps;
     private final List<EcjProblem> problems;
     private final Map<String, MemberNames> memberNames = new HashMap<>();
     private boolean crashed;
 
-    /**
-     * @param hasRules whether to check {@link BrickRules} and {@link LockRules}
-     * @param gaps see {@link EcjCompiler#addGap}
-     */
+    /** @param gaps see {@link EcjCompiler#addGap} */
     CheckingCompiler(
             INameEnvironment library,
             CompilerOptions options,
-            boolean hasRules,
+            BrickTarget target,
             ICompilerRequestor results,
             Set<String> gaps,
             List<EcjProblem> problems) {
         super(
             library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(),
             null);
-        this.hasRules = hasRules;
+        this.target = target;
         this.gaps = gaps;
         this.problems = problems;
         useSingleThread = true;
@@ -65,9 +62,12 @@ final class CheckingCompiler extends Compiler {
             return; // After a syntax error, the tree contains guesses.
         }
         BrickReport report = new BrickReport(path);
-        if (hasRules) {
+        if (target.hasRules()) {
             unit.traverse(new BrickRules(report), unit.scope);
             unit.traverse(new LockRules(report), unit.scope);
+        }
+        if (target.copiesTexts()) {
+            unit.traverse(new TextComparisons(report), unit.scope);
         }
         if (!gaps.isEmpty()) {
             unit.traverse(new LibraryGaps(gaps, report), unit.scope);
