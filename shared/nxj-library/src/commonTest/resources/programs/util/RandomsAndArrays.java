@@ -4,8 +4,6 @@ import java.util.Random;
 public class RandomsAndArrays {
     public static void main(String[] arguments) {
         Random random = new Random(42);
-        System.out.println(random.nextInt() + " " + random.nextInt(100) + " " + random.nextLong()); // expect -1170105035 63 -5843495416241995736
-        System.out.println(random.nextDouble() + " " + random.nextFloat() + " " + random.nextBoolean()); // expect 0.30871945533265976 0.27707845 true
         int[] dice = new int[6];
         for (int i = 0; i < 600; i++) dice[random.nextInt(6)]++;
         int sum = 0;
