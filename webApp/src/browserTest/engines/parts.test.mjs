@@ -48,6 +48,7 @@ for (const [name, open] of Object.entries(ENGINES)) {
     const late = () => {
       const held = new Promise((resolve) => {
         goOn = () => resolve(null);
+        setTimeout(goOn, PATIENCE); // A page that calls a function of the rest stands still until then.
       });
       return (file) => (isRest(file) ? held : null);
     };

@@ -9,12 +9,15 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
     /** The app reads its constants by their segments, which are where they are needed. */
     override val unread: Set<Int> get() = emptySet()
 
+    private val packages =
+        names.filterNot(UNNAMED::matches).map(::ownerOf).flatMap { listOf(it, ownerOf(it)) }.toSet()
     private val varyingOwners = names.filter { name -> VARYING.any(name::startsWith) }.map(::ownerOf).toSet()
 
     /**
      * Also lambdas in functions of the list: when Compose composes a function again depends on time, and it does so by a
-     * lambda in it. All functions of a class or file of [VARYING] of which one is in the list. And functions without a name,
-     * which binaryen has made: it is not known what calls them.
+     * lambda in it. Such a lambda may have no name but that of its type: all of these in a package of the list. All
+     * functions of a class or file of [VARYING] of which one is in the list. And functions without a name, which binaryen
+     * has made: it is not known what calls them.
      */
     override fun indicesIn(module: WasmModule, sha256: String): Set<Int> =
         namesIn(module).mapIndexedNotNull { index, name -> index.takeIf { isFirst(name) } }.toSet()
@@ -22,7 +25,14 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
     private fun isFirst(name: String): Boolean =
         name.isEmpty() || name in names || isLambdaOfFirst(name) || ownerOf(name) in varyingOwners
 
-    private fun isLambdaOfFirst(name: String) = LAMBDA in name && name.substringBefore(LAMBDA) in names
+    private fun isLambdaOfFirst(name: String): Boolean {
+        val unnamed = UNNAMED.matchEntire(name)
+        return if (unnamed != null) {
+            unnamed.groupValues[1] in packages
+        } else {
+            LAMBDA in name && name.substringBefore(LAMBDA) in names
+        }
+    }
 
     override fun with(others: CalledFunctions): CalledNames {
         require(others is CalledNames) { "The functions are those of two modules." }
@@ -30,11 +40,9 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
     }
 
     override fun toString(): String {
-        val byOwner = names.filterNot(::isLambdaOfFirst).sorted().groupBy({
-            it.substringBeforeLast(SEPARATOR, NO_OWNER)
-        }) {
-            it.substringAfterLast(SEPARATOR)
-        }
+        val written = names.filterNot(::isLambdaOfFirst).sorted()
+        val byOwner =
+            written.groupBy({ it.substringBeforeLast(SEPARATOR, NO_OWNER) }, { it.substringAfterLast(SEPARATOR) })
         val lines = byOwner.map { (owner, own) -> "$owner ${own.joinToString(" ")}" }
         return (listOf(CalledFunctions.COMMENT) + lines).joinToString("\n", postfix = "\n")
     }
@@ -45,6 +53,9 @@ internal class CalledNames(val names: Set<String>) : CalledFunctions {
         /** What follows the name of a function in the name of a lambda in it. */
         private const val LAMBDA = "\$lambda"
         private const val SEPARATOR = '.'
+
+        /** The package of a lambda that the compiler calls after its type alone, and its function or constructor. */
+        private val UNNAMED = Regex("""(.*)\.K?(?:Suspend)?Function\d+R?_bound\d+_\w+\.(?:invoke|<init>)""")
 
         /**
          * What frames, animations and coroutines do depends on time, and what the page does on its browser, so each

@@ -12,30 +12,22 @@ internal class WasmReader(val bytes: ByteArray, var position: Int = 0, private v
     fun peek(): Int = bytes[position].toInt() and 0xff
 
     /** An unsigned number of up to 32 bits in LEB128. */
-    fun number(): Int {
-        var number = 0
-        var shift = 0
-        while (true) {
-            val byte = byte()
-            number = number or (byte and 0x7f shl shift)
-            if (byte < 0x80) return number
-            shift += 7
-        }
-    }
+    fun number(): Int = parts { number, _, _ -> number }
 
     /** A number of up to 32 bits in signed LEB128. */
-    fun signed(): Int {
+    fun signed(): Int = parts { number, bits, last ->
+        if (last and SIGN != 0 && bits < Int.SIZE_BITS) number or (-1 shl bits) else number
+    }
+
+    /** Reads a number in parts of seven bits; [value] gets it without a sign, how many bits were read, and the last part. */
+    private inline fun parts(value: (number: Int, bits: Int, last: Int) -> Int): Int {
         var number = 0
-        var shift = 0
+        var bits = 0
         while (true) {
-            val byte = byte()
-            number = number or (byte and 0x7f shl shift)
-            shift += 7
-            if (byte <
-                0x80
-            ) {
-                return if (byte and 0x40 != 0 && shift < Int.SIZE_BITS) number or (-1 shl shift) else number
-            }
+            val part = byte()
+            number = number or (part and 0x7f shl bits)
+            bits += 7
+            if (part < 0x80) return value(number, bits, part)
         }
     }
 
@@ -53,6 +45,11 @@ internal class WasmReader(val bytes: ByteArray, var position: Int = 0, private v
         val start = position
         skip()
         return bytes.copyOfRange(start, position)
+    }
+
+    private companion object {
+        /** The bit of the last part of a signed number that says that it is negative. */
+        const val SIGN = 0x40
     }
 }
 

@@ -45,6 +45,15 @@ class CalledFunctionsTest {
     }
 
     @Test
+    fun `lambdas that are called after their type belong to a package of which something is called`() {
+        val unnamed = "Function2_bound10_ZZA.invoke"
+        val module = sampleModule(names = listOf("app.row.$unnamed", "app.other.$unnamed", "app.row.Other.invoke"))
+        val names = CalledNames(setOf("app.row.Row.draw", "app.row.Function1_bound1_A.<init>"))
+        assertEquals(setOf(0), names.indicesIn(module, sha256 = ""))
+        assertEquals(listOf("app.row.Row draw", ""), "$names".lines().drop(1))
+    }
+
+    @Test
     fun `of what depends on time or the browser, all functions of a class belong to one that is called`() {
         val owner = "androidx.compose.animation.core.Decay"
         val module =
