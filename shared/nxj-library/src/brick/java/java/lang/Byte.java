@@ -46,7 +46,7 @@ public final class Byte extends Number implements Comparable<Byte> {
     /** Gives the number that the text says in a system of so many digits. */
     public static byte parseByte(String text, int radix) {
         int value = Integer.parseInt(text, radix);
-        if (value < MIN_VALUE || value > MAX_VALUE) throw new NumberFormatException(text);
+        if (value < MIN_VALUE || value > MAX_VALUE) throw new NumberFormatException("number is too big");
         return (byte) value;
     }
 

@@ -1,169 +1,132 @@
 package java.lang;
 
-/** Turns decimal numbers into the shortest texts from which the same numbers can be read. */
+/** Turns decimal numbers into texts as leJOS NXJ does, with at most 15 digits of a double and 7 of a float. */
 final class DecimalWriter {
-    /** The powers of 10 that a double holds exactly. */
-    static final double[] POWERS_OF_10 = {
-        1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
-        1e20, 1e21, 1e22};
+    private static final int DIGITS = 15;
+    private static final int FLOAT_DIGITS = 7;
 
-    private static final int MOST_DIGITS = 18;
+    /** From here on, numbers have an exponent of 10. */
+    private static final int FIRST_EXPONENT = 7;
+    private static final int FIRST_FLOAT_EXPONENT = 6;
 
-    /** The digits, as characters. */
-    private final char[] digits = new char[MOST_DIGITS];
-    private int count;
+    /** The last exponent of 10 of numbers that are written with one because they are small. */
+    private static final int LAST_EXPONENT = -4;
 
-    /** The digits stand behind a point, times 10 to this power. */
-    private int exponent;
+    private static final int MOST_CHARACTERS = 25;
+
+    // The logarithm of 2 for 10, times 2 to the 21st or 24th.
+    private static final int LOGARITHM_OF_2 = 631305;
+    private static final int FLOAT_LOGARITHM_OF_2 = 5050455;
+
+    // What makes the estimated exponent of 10 one too small for some numbers, but never too large for one.
+    private static final int MARGIN = 802779;
+    private static final int FLOAT_MARGIN = 7334478;
 
     private DecimalWriter() {
     }
 
     static String toString(double number) {
-        String special = special(number);
-        if (special != null) return special;
-        double size = number < 0 ? -number : number;
-        DecimalWriter writer = new DecimalWriter();
-        if (!writer.findShort(size, 15, false)) {
-            long bits = Double.doubleToRawLongBits(size);
-            int power = (int) (bits >> 52);
-            long mantissa = bits & 0xFFFFFFFFFFFFFL;
-            if (power == 0) {
-                writer.find(mantissa, -1074, false);
-            } else {
-                writer.find(mantissa | 0x10000000000000L, power - 1075, mantissa == 0 && power > 1);
-            }
+        boolean isNegative = Double.doubleToRawLongBits(number) < 0;
+        double size = isNegative ? -number : number;
+        if (!(size > 0 && size < Double.POSITIVE_INFINITY)) return special(number, isNegative);
+        int power = size < Double.MIN_NORMAL ? powerOf2(size * 0x1p62) - 62 : powerOf2(size);
+        int exponent = power * LOGARITHM_OF_2 - MARGIN >> 21;
+        double scaled = PowersOf10.largestFirst(size, DIGITS - 1 - exponent);
+        long digits = (long) (scaled + 0.5);
+        if (digits >= 1000000000000000L) {
+            exponent++;
+            digits = (long) (scaled * 0.1 + 0.5);
         }
-        return writer.text(number < 0);
+        char[] characters = new char[DIGITS];
+        int upper = (int) (digits / 10000000);
+        int lower = (int) (digits % 10000000);
+        int count;
+        if (lower == 0) {
+            count = writeToLastZeros(upper, characters, 0, DIGITS - 7);
+        } else {
+            write(upper, characters, 0, DIGITS - 7);
+            count = writeToLastZeros(lower, characters, DIGITS - 7, DIGITS);
+        }
+        return text(isNegative, characters, count, exponent, FIRST_EXPONENT);
     }
 
     static String toString(float number) {
-        String special = special(number);
-        if (special != null) return special;
-        float size = number < 0 ? -number : number;
-        DecimalWriter writer = new DecimalWriter();
-        if (!writer.findShort(size, 6, true)) {
-            int bits = Float.floatToRawIntBits(size);
-            int power = bits >> 23;
-            int mantissa = bits & 0x7FFFFF;
-            if (power == 0) {
-                writer.find(mantissa, -149, false);
-            } else {
-                writer.find(mantissa | 0x800000, power - 150, mantissa == 0 && power > 1);
-            }
+        boolean isNegative = Float.floatToRawIntBits(number) < 0;
+        float size = isNegative ? -number : number;
+        if (!(size > 0 && size < Float.POSITIVE_INFINITY)) return special((double) number, isNegative);
+        int power = size < Float.MIN_NORMAL ? powerOf2(size * 0x1p31f) - 31 : powerOf2(size);
+        int exponent = power * FLOAT_LOGARITHM_OF_2 - FLOAT_MARGIN >> 24;
+        float scaled = PowersOf10.largestFirst(size, FLOAT_DIGITS - 1 - exponent);
+        int digits = (int) (scaled + 0.5f);
+        if (digits >= 10000000) {
+            exponent++;
+            digits = (int) (scaled * 0.1f + 0.5f);
         }
-        return writer.text(number < 0);
+        char[] characters = new char[FLOAT_DIGITS];
+        int count = writeToLastZeros(digits, characters, 0, FLOAT_DIGITS);
+        return text(isNegative, characters, count, exponent, FIRST_FLOAT_EXPONENT);
     }
 
-    private static String special(double number) {
+    private static String special(double number, boolean isNegative) {
         if (number != number) return "NaN";
-        if (number == 0) return 1 / number < 0 ? "-0.0" : "0.0";
-        if (number == Double.POSITIVE_INFINITY) return "Infinity";
-        return number == Double.NEGATIVE_INFINITY ? "-Infinity" : null;
+        if (number == 0) return isNegative ? "-0.0" : "0.0";
+        return isNegative ? "-Infinity" : "Infinity";
     }
 
-    /** Finds digits quickly if few are enough, as for most numbers that people write. */
-    private boolean findShort(double number, int most, boolean isFloat) {
-        int power = (int) (Double.doubleToRawLongBits(number) >> 52) - 1023;
-        int place = (power * 1233 >> 12) + 1;
-        if (place < -6 || place > 22) return false;
-        if (place < 0 ? number * POWERS_OF_10[-place] >= 1 : number >= POWERS_OF_10[place]) place++;
-        int scale = most - place;
-        if (scale > 22 || scale < -22) return false;
-        double scaled = scale < 0 ? number / POWERS_OF_10[-scale] : number * POWERS_OF_10[scale];
-        long whole = (long) (scaled + 0.5);
-        double back = scale < 0 ? whole * POWERS_OF_10[-scale] : whole / POWERS_OF_10[scale];
-        if (isFloat ? (float) back != (float) number : back != number) return false;
-        if (isFloat && (Double.doubleToRawLongBits(back) & 0x1FFFFFFF) == 0x10000000) return false;
-        String text = Long.toString(whole);
-        count = text.length();
-        text.getChars(0, count, digits, 0);
-        exponent = place + count - most;
-        return true;
+    private static int powerOf2(double number) {
+        return (int) (Double.doubleToRawLongBits(number) >> 52) - 1023;
     }
 
-    /**
-     * Finds the digits of mantissa times a power of 2.
-     *
-     * @param isUneven whether the next number below is nearer than the one above.
-     */
-    private void find(long mantissa, int power, boolean isUneven) {
-        NaturalNumber rest = new NaturalNumber(mantissa);
-        NaturalNumber unit = new NaturalNumber(1);
-        NaturalNumber down = new NaturalNumber(1);
-        int bits = rest.bitLength() + power;
-        exponent = (int) Math.floor((bits - 1) * 0.30102999566398) + 1;
-        // The number is rest / unit, and down / unit is half the way to the next number below.
-        rest.shiftLeft((power > 0 ? power : 0) + (isUneven ? 2 : 1));
-        down.shiftLeft(power > 0 ? power : 0);
-        unit.shiftLeft((power < 0 ? -power : 0) + (isUneven ? 2 : 1));
-        if (exponent > 0) {
-            unit.multiplyByPowerOf10(exponent);
+    private static int powerOf2(float number) {
+        return (Float.floatToRawIntBits(number) >> 23) - 127;
+    }
+
+    /** Writes the last digits of a number to the places from one up to, but not including, another. */
+    private static void write(int number, char[] characters, int from, int to) {
+        int rest = number;
+        for (int place = to - 1; place >= from; place--) {
+            characters[place] = (char) ('0' + rest % 10);
+            rest /= 10;
+        }
+    }
+
+    /** Does the same, but leaves out zeros at the end of a number above 0, and gives the place behind the last digit. */
+    private static int writeToLastZeros(int number, char[] characters, int from, int to) {
+        int rest = number;
+        int end = to;
+        if (rest % 10000 == 0) {
+            rest /= 10000;
+            end -= 4;
+        }
+        for (; rest % 10 == 0; end--) rest /= 10;
+        write(rest, characters, from, end);
+        return end;
+    }
+
+    /** The text of a number of so many digits, the first of which counts 10 to the power of the exponent. */
+    private static String text(boolean isNegative, char[] digits, int length, int exponent, int firstExponent) {
+        char[] text = new char[MOST_CHARACTERS];
+        int place = 0;
+        if (isNegative) text[place++] = '-';
+        boolean hasExponent = exponent >= firstExponent || exponent <= LAST_EXPONENT;
+        int before = hasExponent ? 1 : exponent + 1;
+        int count = length;
+        if (before > 0) {
+            while (count <= before) digits[count++] = '0';
+            System.arraycopy(digits, 0, text, place, before);
+            place += before;
+            text[place++] = '.';
         } else {
-            rest.multiplyByPowerOf10(-exponent);
-            down.multiplyByPowerOf10(-exponent);
+            text[place++] = '0';
+            text[place++] = '.';
+            for (; before < 0; before++) text[place++] = '0';
         }
-        if (rest.compareTo(unit) >= 0) {
-            unit.multiply(10, 0);
-            exponent++;
-        }
-        NaturalNumber up = down;
-        if (isUneven) {
-            up = down.copy();
-            up.multiply(2, 0);
-        }
-        boolean isEven = (mantissa & 1) == 0;
-        boolean isLow;
-        boolean isHigh;
-        do {
-            rest.multiply(10, 0);
-            down.multiply(10, 0);
-            if (up != down) up.multiply(10, 0);
-            int digit = 0;
-            while (rest.compareTo(unit) >= 0) {
-                rest.subtract(unit);
-                digit++;
-            }
-            digits[count++] = (char) ('0' + digit);
-            int low = rest.compareTo(down);
-            int high = rest.compareSumTo(up, unit);
-            isLow = low < 0 || isEven && low == 0;
-            isHigh = high > 0 || isEven && high == 0;
-        } while (count < 2 || !isLow && !isHigh);
-        int half = rest.compareSumTo(rest, unit);
-        boolean isOdd = (digits[count - 1] & 1) == 1;
-        if (isHigh && (!isLow || half > 0 || half == 0 && isOdd)) roundUp();
-    }
-
-    private void roundUp() {
-        int place = count - 1;
-        while (place >= 0 && digits[place] == '9') digits[place--] = '0';
-        if (place >= 0) {
-            digits[place]++;
-        } else {
-            digits[0] = '1';
-            exponent++;
-        }
-    }
-
-    private String text(boolean isNegative) {
-        while (count > 1 && digits[count - 1] == '0') count--;
-        StringBuilder text = new StringBuilder(26);
-        if (isNegative) text.append('-');
-        if (exponent > 7 || exponent < -2) {
-            appendDigits(text, 0, 1);
-            text.append('.');
-            appendDigits(text, 1, count > 2 ? count : 2);
-            return text.append('E').append(exponent - 1).toString();
-        }
-        if (exponent <= 0) text.append('0');
-        appendDigits(text, 0, exponent);
-        text.append('.');
-        appendDigits(text, exponent, count > exponent + 1 ? count : exponent + 1);
-        return text.toString();
-    }
-
-    private void appendDigits(StringBuilder text, int from, int to) {
-        for (int place = from; place < to; place++) text.append(place >= 0 && place < count ? digits[place] : '0');
+        System.arraycopy(digits, before, text, place, count - before);
+        place += count - before;
+        if (!hasExponent) return new String(text, 0, place);
+        text[place++] = 'E';
+        String power = Integer.toString(exponent);
+        power.getChars(0, power.length(), text, place);
+        return new String(text, 0, place + power.length());
     }
 }

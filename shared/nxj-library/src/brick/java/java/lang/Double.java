@@ -51,12 +51,12 @@ public final class Double extends Number implements Comparable<Double> {
         return new Double(text);
     }
 
-    /** Gives the number that the text says; NumberFormatException if it says none. */
+    /** Gives the number that the text says; NumberFormatException if it says none, or has blanks around it. */
     public static double parseDouble(String text) {
         return DecimalReader.toDouble(text);
     }
 
-    /** Gives the number as text. */
+    /** Gives the number as text, with at most 15 digits. */
     public static String toString(double value) {
         return DecimalWriter.toString(value);
     }

@@ -56,12 +56,12 @@ public final class Float extends Number implements Comparable<Float> {
         return new Float(text);
     }
 
-    /** Gives the number that the text says; NumberFormatException if it says none. */
+    /** Gives the number that the text says; NumberFormatException if it says none, or has blanks around it. */
     public static float parseFloat(String text) {
         return DecimalReader.toFloat(text);
     }
 
-    /** Gives the number as text. */
+    /** Gives the number as text, with at most 7 digits. */
     public static String toString(float value) {
         return DecimalWriter.toString(value);
     }

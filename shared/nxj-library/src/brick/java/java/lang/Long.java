@@ -45,19 +45,22 @@ public final class Long extends Number implements Comparable<Long> {
 
     /** Gives the number that the text says in a system of so many digits. */
     public static long parseLong(String text, int radix) {
-        int length = text == null ? 0 : text.length();
+        if (text == null) throw new NumberFormatException("string is null");
+        if (radix < Character.MIN_RADIX || radix > Character.MAX_RADIX) {
+            throw new NumberFormatException("given radix is invalid");
+        }
+        int length = text.length();
         boolean isNegative = length > 0 && text.charAt(0) == '-';
         int place = isNegative ? 1 : 0;
-        if (place >= length || radix < Character.MIN_RADIX || radix > Character.MAX_RADIX) {
-            throw new NumberFormatException(text);
-        }
+        if (place >= length) throw new NumberFormatException("string doesn't contain any digits");
         // Below 0 there is one number more than above it, so that is where the number grows.
         long limit = isNegative ? MIN_VALUE : -MAX_VALUE;
         long last = limit / radix;
         long value = 0;
         for (; place < length; place++) {
             int digit = Character.digit(text.charAt(place), radix);
-            if (digit < 0 || value < last || value * radix < limit + digit) throw new NumberFormatException(text);
+            if (digit < 0) throw new NumberFormatException("illegal digit character");
+            if (value < last || value * radix < limit + digit) throw new NumberFormatException("number is too big");
             value = value * radix - digit;
         }
         return isNegative ? value : -value;

@@ -13,7 +13,15 @@ public final class Math {
     /** From here on all decimal numbers are whole. */
     private static final double WHOLE_FROM = 4503599627370496d;
 
-    private static final double SMALL_ANGLE = PI / 4;
+    /** Up to here, adding a half leaves a number that a long can hold. */
+    private static final double WHOLE_LIMIT = 0x1p62;
+    private static final float FLOAT_WHOLE_LIMIT = 0x1p30f;
+
+    private static final double DEGREES_IN_A_RADIAN = 57.29577951308232;
+    private static final double RADIANS_IN_A_DEGREE = 0.017453292519943295;
+
+    /** The magic number of the inverse square root, for 64 bits. */
+    private static final long INVERSE_ROOT_BITS = 0x5FE6EC85E7DE30DAL;
 
     private static Random generator;
 
@@ -110,22 +118,22 @@ public final class Math {
         return -floor(-number);
     }
 
-    /** Gives the nearest whole number; of two that are as near, the even one. */
+    /** Gives the nearest whole number; a half goes away from 0. */
     public static double rint(double number) {
-        if (!(number > -WHOLE_FROM && number < WHOLE_FROM) || number == 0) return number;
-        return number < 0 ? -(WHOLE_FROM - number - WHOLE_FROM) : number + WHOLE_FROM - WHOLE_FROM;
+        if (number < -WHOLE_LIMIT || number > WHOLE_LIMIT) return number;
+        return (double) (long) (number < 0 ? number - 0.5 : number + 0.5);
     }
 
     /** Gives the nearest whole number; a half goes up. */
     public static int round(float number) {
-        double whole = floor(number);
-        return (int) (number - whole >= 0.5 ? whole + 1 : whole);
+        if (number < -FLOAT_WHOLE_LIMIT || number > FLOAT_WHOLE_LIMIT) return (int) number;
+        return (int) floor(number + 0.5);
     }
 
     /** Gives the nearest whole number; a half goes up. */
     public static long round(double number) {
-        double whole = floor(number);
-        return (long) (number - whole >= 0.5 ? whole + 1 : whole);
+        if (number < -WHOLE_LIMIT || number > WHOLE_LIMIT) return (long) number;
+        return (long) floor(number + 0.5);
     }
 
     /** Gives the next decimal number above this one. */
@@ -151,200 +159,81 @@ public final class Math {
 
     /** Gives the square root, and NaN for a number below 0. */
     public static double sqrt(double number) {
-        if (!(number > 0) || number == Double.POSITIVE_INFINITY) return number < 0 ? Double.NaN : number;
-        long bits = Double.doubleToRawLongBits(number);
-        int exponent = (int) (bits >> 52);
-        long mantissa = bits & 0xFFFFFFFFFFFFFL;
-        if (exponent == 0) {
-            exponent = 1;
-            while (mantissa < 0x10000000000000L) {
-                mantissa <<= 1;
-                exponent--;
-            }
-        } else {
-            mantissa |= 0x10000000000000L;
-        }
-        int power = exponent - 1023;
-        if ((power & 1) != 0) mantissa <<= 1;
-        // The root of a number from 1 to 4, by Newton, and then its last bit by whole numbers.
-        double square = mantissa / WHOLE_FROM;
-        double root = 0.68 + square * 0.34;
-        root = (root + square / root) / 2;
-        root = (root + square / root) / 2;
-        root = (root + square / root) / 2;
-        root = (root + square / root) / 2;
-        long whole = (long) (root * WHOLE_FROM);
-        long rest = (mantissa << 52) - whole * whole;
-        if (rest > whole) {
-            whole++;
-        } else if (rest <= -whole) {
-            whole--;
-        }
-        return Double.longBitsToDouble(((long) ((power >> 1) + 1022) << 52) + whole);
+        if (!(number > 0)) return number == 0 ? number : Double.NaN;
+        if (number == Double.POSITIVE_INFINITY) return number;
+        boolean isSmall = number < Double.MIN_NORMAL;
+        double x = isSmall ? number * 0x1p64 : number;
+        // An estimate of 1 / root from the bits, three steps of Newton for it, and one for the root.
+        double inverse = Double.longBitsToDouble(INVERSE_ROOT_BITS - (Double.doubleToRawLongBits(x) >> 1));
+        double half = 0.5 * x;
+        inverse = inverse * (1.5 - half * inverse * inverse);
+        inverse = inverse * (1.5 - half * inverse * inverse);
+        inverse = inverse * (1.5 - half * inverse * inverse);
+        return (isSmall ? 0x1p-33 : 0.5) * (x * inverse + 1 / inverse);
     }
 
     /** Gives the sine of an angle in radians. */
     public static double sin(double angle) {
-        if (angle == 0) return angle;
-        if (angle >= -SMALL_ANGLE && angle <= SMALL_ANGLE) return angle + Angles.sineLessAngle(angle, 0);
-        return sine(Angles.reduce(angle), 0);
+        return Angles.sine(angle);
     }
 
     /** Gives the cosine of an angle in radians. */
     public static double cos(double angle) {
-        return sine(Angles.reduce(angle), 1);
+        return Angles.cosine(angle);
     }
 
     /** Gives the tangent of an angle in radians. */
     public static double tan(double angle) {
-        if (angle == 0) return angle;
-        TwoPartNumber rest = Angles.reduce(angle);
-        TwoPartNumber cosine = new TwoPartNumber();
-        Angles.setCosine(rest.high, rest.low, cosine);
-        cosine.setSum(cosine.high, cosine.low, 0);
-        TwoPartNumber sine = new TwoPartNumber();
-        sine.setSum(rest.high, Angles.sineLessAngle(rest.high, rest.low), 0);
-        return (rest.quarters & 1) == 0 ? quotient(sine, cosine) : -quotient(cosine, sine);
+        return Angles.tangent(angle);
     }
 
     /** Gives the angle, in radians, that has this sine. */
     public static double asin(double sine) {
-        if (sine == 0) return sine;
-        double height = abs(sine);
-        if (!(height <= 1)) return Double.NaN;
-        TwoPartNumber width = otherSide(height);
-        double angle = Arcs.direction(height, width.high, -height * width.low);
-        return sine < 0 ? -angle : angle;
+        return Arcs.ofSine(sine);
     }
 
     /** Gives the angle, in radians, that has this cosine. */
     public static double acos(double cosine) {
-        if (!(abs(cosine) <= 1)) return Double.NaN;
-        TwoPartNumber height = otherSide(cosine);
-        return Arcs.direction(height.high, cosine, cosine * height.low);
+        return Arcs.ofCosine(cosine);
     }
 
     /** Gives the angle, in radians, that has this tangent. */
     public static double atan(double tangent) {
-        return atan2(tangent, 1);
+        return Arcs.ofTangent(tangent);
     }
 
     /** Gives the direction, in radians, of a point so far up and so far to the right. */
     public static double atan2(double up, double right) {
-        if (up != up || right != right) return Double.NaN;
-        boolean isDown = up < 0 || up == 0 && 1 / up < 0;
-        double angle = direction(abs(up), right);
-        return isDown ? -angle : angle;
+        return Arcs.ofPoint(up, right);
     }
 
     /** Gives Euler's number to this power. */
     public static double exp(double power) {
-        return power != power ? power : Powers.exponential(power, 0);
+        return Powers.exponential(power);
     }
 
     /** Gives the natural logarithm. */
     public static double log(double number) {
-        if (number == 0) return Double.NEGATIVE_INFINITY;
-        if (!(number > 0)) return Double.NaN;
-        return number == Double.POSITIVE_INFINITY ? number : Powers.logarithm(number).high;
+        return Powers.logarithm(number);
     }
 
-    /** Gives a number to the power of another. */
+    /** Gives a number to the power of another. The result may be a little too small, so round it instead of cutting it off. */
     public static double pow(double number, double power) {
-        if (power == 0) return 1;
-        if (number != number || power != power) return Double.NaN;
-        double size = abs(number);
-        boolean isNegative = number < 0 || number == 0 && 1 / number < 0;
-        boolean isOdd = rint(power) == power && abs(power) < 2 * WHOLE_FROM && ((long) power & 1) == 1;
-        double result;
-        if (size == 0 || size == Double.POSITIVE_INFINITY) {
-            result = size == 0 == power > 0 ? 0 : Double.POSITIVE_INFINITY;
-        } else if (abs(power) == Double.POSITIVE_INFINITY) {
-            if (size == 1) return Double.NaN;
-            return size > 1 == power > 0 ? Double.POSITIVE_INFINITY : 0;
-        } else if (isNegative && rint(power) != power) {
-            return Double.NaN;
-        } else {
-            result = power(size, power);
-        }
-        return isNegative && isOdd ? -result : result;
+        return Powers.power(number, power);
     }
 
     /** Turns an angle in radians into one in degrees. */
     public static double toDegrees(double radians) {
-        return radians * 180 / PI;
+        return radians * DEGREES_IN_A_RADIAN;
     }
 
     /** Turns an angle in degrees into one in radians. */
     public static double toRadians(double degrees) {
-        return degrees / 180 * PI;
+        return degrees * RADIANS_IN_A_DEGREE;
     }
 
     private static synchronized Random generator() {
         if (generator == null) generator = new Random();
         return generator;
-    }
-
-    /** The sine of an angle that is so many quarters of a turn further. */
-    private static double sine(TwoPartNumber angle, int quarters) {
-        int quarter = angle.quarters + quarters;
-        double sine;
-        if ((quarter & 1) == 0) {
-            sine = angle.high + Angles.sineLessAngle(angle.high, angle.low);
-        } else {
-            TwoPartNumber cosine = new TwoPartNumber();
-            Angles.setCosine(angle.high, angle.low, cosine);
-            sine = cosine.high + cosine.low;
-        }
-        return (quarter & 2) == 0 ? sine : -sine;
-    }
-
-    private static double quotient(TwoPartNumber a, TwoPartNumber b) {
-        double quotient = a.high / b.high;
-        double product = quotient * b.high;
-        double rest = a.high - product - TwoPartNumber.remainder(quotient, b.high, product);
-        return quotient + (rest + a.low - quotient * b.low) / b.high;
-    }
-
-    /** The third side of a triangle with a right angle, whose longest side is 1. */
-    private static TwoPartNumber otherSide(double side) {
-        TwoPartNumber square = new TwoPartNumber();
-        double product = side * side;
-        square.setSum(1, -product, -TwoPartNumber.remainder(side, side, product));
-        square.setSum(square.high, square.low, 0);
-        double root = sqrt(square.high);
-        if (root == 0) return square;
-        double rootSquared = root * root;
-        double rest = square.high - rootSquared - TwoPartNumber.remainder(root, root, rootSquared) + square.low;
-        square.high = root;
-        square.low = rest / (2 * root);
-        return square;
-    }
-
-    /** The direction of a point that is not below 0. */
-    private static double direction(double up, double right) {
-        if (up == 0) return right < 0 || right == 0 && 1 / right < 0 ? PI : 0;
-        if (right == 0) return PI / 2;
-        double width = abs(right);
-        if (up == Double.POSITIVE_INFINITY) {
-            if (width != Double.POSITIVE_INFINITY) return PI / 2;
-            return right > 0 ? PI / 4 : 3 * PI / 4;
-        }
-        if (width == Double.POSITIVE_INFINITY) return right > 0 ? 0 : PI;
-        double quotient = up / width;
-        if (quotient > 1e18) return PI / 2;
-        if (quotient < 1e-18) return right > 0 ? quotient : PI;
-        // Far away from the ends of what numbers can be, so that products are exact.
-        if (up > 1e150 || width > 1e150) return Arcs.direction(up * 0x1p-600, right * 0x1p-600, 0);
-        if (up < 1e-150 || width < 1e-150) return Arcs.direction(up * 0x1p600, right * 0x1p600, 0);
-        return Arcs.direction(up, right, 0);
-    }
-
-    private static double power(double number, double power) {
-        TwoPartNumber logarithm = Powers.logarithm(number);
-        double product = power * logarithm.high;
-        if (!(abs(product) < 800)) return product > 0 ? Double.POSITIVE_INFINITY : 0;
-        double rest = TwoPartNumber.remainder(power, logarithm.high, product) + power * logarithm.low;
-        return Powers.exponential(product, rest);
     }
 }

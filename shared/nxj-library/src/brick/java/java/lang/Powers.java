@@ -1,89 +1,84 @@
 package java.lang;
 
-/** Logarithms and powers of Euler's number, so exact that any power can be made of them. */
+/** Powers of Euler's number and natural logarithms as leJOS NXJ computes them, to about 15 digits. */
 final class Powers {
-    // The natural logarithm of 2: 42 bits, so that the product with a power of 2 is exact, and the rest.
-    private static final double LOGARITHM_OF_2 = 0.6931471805598903;
-    private static final double LOGARITHM_OF_2_REST = 5.497923018708371e-14;
+    private static final double LOGARITHM_OF_2 = 0.6931471805599453;
+    private static final double LOGARITHM_OF_ROOT_OF_2 = 0.34657359027997264;
     private static final double ONE_BY_LOGARITHM_OF_2 = 1.4426950408889634;
     private static final double ROOT_OF_2 = 1.4142135623730951;
-    private static final double THIRD = 0.3333333333333333;
-    private static final double THIRD_REST = 1.850371707708594e-17;
-    private static final double TWO_TO_THE_54 = 18014398509481984d;
+    private static final double ONE_BY_ROOT_OF_2 = 0.7071067811865476;
 
     private Powers() {
     }
 
-    /** The natural logarithm of a number above 0 that is not infinite. */
-    static TwoPartNumber logarithm(double number) {
-        long bits = Double.doubleToRawLongBits(number);
-        int twos = -1023;
-        if (bits < 0x10000000000000L) {
-            bits = Double.doubleToRawLongBits(number * TWO_TO_THE_54);
-            twos -= 54;
+    static double exponential(double power) {
+        if (!(power > -750)) return power < 0 ? 0 : Double.NaN;
+        if (power > 710) return Double.POSITIVE_INFINITY;
+        int twos = (int) (power * ONE_BY_LOGARITHM_OF_2);
+        if (power < 0) twos--;
+        double x = power - twos * LOGARITHM_OF_2;
+        // The polynomial whose largest relative error from 0 to the logarithm of 2 is the smallest.
+        double sum = 3.534728372165613e-8;
+        sum = 2.560248541212637e-7 + sum * x;
+        sum = 2.7764095757136527e-6 + sum * x;
+        sum = 2.4787899938611697e-5 + sum * x;
+        sum = 0.00019841863599469418 + sum * x;
+        sum = 0.0013888871805082296 + sum * x;
+        sum = 0.008333333655294413 + sum * x;
+        sum = 0.04166666662838898 + sum * x;
+        sum = 0.16666666666933783 + sum * x;
+        sum = 0.49999999999990424 + sum * x;
+        sum = 1.0000000000000013 + sum * x;
+        sum = 1 + sum * x;
+        if (twos > 1000) {
+            twos -= 1000;
+            sum *= 0x1p1000;
+        } else if (twos < -1000) {
+            twos += 1000;
+            sum *= 0x1p-1000;
         }
-        twos += (int) (bits >> 52);
-        double mantissa = Double.longBitsToDouble(bits & 0xFFFFFFFFFFFFFL | 0x3FF0000000000000L);
-        if (mantissa > ROOT_OF_2) {
-            mantissa /= 2;
-            twos++;
-        }
-        // The logarithm is twice the sum of s, s^3 / 3, s^5 / 5 and so on; the first two terms need all their bits.
-        double below = mantissa + 1;
-        double belowRest = mantissa - (below - 1);
-        double above = mantissa - 1;
-        double s = above / below;
-        double product = s * below;
-        double sRest = (above - product - TwoPartNumber.remainder(s, below, product) - s * belowRest) / below;
-        TwoPartNumber square = new TwoPartNumber();
-        square.setProduct(s, s, 2 * s * sRest);
-        double z = square.high;
-        double sum = 1 / 25d;
-        for (int divisor = 23; divisor >= 5; divisor -= 2) sum = 1d / divisor + z * sum;
-        TwoPartNumber result = new TwoPartNumber();
-        result.setProduct(z, THIRD, square.low * THIRD + z * THIRD_REST);
-        result.setSum(result.high, z * z * sum, result.low);
-        result.setProduct(s, result.high, s * result.low + sRest * result.high);
-        result.setSum(s, result.high, result.low + sRest);
-        double rest = 2 * result.low + twos * LOGARITHM_OF_2_REST;
-        result.setSum(twos * LOGARITHM_OF_2, 2 * result.high, rest);
-        result.setSum(result.high, result.low, 0);
-        return result;
+        return sum * Double.longBitsToDouble((long) (twos + 1023) << 52);
     }
 
-    /** Euler's number to the power of the sum of both. */
-    static double exponential(double power, double rest) {
-        if (power > 709.9) return Double.POSITIVE_INFINITY;
-        if (power < -745.5) return 0;
-        int twos = (int) (power * ONE_BY_LOGARITHM_OF_2 + (power < 0 ? -0.5 : 0.5));
-        double upper = power - twos * LOGARITHM_OF_2;
-        double lower = rest - twos * LOGARITHM_OF_2_REST;
-        double x = upper + lower;
-        double low = upper - x + lower;
-        double sum = 1 / 87178291200d;
-        sum = 1 / 6227020800d + x * sum;
-        sum = 1 / 479001600d + x * sum;
-        sum = 1 / 39916800d + x * sum;
-        sum = 1 / 3628800d + x * sum;
-        sum = 1 / 362880d + x * sum;
-        sum = 1 / 40320d + x * sum;
-        sum = 1 / 5040d + x * sum;
-        sum = 1 / 720d + x * sum;
-        sum = 1 / 120d + x * sum;
-        sum = 1 / 24d + x * sum;
-        sum = 1 / 6d + x * sum;
-        sum = 1 / 2d + x * sum;
-        double more = x * x * sum + low * (1 + x);
-        double small = x + more;
-        double smallRest = x - small + more;
-        double result = 1 + small;
-        result += 1 - result + small + smallRest;
-        if (twos > -1022 && twos < 1024) return result * powerOf2(twos);
-        return twos > 0 ? result * 2 * powerOf2(twos - 1) : result * powerOf2(twos + 54) / TWO_TO_THE_54;
+    static double logarithm(double number) {
+        if (!(number > 0)) return number == 0 ? Double.NEGATIVE_INFINITY : Double.NaN;
+        if (number == Double.POSITIVE_INFINITY) return number;
+        boolean isSmall = number < Double.MIN_NORMAL;
+        long bits = Double.doubleToRawLongBits(isSmall ? number * 0x1p64 : number);
+        int roots = (int) (bits >> 52) - (isSmall ? 1023 + 64 : 1023) << 1;
+        double x = Double.longBitsToDouble(bits & 0xFFFFFFFFFFFFFL | 0x3FF0000000000000L);
+        if (x > ROOT_OF_2) {
+            roots++;
+            x *= ONE_BY_ROOT_OF_2;
+        }
+        // The logarithm is twice the sum of s, s^3 / 3, s^5 / 5 and so on.
+        double s = (x - 1) / (x + 1);
+        double square = s * s;
+        double sum = 2 / 19d;
+        sum = 2 / 17d + sum * square;
+        sum = 2 / 15d + sum * square;
+        sum = 2 / 13d + sum * square;
+        sum = 2 / 11d + sum * square;
+        sum = 2 / 9d + sum * square;
+        sum = 2 / 7d + sum * square;
+        sum = 2 / 5d + sum * square;
+        sum = 2 / 3d + sum * square;
+        return roots * LOGARITHM_OF_ROOT_OF_2 + (2 + sum * square) * s;
     }
 
-    /** 2 to a power from -1022 to 1023. */
-    private static double powerOf2(int power) {
-        return Double.longBitsToDouble((long) (power + 1023) << 52);
+    static double power(double number, double power) {
+        if (power != power) return Double.NaN;
+        if (power == 0) return 1;
+        if (number > 0 || number != number) return exponential(power * logarithm(number));
+        boolean isHuge = power < -0x1p62 || power > 0x1p62;
+        long whole = isHuge ? 0 : (long) power;
+        boolean isOdd = whole == power && (whole & 1) == 1;
+        if (number == 0) {
+            double zero = isOdd ? number : 0;
+            return power > 0 ? zero : 1 / zero;
+        }
+        if (!isHuge && whole != power && number != Double.NEGATIVE_INFINITY) return Double.NaN;
+        double result = exponential(power * logarithm(-number));
+        return isOdd ? -result : result;
     }
 }

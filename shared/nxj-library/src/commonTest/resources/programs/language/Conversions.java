@@ -5,9 +5,9 @@ public class Conversions {
         float f = 1234.567f;
         double d = -98765.4321;
         System.out.println((long) i + " " + (int) (float) i + " " + (double) i); // expect 305419896 305419904 3.05419896E8
-        System.out.println((int) l + " " + (float) l + " " + (long) (double) l); // expect -1698898192 1.3117685E18 1311768467463790336
-        System.out.println((int) f + " " + (long) f + " " + (double) f); // expect 1234 1234 1234.5670166015625
-        System.out.println((int) d + " " + (long) d + " " + (float) d); // expect -98765 -98765 -98765.43
+        System.out.println((int) l + " " + (long) (float) l + " " + (long) (double) l); // expect -1698898192 1311768499227459584 1311768467463790336
+        System.out.println((int) f + " " + (long) f + " " + (long) ((double) f * 1e6)); // expect 1234 1234 1234567016
+        System.out.println((int) d + " " + (long) d + " " + (int) ((float) d * 100)); // expect -98765 -98765 -9876543
         System.out.println((byte) i + " " + (short) i + " " + (int) (char) i); // expect 120 22136 22136
         System.out.println((byte) l + " " + (short) l + " " + (int) (char) l); // expect -16 -8464 57072
         System.out.println((byte) f + " " + (short) f + " " + (int) (char) f); // expect -46 1234 1234
@@ -15,7 +15,7 @@ public class Conversions {
         System.out.println((int) Float.NaN + " " + (long) Double.NaN); // expect 0 0
         System.out.println((int) Float.POSITIVE_INFINITY + " " + (long) Double.NEGATIVE_INFINITY); // expect 2147483647 -9223372036854775808
         System.out.println((float) 16777217 + " " + (float) 1e40 + " " + (float) 0.1); // expect 1.6777216E7 Infinity 0.1
-        System.out.println((double) 0.1f); // expect 0.10000000149011612
+        System.out.println((long) ((double) 0.1f * 1e12)); // expect 100000001490
         System.out.println((long) 9.3e18 + " " + (int) 2147483647.9); // expect 9223372036854775807 2147483647
         byte b = -1;
         System.out.println((char) b == 0xFFFF); // expect true

@@ -4,11 +4,11 @@ public class DecimalNumbers {
     public static void main(String[] arguments) {
         double sum = 0;
         for (int i = 0; i < 10; i++) sum += field;
-        System.out.println(sum); // expect 0.9999999999999999
-        System.out.println(0.1 + 0.2); // expect 0.30000000000000004
+        System.out.println((sum == 1) + " " + (sum == 0.9999999999999999)); // expect false true
+        System.out.println(field + 0.2 == 0.3); // expect false
         System.out.println(0.1f + 0.2f); // expect 0.3
-        System.out.println(1.0 / 3); // expect 0.3333333333333333
-        System.out.println(1 / 3f); // expect 0.33333334
+        System.out.println(1.0 / 3 == 0.3333333333333333); // expect true
+        System.out.println(1 / 3f == 0.33333334f); // expect true
         System.out.println(7.5 % 2); // expect 1.5
         System.out.println(-7.5 % 2); // expect -1.5
         System.out.println(5.5f % -2); // expect 1.5
@@ -38,6 +38,6 @@ public class DecimalNumbers {
         whole *= 1.5;
         System.out.println(whole); // expect 10
         System.out.println(16777217 + " " + (float) 16777217 + " " + (double) 16777217); // expect 16777217 1.6777216E7 1.6777217E7
-        System.out.println((double) Long.MAX_VALUE); // expect 9.223372036854776E18
+        System.out.println((double) Long.MAX_VALUE == 9.223372036854776E18); // expect true
     }
 }

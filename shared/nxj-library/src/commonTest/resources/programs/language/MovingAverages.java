@@ -47,14 +47,14 @@ public class MovingAverages {
     }
 
     public static void main(String[] arguments) {
-        double[] distances = {30, 32, 255, 34, 33, 10, 36, 37.5};
+        double[] distances = {30, 32, 256, 34, 33, 10, 36, 37.5};
         Filter[] filters = {new Average(4), new Median(), new Chain(new Median(), new Average(2))};
         for (Filter filter : filters) {
             String text = "";
             for (double distance : distances) text += filter.next(distance) + " ";
             System.out.println(text.trim());
         }
-        // expect 30.0 31.0 105.66666666666667 87.75 88.5 83.0 28.25 29.125
+        // expect 30.0 31.0 106.0 88.0 88.75 83.25 28.25 29.125
         // expect 0.0 30.0 32.0 34.0 34.0 33.0 33.0 36.0
         // expect 0.0 15.0 31.0 33.0 34.0 33.5 33.0 34.5
     }

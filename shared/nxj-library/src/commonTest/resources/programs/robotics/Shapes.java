@@ -6,7 +6,7 @@ public class Shapes {
     public static void main(String[] arguments) {
         Point a = new Point(3, 4);
         Point b = new Point(1, 1);
-        System.out.println(a.length() + " " + a.distance(b) + " " + a.dotProduct(b)); // expect 5.0 3.605551275463989 7.0
+        System.out.println(a.length() + " " + Math.round(a.distance(b) * 1e6) + " " + a.dotProduct(b)); // expect 5.0 3605551 7.0
         System.out.println(a.add(b).x + " " + a.subtract(b).y + " " + a.multiply(2).x); // expect 4.0 3.0 6.0
         System.out.println(a.leftOrth().x + " " + a.rightOrth().x); // expect -4.0 4.0
         System.out.println(Math.round(b.angle() * 100) + " " + Math.round(b.angleTo(a) * 100)); // expect 79 5631

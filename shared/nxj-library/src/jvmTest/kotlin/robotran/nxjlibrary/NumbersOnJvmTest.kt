@@ -69,40 +69,49 @@ class NumbersOnJvmTest {
     }
 
     @Test
-    fun `decimal numbers are written as the shortest text that Java reads as the same number`() {
+    fun `decimal numbers are written with at most 15 digits, or 7 of a float, near to the number`() {
         for (number in decimals) {
             val text = double.call("toString", number) as String
-            assertEquals(number.toBits(), text.toDouble().toBits(), text)
-            assertTrue(text.length <= number.toString().length, "$text is longer than $number")
-            assertEquals(text.contains('E'), number.toString().contains('E'), text)
+            assertDigits(text, 15)
+            assertNear(number, text.toDouble(), text)
+            assertEquals(number.toString().contains('E'), text.contains('E'), text)
             val single = number.toFloat()
             val short = float.call("toString", single) as String
-            assertEquals(single.toBits(), short.toFloat().toBits(), short)
-            assertTrue(short.length <= single.toString().length, "$short is longer than $single")
+            assertDigits(short, 7)
+            assertNear(single, short.toFloat(), short)
+            val hasExponent = single.isFinite() && single != 0f && Math.abs(short.toDouble()) !in 0.001..999999.99
+            assertEquals(hasExponent, short.contains('E'), short)
         }
     }
 
     @Test
-    fun `decimal numbers are read as in Java`() {
-        val texts = decimals.map { it.toString() } + List(5000) { randomDecimal() } +
-            listOf(
-                "1",
-                "1.",
-                ".5",
-                "+1e5",
-                "-1E-5",
-                "1e400",
-                "1e-400",
-                "0.1f",
-                "3d",
-                "  2.5 ",
-                "NaN",
-                "Infinity",
-                "-Infinity",
-            )
+    fun `a double with few digits is written as Java writes it`() {
+        repeat(5000) {
+            val number = random.nextInt(-99_999, 100_000) / 1000.0
+            assertEquals(number.toString(), double.call("toString", number))
+        }
+    }
+
+    @Test
+    fun `decimal numbers are read nearly as in Java, and those that were written to nearly the same`() {
+        val texts = decimals.map { double.call("toString", it) as String } + List(5000) { randomDecimal() } +
+            listOf("1", "1.", ".5", "+1e5", "-1E-5", "1e400", "1e-400", "NaN", "Infinity", "-Infinity")
         for (text in texts) {
-            assertEquals(text.toDouble().toBits(), (double.call("parseDouble", text) as Double).toBits(), text)
-            assertEquals(text.toFloat().toBits(), (float.call("parseFloat", text) as Float).toBits(), text)
+            assertNear(text.toDouble(), double.call("parseDouble", text) as Double, text)
+            assertNear(text.toFloat(), float.call("parseFloat", text) as Float, text)
+        }
+    }
+
+    @Test
+    fun `what Java reads as a decimal number and leJOS NXJ does not is refused`() {
+        for (text in listOf("0.1f", "3d", " 2.5", "2.5 ", "0x1p3", "\t1")) {
+            text.toDouble()
+            for (type in listOf(double to "parseDouble", float to "parseFloat")) {
+                val thrown = assertFailsWith<java.lang.reflect.InvocationTargetException>(text) {
+                    type.first.call(type.second, text)
+                }
+                assertTrue(thrown.targetException is NumberFormatException, text)
+            }
         }
     }
 
@@ -139,8 +148,39 @@ class NumbersOnJvmTest {
         }
     }
 
+    /** Asserts that [text] has not more than [most] digits that count. */
+    private fun assertDigits(text: String, most: Int) {
+        val digits = text.substringBefore('E').filter { it.isDigit() }.trimStart('0')
+        assertTrue(digits.length <= most, text)
+    }
+
+    private fun assertNear(expected: Double, found: Double, text: String) =
+        assertNear(expected, found, 2e-14, 1e-300, 1.79769e308, text)
+
+    private fun assertNear(expected: Float, found: Float, text: String) =
+        assertNear(expected.toDouble(), found.toDouble(), 2e-6, 1e-37, 3.4e38, text)
+
+    /**
+     * Asserts that [found] differs from [expected] by not more than [error] of it, where it has all its bits, and is not
+     * so near to the [largest] number that it may be infinite.
+     */
+    private fun assertNear(
+        expected: Double,
+        found: Double,
+        error: Double,
+        smallest: Double,
+        largest: Double,
+        text: String,
+    ) {
+        val isSame = expected == found || (expected.isNaN() && found.isNaN())
+        val sizes = listOf(Math.abs(expected), Math.abs(found))
+        val isAtAnEnd = sizes.all { it < smallest } || sizes.all { it > largest }
+        assertTrue(isSame || isAtAnEnd || Math.abs(expected - found) <= error * Math.abs(expected), "$text: $found")
+    }
+
     private fun randomDecimal(): String {
-        val digits = List(1 + random.nextInt(25)) { random.nextInt(10) }.joinToString("")
+        val first = random.nextInt(1, 10)
+        val digits = first.toString() + List(random.nextInt(25)) { random.nextInt(10) }.joinToString("")
         val point = random.nextInt(digits.length + 1)
         return "${digits.take(point)}.${digits.drop(point)}e${random.nextInt(-330, 310)}".let {
             if (it[0] ==

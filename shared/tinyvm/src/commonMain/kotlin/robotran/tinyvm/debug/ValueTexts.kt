@@ -25,7 +25,7 @@ internal class ValueTexts(private val machine: VirtualMachine) {
             'F' -> decimal(Float.fromBits(word))
 
             'D' -> if (isLong) {
-                ExactDecimalText.of(
+                NxtDecimalText.of(
                     Double.fromBits(longAt(words, at)),
                 )
             } else {
@@ -40,7 +40,7 @@ internal class ValueTexts(private val machine: VirtualMachine) {
         }
     }
 
-    private fun decimal(number: Float): String = if (isExact) ExactDecimalText.of(number) else BrickFloatText.of(number)
+    private fun decimal(number: Float): String = if (isExact) NxtDecimalText.of(number) else BrickFloatText.of(number)
 
     private fun reference(word: Int): String {
         if (word == 0) return "null"
