@@ -66,6 +66,46 @@ class CodeTest {
     }
 
     @Test
+    fun `an element of an array that is changed is computed first`() {
+        val main = "int a[3], g; task main() { %s }"
+        assertEquals(codeOf(main.replace("%s", "a[2] = a[2] ^ 255;")), codeOf(main.replace("%s", "a[2] ^= 255;")))
+        assertEquals(codeOf(main.replace("%s", "a[1] = a[1] % g;")), codeOf(main.replace("%s", "a[1] %= g;")))
+    }
+
+    @Test
+    fun `a condition beyond the largest number is never true`() {
+        assertEquals(
+            "14 00 02 02 00",
+            codeOf("int x; task main() { if (x > 32767 && x == 3) x = 1; x = 2; }").takeLast(14),
+        )
+    }
+
+    @Test
+    fun `a source of constants is a constant`() {
+        assertEquals(
+            codeOf("int x; task main() { x = 1; }"),
+            codeOf("int x; task main() { if (@0x20005) x = 1; else x = 2; }"),
+        )
+        assertEquals(
+            codeOf("int x; task main() { x = 2; }"),
+            codeOf("int x; task main() { if (@0x20000) x = 1; else x = 2; }"),
+        )
+        assertEquals(codeOf("int x; task main() { x = 8; }"), codeOf("int x; task main() { x = @0x20005 + 3; }"))
+    }
+
+    @Test
+    fun `a pointer that nothing uses is no mistake for the first firmware`() {
+        val source = "int *p, x; task main() { x = 1; }"
+        assertEquals(codeOf("int p, x; task main() { x = 1; }", FirmwareTarget.RCX), codeOf(source, FirmwareTarget.RCX))
+    }
+
+    @Test
+    fun `constants that are too large do not matter in code that never runs`() {
+        val source = "int x; task main() { if (false) { PlayTone(70000, 5); x = 100000 + x; } x = 1; }"
+        assertEquals(codeOf("int x; task main() { x = 1; }"), codeOf(source))
+    }
+
+    @Test
     fun `symbols name chunks and variables`() {
         val image = programOf("int g; sub s() { } task other() { } task main() { int l; l = g; }").image
         val symbols = image.symbols.map { "${it.kind} ${it.number} ${it.name}" }

@@ -38,7 +38,12 @@ internal class NameResolver(
 
     /** The variable [name]; one that stands for it after a mistake. */
     fun variable(name: Token): Variable {
-        scopes.variable(name.text)?.let { return it }
+        val visible = scopes.variable(name.text)
+        if (visible != null) {
+            // As with the original, a pointer that nothing uses is no mistake.
+            if (visible.isPointer) requirePointers(name.range)
+            return visible
+        }
         val text = name.text
         if (apiNames.needsSecondFirmware(text)) {
             val message = sink.messages.needsSecondFirmware(text)

@@ -109,7 +109,7 @@ internal class OperandParser(
         val sign = reader.advance()
         val name = reader.name()
         val variable = names.variable(name)
-        names.requirePointers(name.range)
+        if (!variable.isPointer) names.requirePointers(name.range)
         when {
             names.isUnknown(variable) -> Unit
             variable.isArray -> report(NqcDiagnosticCode.IS_ARRAY, name, sink.messages.isArray(name.text))

@@ -65,10 +65,8 @@ internal class VariableParser(
 
     /** @param type the word `int`. */
     private fun variable(type: Token): Declaration {
-        val isPointer = reader.isSign("*")
-        val sign = if (isPointer) reader.advance() else null
+        val isPointer = reader.accept("*")
         val name = reader.name()
-        if (sign != null) names.requirePointers(sign.range)
         if (scopes.declaresGlobals && reader.isSign("(")) failAtFunction(name, type)
         val size = if (!isPointer && reader.accept("[")) arraySize(name) else null
         val variable = Variable(name.text, name.range, scopes.declaresGlobals, size != null, isPointer, size ?: 1)
@@ -79,6 +77,7 @@ internal class VariableParser(
     }
 
     private fun initial(variable: Variable, range: SourceRange): Assignment {
+        if (variable.isPointer) names.requirePointers(range)
         val value = expressions.expression()
         if (variable.isArray) {
             reader.fail(NqcDiagnosticCode.IS_ARRAY, range, sink.messages.arrayInitialized(variable.name))

@@ -107,10 +107,10 @@ internal sealed class Expression {
         override val isPromisedConstant get() = false
     }
 
-    /** `@source`: 65536 times the number of the source plus the argument. */
+    /** `@source`: 65536 times the number of the source plus the argument; that of the source of constants is one. */
     data class Source(val source: Expression, override val range: SourceRange) : Expression() {
         override val parts get() = listOf(source)
-        override val isPromisedConstant get() = source.constant == null
+        override val isPromisedConstant get() = source.constant == null || constant != null
     }
 
     /** `@@(sources)[index]`. */

@@ -5,6 +5,7 @@ import robotran.nqc.tree.Expression.Binary
 import robotran.nqc.tree.Expression.Choice
 import robotran.nqc.tree.Expression.Constant
 import robotran.nqc.tree.Expression.Query
+import robotran.nqc.tree.Expression.Source
 import robotran.nqc.tree.Expression.TaskNumber
 import robotran.nqc.tree.Expression.Unary
 
@@ -17,6 +18,7 @@ internal fun fold(expression: Expression): Int? = when (expression) {
     is Choice -> expression.condition.constant?.let { branchOf(expression, it != 0).constant }
     is Query -> foldQuery(expression)
     is TaskNumber -> expression.task
+    is Source -> expression.source.constant?.let(::placeOfSource)?.takeIf { it.isConstant }?.data?.toShort()?.toInt()
     else -> null
 }
 
