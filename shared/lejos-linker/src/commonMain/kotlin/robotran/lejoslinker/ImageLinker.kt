@@ -15,6 +15,7 @@ import robotran.lejoslinker.link.ImageWriter
 import robotran.lejoslinker.link.LinkedTables
 import robotran.lejoslinker.link.MethodSelector
 import robotran.lejoslinker.link.SignatureTable
+import robotran.lejoslinker.link.UsedParts
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.classMissing
 import robotran.tinyvm.config.BrickRoom
@@ -44,16 +45,18 @@ internal class ImageLinker(
             }
         }
         if (!errors.isEmpty) return refused()
+        val used = if (options.isTrimmed) UsedParts(files, entryClasses) else null
+        if (!errors.isEmpty) return refused()
         val collector = ClassCollector(files, errors, messages)
-        val classes = collector.collect(entryClasses)
+        val classes = collector.collect(entryClasses, used)
         if (!errors.isEmpty) return refused()
         val hierarchy = Hierarchy(classes)
         hierarchy.connect(errors, messages)
         if (!errors.isEmpty) return refused()
         val signatures = SignatureTable()
-        MethodSelector(classes, signatures, errors, messages).select(options.keepsAllMethods)
-        FieldLayout(classes, errors, messages).place()
-        val constants = ConstantTable(classes, errors, messages)
+        MethodSelector(classes, signatures, errors, messages).select(options.keepsAllMethods, used)
+        FieldLayout(classes, errors, messages).place(used)
+        val constants = ConstantTable(classes, errors, messages, used)
         if (!errors.isEmpty) return refused()
         rewriteCode(LinkedTables(classes, hierarchy, constants, errors, messages))
         if (errors.isEmpty) {

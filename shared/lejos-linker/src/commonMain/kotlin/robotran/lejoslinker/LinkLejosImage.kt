@@ -5,7 +5,8 @@ import robotran.lejoslinker.messages.EnglishImageMessages
 import robotran.lejoslinker.messages.ImageMessages
 
 /**
- * Links class files to the image that leJOS's firmware runs, byte for byte as leJOS's own linker does. Whatever the
+ * Links class files to the image that leJOS's firmware runs, byte for byte as leJOS's own linker does unless
+ * [ImageOptions.isTrimmed]. Whatever the
  * firmware cannot run is refused, even where leJOS's linker does not look. The class files may contain arbitrary bytes,
  * but it is not checked that their code is sound: `linkTinyVm` does that.
  *

@@ -1,5 +1,6 @@
 package robotran.lejoslinker
 
+import robotran.lejoslinker.config.ImageOptions
 import kotlin.random.Random
 
 /** Links [program] of the vectors with one to three bytes of one of its class files changed, or of the library's. */
@@ -14,8 +15,14 @@ internal fun linkMutant(program: String, random: Random): ImageResult {
     }
     val changed = mapOf(name to bytes)
     return if (ofLibrary) {
-        linkLejosImage(own, Vectors.library + changed, listOf(program))
+        linkBoth(own, Vectors.library + changed, program)
     } else {
-        linkLejosImage(own + changed, Vectors.library, listOf(program))
+        linkBoth(own + changed, Vectors.library, program)
     }
+}
+
+/** The whole image; the trimmed one only must not fail. */
+private fun linkBoth(program: Map<String, ByteArray>, library: Map<String, ByteArray>, main: String): ImageResult {
+    linkLejosImage(program, library, listOf(main), ImageOptions(isTrimmed = true))
+    return linkLejosImage(program, library, listOf(main))
 }

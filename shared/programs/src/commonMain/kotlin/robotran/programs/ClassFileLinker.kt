@@ -43,7 +43,7 @@ internal class ClassFileLinker(
         classFiles,
         BrickLibrary.classFilesOfBrick,
         mainClasses,
-        ImageOptions(settings.version),
+        ImageOptions(settings.version, isTrimmed = true),
         imageMessages,
     )
 

@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.lejoslinker.LejosImage
 import robotran.tinyvm.config.LejosVersion
 import kotlin.test.Test
+import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
@@ -42,10 +43,12 @@ class EveryProgramLinksTest {
     @Test
     fun `the sizes in the documentation are those of the largest examples`() = runTest(timeout = 5.minutes) {
         val programs = robolangExamples + lejosExamples
-        val sizes = programs.map { (name, text) -> name to checkNotNull(imageOf(name, text)) }
-            .sortedByDescending { it.second.bytes.size }
-            .take(ROWS)
-        val rows = sizes.map { (name, image) ->
+        val images = programs.map { (name, text) -> name to checkNotNull(imageOf(name, text)) }
+        val mean = "The ${images.size} examples take ${images.sumOf {
+            it.second.bytes.size
+        } / images.size} bytes in the mean"
+        assertContains(imageDocument.getValue("lejos-image.md"), mean)
+        val rows = images.sortedByDescending { it.second.bytes.size }.take(ROWS).map { (name, image) ->
             "| `$name` | ${image.bytes.size} | ${image.bytesForObjects(LejosVersion.V3_0)} |"
         }
         val table = imageDocument.getValue("lejos-image.md").lines().filter { it.startsWith("| `") && it in rows }

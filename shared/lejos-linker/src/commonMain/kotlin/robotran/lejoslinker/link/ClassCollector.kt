@@ -28,8 +28,11 @@ internal class ClassCollector(
      */
     val missing: Map<String, CodePlace> get() = notFound
 
-    /** Returns the classes by number. It is complete only if there are no errors and nothing is [missing]. */
-    fun collect(entryClasses: List<String>): List<ImageClass> {
+    /**
+     * Returns the classes by number, only those of [used] if there is that. It is complete only if there are no errors and
+     * nothing is [missing].
+     */
+    fun collect(entryClasses: List<String>, used: UsedParts?): List<ImageClass> {
         for (special in SpecialNumbers.CLASSES) {
             val place = CodePlace(special)
             add(special, place)
@@ -43,7 +46,11 @@ internal class ClassCollector(
             }
         }
         var next = 0
-        while (next < found.size) addNamedIn(found[next++])
+        if (used == null) {
+            while (next < found.size) addNamedIn(found[next++])
+        } else {
+            used.classes.forEach { add(it, CodePlace(entryClasses.first())) }
+        }
         if (found.size > ImageLimits.CLASSES) {
             errors.add(CodePlace(entryClasses.first()), messages.tooManyClasses(found.size, ImageLimits.CLASSES))
         }

@@ -7,17 +7,23 @@ import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.classfile.DamagedClassFile
 
 /**
- * Numbers the texts and numbers that the classes of an image have among their constants, used or not. Source: leJOS
- * `Binary.java`, processConstants.
+ * Numbers the texts and numbers that the classes of an image have among their constants, used or not, or only those that
+ * are used. Source: leJOS `Binary.java`, processConstants.
  */
-internal class ConstantTable(classes: List<ImageClass>, errors: ErrorList, messages: ImageMessages) {
+internal class ConstantTable(
+    classes: List<ImageClass>,
+    errors: ErrorList,
+    messages: ImageMessages,
+    used: UsedParts? = null,
+) {
     private val numbers = LinkedHashMap<ConstantValue, Int>()
 
     /** All constants by number. */
     val all: List<ConstantValue> get() = numbers.keys.toList()
 
     init {
-        for (each in classes) {
+        used?.constants?.forEach { numbers[it] = numbers.size }
+        for (each in if (used == null) classes else emptyList()) {
             try {
                 for (constant in each.file.constants.all) {
                     valueOf(constant, each.file.constants)?.let { value -> numbers.getOrPut(value) { numbers.size } }

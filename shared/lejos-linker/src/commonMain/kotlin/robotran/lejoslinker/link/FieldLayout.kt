@@ -19,13 +19,16 @@ internal class FieldLayout(
     private var staticBytes = 0
     private val placed = HashSet<ImageClass>()
 
-    fun place() {
+    /** Places all fields, but of the static ones only those of [used] if there is that. */
+    fun place(used: UsedParts?) {
         for (each in classes) {
             if (each.file.fields.size > ImageLimits.FIELDS) {
                 errors.add(CodePlace(each.name), messages.tinyVm.tooMany(Counted.FIELDS, ImageLimits.FIELDS))
             }
             placeInstanceFields(each)
-            each.staticFields = each.file.fields.filter { it.isStatic }.map { placeStatic(each, it) }
+            each.staticFields = each.file.fields
+                .filter { it.isStatic && (used == null || used.hasStatic(each.name, it.name)) }
+                .map { placeStatic(each, it) }
         }
         if (staticBytes > ImageLimits.OFFSET + 1) {
             val place = CodePlace(classes.first { it.isEntry }.name)

@@ -11,8 +11,9 @@ import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Selects the methods that get into an image, and numbers their signatures. A method stays if any class names its name
- * and descriptor, whatever class is meant. Source: leJOS `Binary.java`, markMethods, and `ClassRecord.java`.
+ * Selects the methods that get into an image, and numbers their signatures. A method stays if it is used, or, as with
+ * leJOS's linker, if any class names its name and descriptor, whatever class is meant. Source: leJOS `Binary.java`,
+ * markMethods, and `ClassRecord.java`.
  */
 internal class MethodSelector(
     private val classes: List<ImageClass>,
@@ -20,11 +21,15 @@ internal class MethodSelector(
     private val errors: ErrorList,
     private val messages: ImageMessages,
 ) {
-    fun select(keepsAll: Boolean) {
-        val named = if (keepsAll) emptySet() else classes.flatMapTo(HashSet()) { namedIn(it) }
+    fun select(keepsAll: Boolean, used: UsedParts?) {
+        val named = if (keepsAll || used != null) emptySet() else classes.flatMapTo(HashSet()) { namedIn(it) }
         for (each in classes) {
             val kept = each.file.methods.filter {
-                keepsAll || each.isEntry || it.name.startsWith("<") || it.signature == RUN || it.signature in named
+                when {
+                    keepsAll -> true
+                    used != null -> used.has(it)
+                    else -> each.isEntry || it.name.startsWith("<") || it.signature == RUN || it.signature in named
+                }
             }
             each.methods = kept.mapIndexed { index, entry ->
                 ImageMethod(

@@ -2,6 +2,7 @@ package robotran.programs.image
 
 import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.LejosImage
+import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.linkLejosImage
 import robotran.programs.CallRecorder
 import robotran.rcxrom.RcxBrick
@@ -30,7 +31,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         original: ByteArray? = null,
         happen: (RcxBrick, Long) -> Unit,
     ): String? {
-        val result = linkLejosImage(program, library, listOf(mainClass))
+        val result = linkLejosImage(program, library, listOf(mainClass), ImageOptions(isTrimmed = original == null))
         val image = (result as? ImageResult.Linked)?.image ?: return null
         val ofClassFiles =
             (link(program, library, mainClass, image.layout) as? TinyVmResult.Ready)?.program ?: return null

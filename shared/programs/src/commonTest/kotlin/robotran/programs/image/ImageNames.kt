@@ -3,6 +3,7 @@ package robotran.programs.image
 import robotran.lejoslinker.image.ImageContents
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
+import robotran.tinyvm.classfile.FieldEntry
 import robotran.tinyvm.classfile.readClassFile
 import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.messages.EnglishTinyVmMessages
@@ -12,12 +13,19 @@ import robotran.tinyvm.messages.EnglishTinyVmMessages
  * taken from the class files that the image was made of, with made-up names for all classes and methods that the firmware
  * does not know by number.
  */
-internal class ImageNames(contents: ImageContents, classFiles: Map<String, ByteArray>) {
+internal class ImageNames(private val contents: ImageContents, classFiles: Map<String, ByteArray>) {
     private val numbers: Map<String, Int> = contents.classes.withIndex().associate { it.value.name to it.index }
     private val signatures: List<String> = contents.signatures
 
     /** By class number. */
     val originals: List<ClassFile> = contents.classes.map { read(it.name, classFiles.getValue(it.name)) }
+
+    /** The static fields of the class [number] that are in the image, in its order. */
+    fun staticsOf(number: Int): List<FieldEntry> {
+        val type = originals[number]
+        val kept = contents.staticFields.filter { it.owner == type.name }.map { it.name }
+        return type.fields.filter { it.isStatic && it.name in kept }
+    }
 
     /** The made-up name of the class [number]. */
     fun classNamed(number: Int): String = if (number < SPECIAL_CLASSES) originals[number].name else "C$number"

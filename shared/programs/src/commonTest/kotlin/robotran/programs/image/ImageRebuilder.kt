@@ -1,7 +1,6 @@
 package robotran.programs.image
 
 import robotran.tinyvm.classfile.ClassFile
-import robotran.tinyvm.classfile.FieldEntry
 import robotran.tinyvm.classfile.MethodEntry
 
 /**
@@ -10,8 +9,8 @@ import robotran.tinyvm.classfile.MethodEntry
  */
 internal class ImageRebuilder(private val image: BrickImage, private val names: ImageNames) {
     private val layouts: List<List<PlacedField>> by lazy { image.classes.indices.map(::layoutOf) }
-    private val firstStatics: List<Int> = names.originals.runningFold(0) { first, type ->
-        first + type.fields.count { it.isStatic }
+    private val firstStatics: List<Int> = names.originals.indices.runningFold(0) { first, number ->
+        first + names.staticsOf(number).size
     }
 
     /** The class files by made-up name. */
@@ -25,7 +24,7 @@ internal class ImageRebuilder(private val image: BrickImage, private val names: 
 
     /** The static field [number] of the whole image, which belongs to the class [owner]. */
     fun staticField(owner: Int, number: Int): PlacedField {
-        val original = staticsOf(owner)[number - firstStatics[owner]]
+        val original = names.staticsOf(owner)[number - firstStatics[owner]]
         check(ImageTypes.of(original.descriptor) == image.staticFields[number].type) { "static field $number" }
         return PlacedField(
             names.classNamed(owner),
@@ -34,8 +33,6 @@ internal class ImageRebuilder(private val image: BrickImage, private val names: 
             image.staticFields[number],
         )
     }
-
-    private fun staticsOf(number: Int): List<FieldEntry> = names.originals[number].fields.filter { it.isStatic }
 
     private fun layoutOf(number: Int): List<PlacedField> {
         val type = image.classes[number]
@@ -68,7 +65,7 @@ internal class ImageRebuilder(private val image: BrickImage, private val names: 
         for (field in layouts[number].filter { it.owner == names.classNamed(number) }) {
             builder.addField(field.name, field.descriptor, PUBLIC)
         }
-        repeat(staticsOf(number).size) {
+        repeat(names.staticsOf(number).size) {
             val field = staticField(number, firstStatics[number] + it)
             builder.addField(field.name, field.descriptor, PUBLIC or STATIC)
         }
