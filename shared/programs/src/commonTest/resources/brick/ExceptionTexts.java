@@ -2,7 +2,7 @@ import java.util.EmptyQueueException;
 import java.util.EmptyStackException;
 import josx.robotics.StopException;
 
-/** leJOS makes 18 exceptions without a text; four have one. */
+/** leJOS makes 18 exceptions without a text; few have one. */
 public class ExceptionTexts {
     static class Late extends IllegalStateException {
         Late() {
@@ -25,7 +25,7 @@ public class ExceptionTexts {
         if (number == 5) return new IllegalMonitorStateException("text"); // brick error: IllegalMonitorStateException
         if (number == 6) return new IllegalStateException("text"); // brick error: IllegalStateException
         if (number == 7) return new InterruptedException("text"); // brick error: InterruptedException
-        if (number == 8) return new NoClassDefFoundError("text"); // brick error: NoClassDefFoundError
+        if (number == 8) return new NoClassDefFoundError(); // brick error: new NoClassDefFoundError("text")
         if (number == 9) return new NoSuchMethodError("text"); // brick error: NoSuchMethodError
         if (number == 10) return new NullPointerException("text"); // brick error: NullPointerException
         if (number == 11) return new OutOfMemoryError("text"); // brick error: OutOfMemoryError
@@ -36,7 +36,8 @@ public class ExceptionTexts {
         if (number == 16) return new StopException("text"); // brick error: StopException
         if (number == 17) return new ArithmeticException("text"); // brick error: ArithmeticException
         if (number == 18) return new Throwable("text");
-        if (number == 19) return new RuntimeException("text");
+        if (number == 19) return new RuntimeException("text"); // brick error: RuntimeException
+        if (number == 21) return new NoClassDefFoundError("text");
         if (number == 20) return new java.io.IOException("text");
         return new Early();
     }

@@ -48,5 +48,8 @@ public final class BrickProblem {
     /** Argument: the max classes of a program. */
     public static final int TOO_MANY_CLASSES = -18;
 
+    /** A constant outside -128 to 127 that is added to a local variable, as with {@code i += 128}. */
+    public static final int LARGE_STEP = -19;
+
     private BrickProblem() {}
 }

@@ -15,8 +15,8 @@ import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
 /**
- * ECJ that also checks {@link LibraryGaps} and, if the brick has any, {@link BrickRules} and {@link LockRules} on each
- * source with resolved types, and prints nothing when it fails.
+ * ECJ that also checks each source with resolved types, and prints nothing when it fails. It checks {@link BrickRules} and
+ * {@link LockRules} if the brick has any, and {@link LibraryGaps} and {@link LargeSteps} if there are gaps.
  */
 final class CheckingCompiler extends Compiler {
     private final boolean hasRules;
@@ -71,6 +71,7 @@ final class CheckingCompiler extends Compiler {
         }
         if (!gaps.isEmpty()) {
             unit.traverse(new LibraryGaps(gaps, report), unit.scope);
+            unit.traverse(new LargeSteps(report), unit.scope);
         }
         problems.addAll(report.problems());
     }

@@ -108,6 +108,35 @@ class LejosGapsTest {
     }
 
     @Test
+    fun `a large step of a variable of a method is refused, and others are accepted`() = runTest {
+        val refused =
+            listOf("i += 128;", "i -= 129;", "i += 32767;", "i += -129;", "i += 'a' + 31;", "for (; i < 9; i += 200) ;")
+        for (step in refused) {
+            val diagnostic = diagnostics("int i = 0; $step").single()
+            assertContains(diagnostic.message, "127", message = step)
+            assertContains(assertNotNull(diagnostic.hint, step), "i = i ")
+        }
+        val accepted = listOf(
+            "i += 127;",
+            "i -= 128;",
+            "i += -128;",
+            "i += 32768;",
+            "i += i;",
+            "i = i + 200;",
+            "i *= 200;",
+            "short s = 1; s += 200;",
+            "float f = 1; f += 200;",
+            "int[] a = {1}; a[0] += 200;",
+        )
+        for (step in accepted) {
+            assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program("int i = 0; $step")), step)
+        }
+        val field = "class Robot { int i; void go() { i += 200; this.i -= 200; } }"
+        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, field))
+        assertIs<CompilationResult.Compiled>(compile(program("int i = 0; i += 200;")))
+    }
+
+    @Test
     fun `members of the same name that leJOS has are accepted`() = runTest {
         val own =
             "class Robot { static class Pile extends java.util.Stack { public int search(Object o) { return 1; } }\n" +
@@ -137,9 +166,10 @@ class LejosGapsTest {
     }
 
     private companion object {
-        val PARAMETER = Regex("L[^;]*;|[IF]")
+        val PARAMETER = Regex("L[^;]*;|\\[B|[IF]")
         val ARGUMENTS = mapOf(
             "I" to "7",
+            "[B" to "null",
             "F" to "7.5f",
             "Ljava/lang/Object;" to "null",
             "Ljava/lang/String;" to "\"late\"",
@@ -157,6 +187,8 @@ class LejosGapsTest {
             "int mode = Sensor.S1.SENSOR_MODE_BOOL;" to "SensorConstants.SENSOR_MODE_BOOL",
             "Sensor s = Sensor.S2; int mode = s.RAW_VALUE;" to "SensorConstants.RAW_VALUE",
             "try { new java.net.Socket(\"a\", 1).close(); } catch (java.io.IOException e) { }" to "Leave it out",
+            "Object o = new NoClassDefFoundError();" to "new NoClassDefFoundError(\"text\")",
+            "josx.rcxcomm.LLC.write(new byte[2], 2);" to "LLC.sendBytes",
         )
 
         /** Uses with a fix, and the same statements fixed. */
@@ -169,6 +201,11 @@ class LejosGapsTest {
             "char[] c = StringUtils.getCharacters(7);" to "char[] c = Integer.toString(7).toCharArray();",
             "char[] c = StringUtils.getCharacters(2 * 7.5f);" to
                 "char[] c = new StringBuffer(20).append(2 * 7.5f).getChars();",
+            "Object o = new NoClassDefFoundError();" to "Object o = new NoClassDefFoundError(\"\");",
+            "josx.rcxcomm.LLC.write(new byte[2], 2);" to "josx.rcxcomm.LLC.sendBytes(new byte[2], 2);",
+            "int i = 0; i += 128;" to "int i = 0; i = i + 128;",
+            "int i = 0; i -= 500;" to "int i = 0; i = i - 500;",
+            "final int step = 64; int i = 0; i += step * 2 ;" to "final int step = 64; int i = 0; i = i + (step * 2) ;",
         )
 
         /** What came with leJOS 3.0. */

@@ -18,10 +18,10 @@ object LejosDifferences {
         "java/lang/IllegalMonitorStateException",
         "java/lang/IllegalStateException",
         "java/lang/InterruptedException",
-        "java/lang/NoClassDefFoundError",
         "java/lang/NoSuchMethodError",
         "java/lang/NullPointerException",
         "java/lang/OutOfMemoryError",
+        "java/lang/RuntimeException",
         "java/lang/StackOverflowError",
         "java/lang/ThreadDeath",
         "java/util/EmptyQueueException",
@@ -50,11 +50,13 @@ object LejosDifferences {
     ).map { LejosDifference("josx/platform/rcx/Sensor", "$it:I", null, LejosRemedy.SENSOR_CONSTANTS) }
 
     private val others = listOf(
+        LejosDifference("java/lang/NoClassDefFoundError", "<init>()V", null, LejosRemedy.EXCEPTION_WITH_TEXT),
         LejosDifference("java/lang/ArithmeticException", "", null, LejosRemedy.CHECKED_EXCEPTION),
         LejosDifference("java/lang/StringBuilder", "", null, LejosRemedy.STRING_BUFFER),
         LejosDifference("java/lang/StringUtils", "getCharacters(I)[C", null, LejosRemedy.INTEGER_TO_STRING),
         LejosDifference("java/lang/StringUtils", "getCharacters(F)[C", null, LejosRemedy.APPEND_TO_STRING_BUFFER),
         LejosDifference("java/util/Stack", "search(Ljava/lang/Object;)I", null, LejosRemedy.LAST_INDEX_OF),
+        LejosDifference("josx/rcxcomm/LLC", "write([BI)V", null, LejosRemedy.SEND_BYTES),
         LejosDifference("java/net/Socket", "close()V", null, LejosRemedy.LEAVE_OUT),
     )
 

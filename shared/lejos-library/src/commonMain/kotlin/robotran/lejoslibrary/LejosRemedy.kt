@@ -5,6 +5,9 @@ enum class LejosRemedy {
     /** Make the exception without a text: `new IllegalStateException()`. */
     EXCEPTION_WITHOUT_TEXT,
 
+    /** Make the exception with a text: `new NoClassDefFoundError("text")`. */
+    EXCEPTION_WITH_TEXT,
+
     /** Announce the exception with `throws`, or catch `Exception`: on a brick this one is checked. */
     CHECKED_EXCEPTION,
 
@@ -31,6 +34,9 @@ enum class LejosRemedy {
 
     /** Go through the elements in a loop from the last one to the first. */
     LOOP_FROM_THE_END,
+
+    /** Use `LLC.sendBytes`. */
+    SEND_BYTES,
 
     /** Leave it out; it has no effect anyway. */
     LEAVE_OUT,

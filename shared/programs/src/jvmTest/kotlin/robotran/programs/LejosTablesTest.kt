@@ -52,6 +52,7 @@ class LejosTablesTest {
             val name = difference.owner.substringAfterLast('/')
             when (difference.instead) {
                 LejosRemedy.EXCEPTION_WITHOUT_TEXT -> false
+                LejosRemedy.EXCEPTION_WITH_TEXT -> told.none { "`new $name()`" in it }
                 LejosRemedy.CHECKED_EXCEPTION -> differing.none { it.first() == "`$name`" }
                 LejosRemedy.SENSOR_CONSTANTS -> told.none { "`SensorConstants` as `$name." in it }
                 else -> told.none { "`${nameOf(difference)}`" in it }

@@ -29,7 +29,21 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
 
         ProblemId.TEXT_AND_NUMBER -> ProblemExplanation(messages.textAndNumber(), messages.makeRoomForNumber())
 
+        ProblemId.LARGE_STEP -> largeStep(problem, source)
+
         else -> null
+    }
+
+    private fun largeStep(problem: EcjProblem, source: SourceText): ProblemExplanation {
+        val written = source.words(problem.start, problem.end)
+        val (name, operator, step) = STEP.matchEntire(written)?.destructured
+            ?: return ProblemExplanation(messages.largeStep(), messages.insteadOfStep("i = i + 200"))
+        val sum = "$name = $name $operator ${if (WORD.matches(step)) step else "($step)"}"
+        return ProblemExplanation(
+            messages.largeStep(),
+            messages.insteadOfStep(sum),
+            JavaFix(source.range(problem.start, problem.end), sum),
+        )
     }
 
     private fun checkedName(problem: EcjProblem): String? = problem.arguments[0].takeIf(missing::isCheckedOnlyThere)
@@ -57,5 +71,9 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
     private companion object {
         const val EXCEPTION = "Exception"
         const val STATIC = "static"
+
+        /** An assignment on one line, without a comment. */
+        val STEP = Regex("([\\w$]+)\\s*([+-])=\\s*([^/]+)")
+        val WORD = Regex("\\w+")
     }
 }

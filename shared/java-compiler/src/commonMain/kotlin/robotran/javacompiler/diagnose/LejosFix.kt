@@ -34,6 +34,15 @@ internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int,
             charactersFix(start, source, "new StringBuffer(20).append(", ").getChars()")
         }
 
+        LejosRemedy.EXCEPTION_WITH_TEXT -> {
+            JavaFix(source.range(start, end), "${words.substringBefore('(')}(\"\")")
+                .takeIf { words.startsWith("new ") && words.endsWith(')') }
+        }
+
+        LejosRemedy.SEND_BYTES -> {
+            JavaFix(source.range(start, end), "sendBytes").takeIf { words == member }
+        }
+
         LejosRemedy.CHECKED_EXCEPTION,
         LejosRemedy.LAST_INDEX_OF,
         LejosRemedy.SERIAL_PACKETS,

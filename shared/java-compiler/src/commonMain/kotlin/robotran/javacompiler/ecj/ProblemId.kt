@@ -23,6 +23,7 @@ internal object ProblemId {
     const val FINALLY_COPIED_TOO_OFTEN = -16
     const val TOO_MANY_IMPORTS = -17
     const val TOO_MANY_CLASSES = -18
+    const val LARGE_STEP = -19
 
     // What StructureMistakes finds.
     const val OUTSIDE_CLASS = -101

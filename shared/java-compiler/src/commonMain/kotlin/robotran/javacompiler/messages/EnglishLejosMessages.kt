@@ -6,6 +6,7 @@ import robotran.lejoslibrary.LejosRemedy
 internal object EnglishLejosMessages : LejosMessages {
     override fun missingInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> "On a real brick, leJOS makes every $owner without a text."
+        LejosRemedy.EXCEPTION_WITH_TEXT -> "On a real brick, leJOS makes every $owner with a text."
         LejosRemedy.CHECKED_EXCEPTION -> checkedInLejos(owner)
         LejosRemedy.STRING_BUFFER -> "leJOS on a real brick has no $owner."
         LejosRemedy.INTEGER_TO_STRING -> "$owner.$member of leJOS takes no whole number."
@@ -14,13 +15,21 @@ internal object EnglishLejosMessages : LejosMessages {
         LejosRemedy.SENSOR_CONSTANTS -> "$owner of leJOS has no $member."
         LejosRemedy.SERIAL_PACKETS, LejosRemedy.VECTOR -> "leJOS 2.1 has no $owner. It came with leJOS 3.0."
         LejosRemedy.LOOP_FROM_THE_END -> "A $owner of leJOS 2.1 has no ${quoted(member)}. It came with leJOS 3.0."
-        LejosRemedy.LEAVE_OUT -> "A $owner of leJOS has no ${quoted(member)}."
+        LejosRemedy.SEND_BYTES, LejosRemedy.LEAVE_OUT -> "A $owner of leJOS has no ${quoted(member)}."
         LejosRemedy.PACKAGE_OF_2_1 -> "leJOS 2.1 has $owner in another package."
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
-            "Write \"new $owner()\", or take Exception or RuntimeException, which can have a text."
+            "Write \"new $owner()\", or take Exception, which can have a text."
+        }
+
+        LejosRemedy.EXCEPTION_WITH_TEXT -> {
+            "Write new $owner(\"text\")."
+        }
+
+        LejosRemedy.SEND_BYTES -> {
+            "Write LLC.sendBytes, which also waits until all is sent."
         }
 
         LejosRemedy.CHECKED_EXCEPTION -> {
@@ -97,6 +106,11 @@ internal object EnglishLejosMessages : LejosMessages {
         "On a real brick, a number may not fit behind a text: leJOS makes no room for it, and an exception ends the " +
             "program."
 
-    override fun makeRoomForNumber() =
-        "Show the number with LCD.showNumber, or make room: new StringBuffer(20).append(\"x\").append(7).toString()."
+    override fun makeRoomForNumber() = "Show the number with LCD.showNumber, or make a text of it: " +
+        "new StringBuffer(20).append(\"x\").append(Integer.toString(7)).toString()."
+
+    override fun largeStep() =
+        "With \"+=\" and \"-=\", leJOS adds at most 127 to a variable of a method, or takes at most 128 from it."
+
+    override fun insteadOfStep(sum: String) = "Write \"$sum\"."
 }

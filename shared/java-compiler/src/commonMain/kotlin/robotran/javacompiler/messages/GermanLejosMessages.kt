@@ -6,6 +6,7 @@ import robotran.lejoslibrary.LejosRemedy
 internal object GermanLejosMessages : LejosMessages {
     override fun missingInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> "Auf einem echten Stein macht leJOS jede $owner ohne Text."
+        LejosRemedy.EXCEPTION_WITH_TEXT -> "Auf einem echten Stein macht leJOS jeden $owner mit einem Text."
         LejosRemedy.CHECKED_EXCEPTION -> checkedInLejos(owner)
         LejosRemedy.STRING_BUFFER -> "leJOS hat auf einem echten Stein keinen $owner."
         LejosRemedy.INTEGER_TO_STRING -> "$owner.$member von leJOS nimmt keine ganze Zahl."
@@ -14,13 +15,21 @@ internal object GermanLejosMessages : LejosMessages {
         LejosRemedy.SENSOR_CONSTANTS -> "$owner von leJOS hat kein $member."
         LejosRemedy.SERIAL_PACKETS, LejosRemedy.VECTOR -> "leJOS 2.1 hat kein $owner. Das kam mit leJOS 3.0."
         LejosRemedy.LOOP_FROM_THE_END -> "Ein $owner von leJOS 2.1 hat kein ${quoted(member)}. Das kam mit leJOS 3.0."
-        LejosRemedy.LEAVE_OUT -> "Ein $owner von leJOS hat kein ${quoted(member)}."
+        LejosRemedy.SEND_BYTES, LejosRemedy.LEAVE_OUT -> "Ein $owner von leJOS hat kein ${quoted(member)}."
         LejosRemedy.PACKAGE_OF_2_1 -> "leJOS 2.1 hat $owner in einem anderen Paket."
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
-            "Schreib \"new $owner()\", oder nimm Exception oder RuntimeException, die einen Text haben können."
+            "Schreib \"new $owner()\", oder nimm Exception, die einen Text haben kann."
+        }
+
+        LejosRemedy.EXCEPTION_WITH_TEXT -> {
+            "Schreib new $owner(\"text\")."
+        }
+
+        LejosRemedy.SEND_BYTES -> {
+            "Schreib LLC.sendBytes, das auch wartet, bis alles gesendet ist."
         }
 
         LejosRemedy.CHECKED_EXCEPTION -> {
@@ -99,6 +108,11 @@ internal object GermanLejosMessages : LejosMessages {
         "Auf einem echten Stein passt eine Zahl vielleicht nicht hinter einen Text: leJOS macht ihr keinen Platz, " +
             "und eine Ausnahme beendet das Programm."
 
-    override fun makeRoomForNumber() =
-        "Zeig die Zahl mit LCD.showNumber, oder mach Platz: new StringBuffer(20).append(\"x\").append(7).toString()."
+    override fun makeRoomForNumber() = "Zeig die Zahl mit LCD.showNumber, oder mach einen Text daraus: " +
+        "new StringBuffer(20).append(\"x\").append(Integer.toString(7)).toString()."
+
+    override fun largeStep() =
+        "Mit \"+=\" und \"-=\" zählt leJOS höchstens 127 zu einer Variablen einer Methode dazu oder höchstens 128 davon ab."
+
+    override fun insteadOfStep(sum: String) = "Schreib \"$sum\"."
 }

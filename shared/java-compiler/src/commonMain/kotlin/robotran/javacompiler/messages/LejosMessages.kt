@@ -43,4 +43,10 @@ interface LejosMessages {
     fun textAndNumber(): String
 
     fun makeRoomForNumber(): String
+
+    /** A constant outside -128 to 127 is added to a local variable with `+=` or `-=`. */
+    fun largeStep(): String
+
+    /** To write [sum] instead. */
+    fun insteadOfStep(sum: String): String
 }

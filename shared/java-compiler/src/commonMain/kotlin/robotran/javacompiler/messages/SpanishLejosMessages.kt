@@ -6,6 +6,7 @@ import robotran.lejoslibrary.LejosRemedy
 internal object SpanishLejosMessages : LejosMessages {
     override fun missingInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> "En un ladrillo real, leJOS crea cada $owner sin texto."
+        LejosRemedy.EXCEPTION_WITH_TEXT -> "En un ladrillo real, leJOS crea cada $owner con un texto."
         LejosRemedy.CHECKED_EXCEPTION -> checkedInLejos(owner)
         LejosRemedy.STRING_BUFFER -> "leJOS en un ladrillo real no tiene $owner."
         LejosRemedy.INTEGER_TO_STRING -> "$owner.$member de leJOS no toma números enteros."
@@ -14,13 +15,21 @@ internal object SpanishLejosMessages : LejosMessages {
         LejosRemedy.SENSOR_CONSTANTS -> "$owner de leJOS no tiene $member."
         LejosRemedy.SERIAL_PACKETS, LejosRemedy.VECTOR -> "leJOS 2.1 no tiene $owner. Llegó con leJOS 3.0."
         LejosRemedy.LOOP_FROM_THE_END -> "Un $owner de leJOS 2.1 no tiene ${quoted(member)}. Llegó con leJOS 3.0."
-        LejosRemedy.LEAVE_OUT -> "Un $owner de leJOS no tiene ${quoted(member)}."
+        LejosRemedy.SEND_BYTES, LejosRemedy.LEAVE_OUT -> "Un $owner de leJOS no tiene ${quoted(member)}."
         LejosRemedy.PACKAGE_OF_2_1 -> "leJOS 2.1 tiene $owner en otro paquete."
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
-            "Escribe \"new $owner()\", o usa Exception o RuntimeException, que pueden tener un texto."
+            "Escribe \"new $owner()\", o usa Exception, que puede tener un texto."
+        }
+
+        LejosRemedy.EXCEPTION_WITH_TEXT -> {
+            "Escribe new $owner(\"text\")."
+        }
+
+        LejosRemedy.SEND_BYTES -> {
+            "Escribe LLC.sendBytes, que también espera hasta que todo se ha enviado."
         }
 
         LejosRemedy.CHECKED_EXCEPTION -> {
@@ -98,6 +107,11 @@ internal object SpanishLejosMessages : LejosMessages {
         "En un ladrillo real, puede que un número no quepa detrás de un texto: leJOS no le hace sitio, y una " +
             "excepción acaba el programa."
 
-    override fun makeRoomForNumber() =
-        "Muestra el número con LCD.showNumber, o haz sitio: new StringBuffer(20).append(\"x\").append(7).toString()."
+    override fun makeRoomForNumber() = "Muestra el número con LCD.showNumber, o conviértelo en texto: " +
+        "new StringBuffer(20).append(\"x\").append(Integer.toString(7)).toString()."
+
+    override fun largeStep() =
+        "Con \"+=\" y \"-=\", leJOS suma como mucho 127 a una variable de un método, o le resta como mucho 128."
+
+    override fun insteadOfStep(sum: String) = "Escribe \"$sum\"."
 }

@@ -1,8 +1,8 @@
 package josx.platform.rcx;
 
 /** Sends small numbers to other bricks and gets theirs, as LEGO's own programs do. */
-public class Message {
-    private static final byte[] outgoing = {Opcode.OPCODE_SET_MESSAGE, 0};
+public class Message implements Opcode {
+    private static final byte[] outgoing = {OPCODE_SET_MESSAGE, 0};
     private static final byte[] incoming = new byte[8];
 
     private static byte message;
