@@ -19,12 +19,20 @@ public class RoomForCalls {
             if (isWide) wider(1, 2, 3, 4, 5, 6, 7, 8);
             deeper();
         } catch (StackOverflowError tooDeep) {
-            LCD.showNumber(depth); // brick shows: 209 60 // forgiving shows: 253 253
+            LCD.showNumber(depth); // brick shows: 209 // forgiving shows: 253 253
         }
     }
 
     public static void main(String[] arguments) {
         showDepth(false);
-        showDepth(true);
+        try {
+            try {
+                showDepth(true);
+            } catch (OutOfMemoryError noArrayForTheStack) {
+                LCD.showNumber(1);
+            }
+        } catch (StackOverflowError second) {
+            LCD.showNumber(depth); // brick shows: 60
+        }
     }
 }

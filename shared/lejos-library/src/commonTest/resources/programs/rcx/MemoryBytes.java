@@ -5,7 +5,8 @@ public class MemoryBytes {
     public static void main(String[] arguments) {
         synchronized (Memory.MONITOR) {
             Memory.writeByte(0xF004, (byte) 200);
-            LCD.showNumber(-Memory.readByte(0xF004)); // shows: 56
+            LCD.showNumber(Memory.readByte(0xF004) < 0 ? 1 : 2); // brick shows: 2 // forgiving shows: 1
+            LCD.showNumber((byte) Memory.readByte(0xF004) & 0xFF); // shows: 200
             Memory.setBit(0xF004, 0, 1);
             Memory.setBit(0xF004, 7, 0);
             LCD.showNumber(Memory.readByte(0xF004)); // shows: 73

@@ -134,7 +134,10 @@ internal abstract class ThreadedRun(
         machine.isYielding = false
         machine.charge(machine.model.switchCost(machine.scheduler.threads.size))
         sliceEnds = machine.milliseconds + machine.model.sliceMilliseconds
-        return machine.scheduler.choose()?.also { machine.current = it }
+        return machine.scheduler.choose()?.also {
+            machine.current = it
+            machine.raiseDueInterrupt(it)
+        }
     }
 
     private fun waitingStatus(): ProgramStatus {

@@ -141,7 +141,7 @@ class QuirkTest {
             "depth++; wider(a, b, c, d, e, f, g, h); }"
 
         fun depthOf(call: String, mode: TinyVmMode) =
-            shownBy("try { $call; } catch (StackOverflowError e) { show(depth); }", members, mode).single()
+            shownBy("try { $TRY $call; $CATCH } catch (StackOverflowError e) { show(depth); }", members, mode).single()
         assertEquals(210, depthOf("deeper()", TinyVmMode.BRICK))
         assertEquals(254, depthOf("deeper()", TinyVmMode.FORGIVING))
         assertEquals(60, depthOf("wider(1, 2, 3, 4, 5, 6, 7, 8)", TinyVmMode.BRICK))
@@ -153,7 +153,7 @@ class QuirkTest {
         listOf(1),
         shownBy(
             "try { while (true) new Object(); } catch (OutOfMemoryError full) { } " +
-                "try { deeper(); } catch (StackOverflowError e) { show(depth < 10); }",
+                "try { $TRY deeper(); $CATCH } catch (StackOverflowError e) { show(depth < 10); }",
             "static int depth; static void deeper() { depth++; deeper(); }",
         ),
     )
@@ -213,6 +213,10 @@ class QuirkTest {
     }
 
     private companion object {
+        /** What a brick throws first if it has no array for a larger stack. */
+        const val TRY = "try {"
+        const val CATCH = "} catch (OutOfMemoryError noArray) { }"
+
         const val MEMBERS =
             "interface Named { int name(); } static class Early { static int[] early = {1}; } " +
                 "static class Late extends Early { static int[] late = {2}; }"
@@ -240,6 +244,12 @@ class QuirkTest {
             Quirk.EARLY_HANDLER to
                 "try { int[] a = new int[1]; a[1] = 2; try { show(1); } catch (RuntimeException e) { show(2); } } " +
                 "catch (RuntimeException e) { show(3); }",
+            Quirk.NEGATIVE_TIME to "try { Thread.sleep(-5); } catch (IllegalArgumentException e) { show(1); }",
+            Quirk.NEGATIVE_LONG to "long n = -5; float f = n; show(f > 0);",
+            Quirk.UNCHECKED_ELEMENT to
+                "Object[] a = new String[1]; try { a[0] = new Object(); show(1); } catch (ClassCastException e) { show(2); }",
+            Quirk.LOST_EXCEPTION to
+                "try { int[] a = new int[-1]; } catch (OutOfMemoryError e) { show(e == null); }",
         )
     }
 }

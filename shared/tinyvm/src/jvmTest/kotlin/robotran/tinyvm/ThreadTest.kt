@@ -136,7 +136,8 @@ class ThreadTest {
 
     @Test
     fun `what changes at a sensor wakes who polls`() {
-        val ran = ran("Sensor.S1.setPreviousValue(32); show(new Poll().poll(Poll.ALL_SENSORS, 0));")
-        assertEquals(listOf(7), ran.rom.shown)
+        val body = "Sensor.S1.readValue(); Poll poll = new Poll(); Sensor.S1.setPreviousValue(32); " +
+            "show(poll.poll(Poll.ALL_SENSORS, 0));"
+        assertEquals(listOf(7), ran(body).rom.shown)
     }
 }

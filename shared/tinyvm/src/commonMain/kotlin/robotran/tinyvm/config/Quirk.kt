@@ -40,4 +40,16 @@ enum class Quirk {
 
     /** An exception in the statement directly before a `try`; its `catch` or `finally` is taken. */
     EARLY_HANDLER,
+
+    /** A sleep or a wait of less than 0 milliseconds; it ends at once. */
+    NEGATIVE_TIME,
+
+    /** A negative `long` that becomes a decimal number; the result is positive. */
+    NEGATIVE_LONG,
+
+    /** An object that is stored in an array of another class; nothing checks it. */
+    UNCHECKED_ELEMENT,
+
+    /** A `catch` after a failed cast or a failed new array; its variable does not get the exception. */
+    LOST_EXCEPTION,
 }

@@ -5,7 +5,6 @@ internal class ArrayTransferFunctions(
     private val relations: TypeRelations,
     private val resolver: Resolver,
     private val code: ResolvedCode,
-    private val isExact: Boolean,
 ) {
     /** Applies an instruction that creates an array or reads its length. */
     fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
@@ -44,7 +43,7 @@ internal class ArrayTransferFunctions(
         val isStore = opcode >= Opcode.IASTORE
         val letters = ELEMENTS[opcode - if (isStore) Opcode.IASTORE else Opcode.IALOAD]
         val isObject = letters == "L"
-        val stored = if (isStore && isObject) frameState.popReference() else VerificationType.UNUSABLE
+        if (isStore && isObject) frameState.popReference()
         if (isStore && !isObject) frameState.popValue(VerificationType.ofLetter(letters[0]))
         frameState.popValue(VerificationType.INT)
         val array = relations.typeOrNull(frameState.popReference())
@@ -55,8 +54,8 @@ internal class ArrayTransferFunctions(
         }
         val element = array?.element
         when {
-            // An exact machine looks at what it stores, since an array may be one of a subclass.
-            isStore -> if (isObject && !isExact && element != null && !relations.fits(stored, element)) unsound()
+            // A machine looks at what it stores, since an array may be one of a subclass.
+            isStore -> return
 
             isObject -> frameState.push(element?.let { VerificationType.reference(it) } ?: VerificationType.NULL)
 

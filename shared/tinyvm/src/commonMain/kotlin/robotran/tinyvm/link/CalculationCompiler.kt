@@ -240,8 +240,6 @@ internal class CalculationCompiler(
             Operation.NARROW to Triple(true, RegisterOperation.MOVE, false),
             Operation.INT_TO_FLOAT to Triple(false, RegisterOperation.INT_TO_FLOAT, false),
             Operation.INT_TO_DOUBLE to Triple(false, RegisterOperation.INT_TO_FLOAT, true),
-            Operation.LONG_TO_FLOAT to Triple(true, RegisterOperation.INT_TO_FLOAT, false),
-            Operation.LONG_TO_DOUBLE to Triple(true, RegisterOperation.INT_TO_FLOAT, true),
             Operation.FLOAT_TO_INT to Triple(false, RegisterOperation.FLOAT_TO_INT, false),
             Operation.FLOAT_TO_LONG to Triple(false, RegisterOperation.FLOAT_TO_INT, true),
             Operation.DOUBLE_TO_INT to Triple(true, RegisterOperation.FLOAT_TO_INT, false),

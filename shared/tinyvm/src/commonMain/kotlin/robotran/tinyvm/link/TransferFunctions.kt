@@ -20,7 +20,7 @@ internal class TransferFunctions(
     private val resolver = Resolver(constants, types, messages, isExact)
     private val members = MemberTransferFunctions(method, types, relations, resolver, code)
     private val literals = ConstantTransferFunctions(constants, types, messages, code)
-    private val arrays = ArrayTransferFunctions(relations, resolver, code, isExact)
+    private val arrays = ArrayTransferFunctions(relations, resolver, code)
 
     fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         val simple = simpleInstructions[instruction.opcode]

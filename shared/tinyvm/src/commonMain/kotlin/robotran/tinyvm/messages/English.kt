@@ -186,6 +186,25 @@ private object EnglishVmRunMessages : RunMessages {
             "A brick also lets a try take care of what goes wrong in the statement directly before it. Put another " +
                 "statement in between, such as int next = 0;"
         }
+
+        Quirk.NEGATIVE_TIME -> {
+            "A brick does not pause for a time below 0, and throws no exception."
+        }
+
+        Quirk.NEGATIVE_LONG -> {
+            "A brick takes a negative long for a large positive number when it becomes a decimal number. Turn it " +
+                "into an int first: (int) time."
+        }
+
+        Quirk.UNCHECKED_ELEMENT -> {
+            "A brick does not check what you store in an array. This object is of another class, so nothing good " +
+                "comes of it: here the element is null."
+        }
+
+        Quirk.LOST_EXCEPTION -> {
+            "After a failed cast or a failed new array, a brick does not give the exception to catch: the variable " +
+                "is null or holds what it held before. Do not use it there."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -247,6 +266,23 @@ private object EnglishVmRunMessages : RunMessages {
         Quirk.EARLY_HANDLER -> {
             "On a real brick, the try after this statement would take care of this, too. Put another statement in " +
                 "between, such as int next = 0;"
+        }
+
+        Quirk.NEGATIVE_TIME -> {
+            "A real brick would not pause here, and would throw no exception."
+        }
+
+        Quirk.NEGATIVE_LONG -> {
+            "A real brick would take this negative long for a large positive number."
+        }
+
+        Quirk.UNCHECKED_ELEMENT -> {
+            "A real brick would not notice that this object is of another class than the elements of the array."
+        }
+
+        Quirk.LOST_EXCEPTION -> {
+            "A real brick would not give this exception to catch: its variable would be null or hold what it held " +
+                "before."
         }
     }
 }

@@ -197,6 +197,25 @@ private object GermanVmRunMessages : RunMessages {
             "Auf einem Stein kümmert sich ein try auch um das, was in der Anweisung direkt davor schiefgeht. Schreib " +
                 "eine andere Anweisung dazwischen, zum Beispiel int next = 0;"
         }
+
+        Quirk.NEGATIVE_TIME -> {
+            "Ein Stein macht bei einer Zeit unter 0 keine Pause und wirft keine Ausnahme."
+        }
+
+        Quirk.NEGATIVE_LONG -> {
+            "Ein Stein hält ein negatives long für eine große positive Zahl, wenn daraus eine Kommazahl wird. Mach " +
+                "zuerst ein int daraus: (int) time."
+        }
+
+        Quirk.UNCHECKED_ELEMENT -> {
+            "Ein Stein prüft nicht, was du in ein Array schreibst. Dieses Objekt gehört zu einer anderen Klasse, und " +
+                "damit geht es nicht gut weiter: Hier ist das Element null."
+        }
+
+        Quirk.LOST_EXCEPTION -> {
+            "Nach einer gescheiterten Umwandlung oder einem gescheiterten neuen Array gibt ein Stein catch die " +
+                "Ausnahme nicht: Die Variable ist null oder behält, was sie vorher hatte. Benutz sie dort nicht."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -258,6 +277,24 @@ private object GermanVmRunMessages : RunMessages {
         Quirk.EARLY_HANDLER -> {
             "Auf einem echten Stein würde sich das try nach dieser Anweisung auch darum kümmern. Schreib eine andere " +
                 "Anweisung dazwischen, zum Beispiel int next = 0;"
+        }
+
+        Quirk.NEGATIVE_TIME -> {
+            "Ein echter Stein würde hier keine Pause machen und keine Ausnahme werfen."
+        }
+
+        Quirk.NEGATIVE_LONG -> {
+            "Ein echter Stein würde dieses negative long für eine große positive Zahl halten."
+        }
+
+        Quirk.UNCHECKED_ELEMENT -> {
+            "Ein echter Stein würde nicht merken, dass dieses Objekt zu einer anderen Klasse gehört als die Elemente " +
+                "des Arrays."
+        }
+
+        Quirk.LOST_EXCEPTION -> {
+            "Ein echter Stein würde catch diese Ausnahme nicht geben: Die Variable wäre null oder behielte, was sie " +
+                "vorher hatte."
         }
     }
 }

@@ -193,6 +193,25 @@ private object SpanishVmRunMessages : RunMessages {
             "En un ladrillo, un try también se ocupa de lo que falla en la instrucción que está justo antes. Pon " +
                 "otra instrucción en medio, por ejemplo int next = 0;"
         }
+
+        Quirk.NEGATIVE_TIME -> {
+            "Un ladrillo no hace ninguna pausa con un tiempo menor que 0, y no lanza ninguna excepción."
+        }
+
+        Quirk.NEGATIVE_LONG -> {
+            "Un ladrillo toma un long negativo por un número positivo grande cuando se convierte en decimal. " +
+                "Conviértelo antes en int: (int) time."
+        }
+
+        Quirk.UNCHECKED_ELEMENT -> {
+            "Un ladrillo no comprueba lo que guardas en un array. Este objeto es de otra clase, y de eso no sale " +
+                "nada bueno: aquí el elemento es null."
+        }
+
+        Quirk.LOST_EXCEPTION -> {
+            "Después de una conversión o un array nuevo que fallan, un ladrillo no da la excepción a catch: la " +
+                "variable es null o conserva lo que tenía antes. No la uses ahí."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -254,6 +273,23 @@ private object SpanishVmRunMessages : RunMessages {
         Quirk.EARLY_HANDLER -> {
             "En un ladrillo de verdad, el try que sigue a esta instrucción también se ocuparía de esto. Pon otra " +
                 "instrucción en medio, por ejemplo int next = 0;"
+        }
+
+        Quirk.NEGATIVE_TIME -> {
+            "Un ladrillo de verdad no haría aquí ninguna pausa ni lanzaría ninguna excepción."
+        }
+
+        Quirk.NEGATIVE_LONG -> {
+            "Un ladrillo de verdad tomaría este long negativo por un número positivo grande."
+        }
+
+        Quirk.UNCHECKED_ELEMENT -> {
+            "Un ladrillo de verdad no notaría que este objeto es de otra clase que los elementos del array."
+        }
+
+        Quirk.LOST_EXCEPTION -> {
+            "Un ladrillo de verdad no daría esta excepción a catch: la variable sería null o conservaría lo que " +
+                "tenía antes."
         }
     }
 }

@@ -19,7 +19,9 @@ internal val memoryMethods: Map<String, NativeMethod> = (0..MAX_ARGUMENTS).assoc
 } + mapOf(
     "josx/platform/rcx/Memory.readByte(I)B" to NativeMethod { machine, thread, first ->
         val address = thread.stack[first] and WORD
-        machine.rcx.arrays.around(listOf(address)) { machine.rcx.rom.memory.readByte(address).toByte().toInt() }
+        val byte = machine.rcx.arrays.around(listOf(address)) { machine.rcx.rom.memory.readByte(address) }
+        // A brick forgets the sign that a Java byte has.
+        if (machine.model.hasQuirks) byte else byte.toByte().toInt()
     },
     "josx/platform/rcx/Memory.writeByte(IB)V" to action { machine, thread, first ->
         val address = thread.stack[first] and WORD

@@ -1,5 +1,6 @@
 package robotran.tinyvm.natives
 
+import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
@@ -27,12 +28,21 @@ internal val objectMethods: Map<String, NativeMethod> = mapOf(
 
 /** Makes [thread] release the monitor [lock] and wait; 0 or null milliseconds mean forever. */
 private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, milliseconds: Int?) {
+    val isOwner = machine.monitors.isOwner(lock, thread)
+    val isNegative = milliseconds != null && milliseconds < 0
+    if (isOwner && isNegative) machine.addWarning(Quirk.NEGATIVE_TIME)
     when {
-        !machine.monitors.isOwner(lock, thread) -> {
+        !isOwner -> {
             machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
         }
 
-        milliseconds != null && milliseconds < 0 -> {
+        machine.model.hasQuirks -> {
+            release(machine, thread, lock)
+            thread.wakeTime =
+                if (milliseconds == null || milliseconds == 0) 0 else wakeTimeOfBrick(machine, milliseconds)
+        }
+
+        isNegative -> {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
         }
 
@@ -41,13 +51,17 @@ private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, millisec
         }
 
         else -> {
-            thread.releasedEntries = machine.monitors.exitCompletely(lock, thread)
-            thread.awaitedLock = lock
+            release(machine, thread, lock)
             thread.wakeTime =
                 if (milliseconds == null || milliseconds == 0) 0 else machine.milliseconds + milliseconds
-            thread.state = ThreadState.WAITING
         }
     }
+}
+
+private fun release(machine: VirtualMachine, thread: VmThread, lock: Int) {
+    thread.releasedEntries = machine.monitors.exitCompletely(lock, thread)
+    thread.awaitedLock = lock
+    thread.state = ThreadState.WAITING
 }
 
 private fun wake(machine: VirtualMachine, thread: VmThread, lock: Int, all: Boolean) {

@@ -21,6 +21,7 @@ internal val sensorMethods: Map<String, NativeMethod> = mapOf(
         val field = SensorField.entries.find { it.code == thread.stack[first + 2] }
         if (port in 0 until SensorCode.PORTS && field != null) {
             machine.rcx.rom.setSensorValue(port, thread.stack[first + 1], field)
+            if (field == SensorField.MODE) machine.rcx.poller.modeSet(port)
         }
     },
     "josx/platform/rcx/Poll.setPoller()V" to

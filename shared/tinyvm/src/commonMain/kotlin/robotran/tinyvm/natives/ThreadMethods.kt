@@ -10,6 +10,8 @@ import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
 import robotran.tinyvm.run.wordOf
 
+private const val TIME_BITS = 0xFFFFFFFFL
+
 /** `java.lang.Thread`. Source: leJOS `threads.c`, `native.c`. */
 internal val threadMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/Thread.start()V" to
@@ -30,7 +32,10 @@ internal val threadMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/Thread.interrupt()V" to
         action { machine, thread, first -> interrupt(machine, threadAt(machine, thread, first)) },
     "java/lang/Thread.interrupted()Z" to NativeMethod { _, thread, _ ->
-        wordOf(thread.isInterrupted).also { thread.isInterrupted = false }
+        wordOf(thread.isInterrupted).also {
+            thread.isInterrupted = false
+            thread.isInterruptDue = false
+        }
     },
     "java/lang/Thread.isInterrupted()Z" to NativeMethod { machine, thread, first ->
         wordOf(threadAt(machine, thread, first).isInterrupted)
@@ -56,7 +61,13 @@ private fun start(machine: VirtualMachine, starter: VmThread, started: VmThread)
 }
 
 private fun sleep(machine: VirtualMachine, thread: VmThread, milliseconds: Int) {
+    if (milliseconds < 0) machine.addWarning(Quirk.NEGATIVE_TIME)
     when {
+        machine.model.hasQuirks -> {
+            thread.wakeTime = maxOf(1, wakeTimeOfBrick(machine, milliseconds))
+            thread.state = ThreadState.SLEEPING
+        }
+
         milliseconds < 0 -> {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
         }
@@ -72,7 +83,17 @@ private fun sleep(machine: VirtualMachine, thread: VmThread, milliseconds: Int) 
     }
 }
 
+/** When a brick ends a pause of [milliseconds]: it calculates with 32 bits without a sign. */
+internal fun wakeTimeOfBrick(machine: VirtualMachine, milliseconds: Int): Long =
+    (machine.milliseconds + milliseconds) and TIME_BITS
+
+/** A brick only notes it: a sleep or a wait looks at it when the threads' turns are given. */
 private fun interrupt(machine: VirtualMachine, thread: VmThread) {
+    if (machine.model.hasQuirks) {
+        thread.isInterrupted = true
+        thread.isInterruptDue = false
+        return
+    }
     when (thread.state) {
         ThreadState.SLEEPING -> {
             thread.state = ThreadState.READY

@@ -21,6 +21,7 @@ internal class Calls(
     private val uncaught: (VmThread, Int) -> Unit,
 ) {
     private val isExact = machine.model.isExact
+    private val handlers = HandlerEntries(machine)
 
     /** What a native method takes, in bytecodes. */
     private val nativeCost = if (isExact) NxtCosts.NATIVE_METHOD else TinyVmCosts.NATIVE_METHOD
@@ -43,7 +44,7 @@ internal class Calls(
                     return
                 }
                 caller.top = first
-                if (!enter(thread, method, first, lock)) throwNew(thread, BuiltInException.STACK_OVERFLOW)
+                if (!enter(thread, method, first, lock)) throwOverflow(thread)
             }
 
             native != null -> {
@@ -109,21 +110,50 @@ internal class Calls(
         machine.isInitialized[uninitialized.number] = true
         val initializer = uninitialized.initializer ?: return
         if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) {
-            throwNew(thread, BuiltInException.STACK_OVERFLOW)
+            throwOverflow(thread)
         }
     }
 
-    fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind, thread))
+    /**
+     * Throws what a call throws that the stack of [thread] has no room for. If a brick cannot create the array for a
+     * larger stack, it throws two exceptions, one after the other: the second one at the beginning of the handler of the
+     * first. Source: leJOS `language.c`, dispatch_special.
+     */
+    private fun throwOverflow(thread: VmThread) {
+        val isFirstOfTwo = machine.model.hasQuirks && machine.stacks.hasFailedArray
+        if (isFirstOfTwo) {
+            throwNew(thread, BuiltInException.OUT_OF_MEMORY)
+            if (thread.depth == 0) return
+            thread.frame.top = thread.frame.base + thread.frame.method.maxLocals
+        }
+        val second = machine.exception(BuiltInException.STACK_OVERFLOW, thread)
+        throwObject(thread, second, isAtHandler = isFirstOfTwo)
+    }
+
+    /** Throws the exception of this [kind]. */
+    fun throwNew(thread: VmThread, kind: BuiltInException, entry: HandlerEntry = HandlerEntry.NORMAL) =
+        throwObject(thread, machine.exception(kind, thread), entry = entry)
 
     /**
      * Continues at the handler for [exception], or ends the thread if there is none.
      *
      * @param isOfNative whether the exception comes out of a native method that the innermost frame has called.
+     * @param isAtHandler whether the innermost frame is at the beginning of a handler, before its first instruction.
+     * @param entry how a brick enters the handler.
      */
-    fun throwObject(thread: VmThread, exception: Int, isOfNative: Boolean = false) {
+    fun throwObject(
+        thread: VmThread,
+        exception: Int,
+        isOfNative: Boolean = false,
+        isAtHandler: Boolean = false,
+        entry: HandlerEntry = HandlerEntry.NORMAL,
+    ) {
         machine.charge(thread.depth / TinyVmCosts.FRAMES_IN_A_BYTECODE)
         val frames = thread.callStack
-        if (frames.indices.none { targetOf(frames[it], exception, isOfNative || it > 0) >= 0 }) {
+        if (frames.indices.none {
+                targetOf(frames[it], exception, isOfNative || it > 0, isAtHandler && it == 0) >= 0
+            }
+        ) {
             if (tellLibrary(thread, exception)) return
             uncaught(thread, if (thread.uncaught != 0) thread.uncaught else exception)
             while (thread.depth > 0) drop(thread, thread.frame)
@@ -131,17 +161,19 @@ internal class Calls(
             return
         }
         var isOfCall = isOfNative
+        var isAtStart = isAtHandler
         while (true) {
             val frame = thread.frame
-            val target = targetOf(frame, exception, isOfCall)
+            val target = targetOf(frame, exception, isOfCall, isAtStart)
             if (target >= 0) {
                 frame.next = target
                 frame.top = frame.base + frame.method.maxLocals
-                thread.stack[frame.top++] = exception
+                thread.stack[frame.top++] = handlers.given(thread, exception, entry)
                 return
             }
             drop(thread, frame)
             isOfCall = true
+            isAtStart = false
         }
     }
 
@@ -168,17 +200,21 @@ internal class Calls(
         if (handler == null || !enter(thread, handler, 0, 0)) machine.end(thread)
     }
 
-    /** @param isOfCall whether the exception comes out of a method that [frame] has called. */
-    private fun targetOf(frame: Frame, exception: Int, isOfCall: Boolean): Int {
+    /**
+     * @param isOfCall whether the exception comes out of a method that [frame] has called.
+     * @param isAtHandler whether [frame] is at the beginning of a handler. A brick's `try` contains its own end.
+     */
+    private fun targetOf(frame: Frame, exception: Int, isOfCall: Boolean, isAtHandler: Boolean): Int {
         val handlers = frame.body.handlers
         if (handlers.size > TinyVmCosts.WORDS_IN_A_BYTECODE) {
             machine.charge(handlers.size / TinyVmCosts.WORDS_IN_A_BYTECODE)
         }
-        val at = frame.next - 1
+        val at = if (isAtHandler) frame.next else frame.next - 1
+        val pastEnd = if (isAtHandler) 1 else 0
         val early = if (isOfCall) EarlyHandlers.CALL else EarlyHandlers.SINGLE_BYTE
         for (index in handlers.indices step Translator.HANDLER_NUMBERS) {
-            val isEarly = frame.next == handlers[index] && handlers[index + 4] == early
-            if (!isEarly && (at < handlers[index] || at >= handlers[index + 1])) continue
+            val isEarly = !isAtHandler && frame.next == handlers[index] && handlers[index + 4] == early
+            if (!isEarly && (at < handlers[index] || at >= handlers[index + 1] + pastEnd)) continue
             val type = handlers[index + 3]
             if (type != Translator.CATCHES_ALL &&
                 !machine.heap.typeOf(exception).isA(machine.program.types[type])

@@ -76,11 +76,11 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
 
             Operation.LONG_TO_FLOAT -> {
                 frame.top--
-                stack[frame.top - 1] = stack[frame.top - 1].toFloat().toBits()
+                stack[frame.top - 1] = arithmetic.decimalOf(stack[frame.top - 1]).toBits()
             }
 
             Operation.LONG_TO_DOUBLE -> {
-                stack[frame.top - 2] = stack[frame.top - 2].toFloat().toBits()
+                stack[frame.top - 2] = arithmetic.decimalOf(stack[frame.top - 2]).toBits()
             }
 
             Operation.FLOAT_TO_INT -> {

@@ -1,5 +1,6 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
@@ -113,7 +114,7 @@ internal class ObjectOperations(
             Operation.NEW_ARRAY -> {
                 val length = stack[--frame.top]
                 if (isExact && length < 0) return calls.throwNew(thread, BuiltInException.NEGATIVE_ARRAY_SIZE)
-                push(thread, frame, machine.newArray(types[code[frame.next++]] as ArrayType, length))
+                pushArray(thread, frame, machine.newArray(types[code[frame.next++]] as ArrayType, length))
             }
 
             Operation.NEW_ARRAYS -> {
@@ -123,7 +124,7 @@ internal class ObjectOperations(
                 if (isExact && (0 until dimensions).any { stack[frame.top + it] < 0 }) {
                     return calls.throwNew(thread, BuiltInException.NEGATIVE_ARRAY_SIZE)
                 }
-                push(thread, frame, machine.newArrays(type, stack, frame.top, dimensions))
+                pushArray(thread, frame, machine.newArrays(type, stack, frame.top, dimensions))
             }
 
             Operation.THROW -> {
@@ -138,7 +139,7 @@ internal class ObjectOperations(
             Operation.CAST -> {
                 val reference = stack[frame.top - 1]
                 if (reference != 0 && !tests.isInstance(reference, code[frame.next])) {
-                    calls.throwNew(thread, BuiltInException.CLASS_CAST)
+                    calls.throwNew(thread, BuiltInException.CLASS_CAST, HandlerEntry.LATE)
                 } else {
                     frame.next++
                 }
@@ -189,8 +190,25 @@ internal class ObjectOperations(
         val place = places.find(array, stack[frame.top + 1])
         when {
             place <= 0 -> calls.throwNew(thread, places.failure(place))
-            value != 0 && !tests.mayStore(array, value) -> calls.throwNew(thread, wrongElement)
-            else -> words[place] = value
+            value == 0 || tests.mayStore(array, value) -> words[place] = value
+            else -> storeOther(thread, place)
+        }
+    }
+
+    /**
+     * Stores an object at [place] in an array of another class. A brick does so without a word, and then takes the object
+     * for one of that class. Here the element becomes null, since what follows would make no sense.
+     */
+    private fun storeOther(thread: VmThread, place: Int) {
+        if (!isExact) machine.addWarning(Quirk.UNCHECKED_ELEMENT)
+        if (machine.model.hasQuirks) words[place] = 0 else calls.throwNew(thread, wrongElement)
+    }
+
+    private fun pushArray(thread: VmThread, frame: Frame, reference: Int) {
+        if (reference == 0) {
+            calls.throwNew(thread, BuiltInException.OUT_OF_MEMORY, HandlerEntry.WITHOUT_EXCEPTION)
+        } else {
+            push(thread, frame, reference)
         }
     }
 

@@ -18,6 +18,7 @@ internal class Poller(private val machine: VirtualMachine, private val rom: Rom)
     private var throttle = 1
     private var lastReading = -1L
     private var changedField = -1
+    private val hasMode = BooleanArray(SensorCode.PORTS)
 
     /** The registered object, 0 for none. */
     var reference = 0
@@ -26,10 +27,12 @@ internal class Poller(private val machine: VirtualMachine, private val rom: Rom)
     /** Whether a poller is registered. */
     val isActive: Boolean get() = changedField >= 0
 
+    /** Registers the object [poller]. On a brick, the sensors change only from what they measure now. */
     fun register(poller: Int) {
         val field = (machine.heap.typeOf(poller) as? LinkedClass)?.instanceFields?.firstOrNull()
         reference = poller
         changedField = field?.takeIf { it.descriptor == "S" }?.slot ?: -1
+        if (machine.model.hasQuirks) for (port in values.indices) values[port] = valueOf(port)
     }
 
     /** Polls only once in [readings] readings of the sensors. */
@@ -52,11 +55,22 @@ internal class Poller(private val machine: VirtualMachine, private val rom: Rom)
     private fun changedSensors(): Int {
         var changed = 0
         for (port in values.indices) {
-            val value = rom.readSensor(port, SensorRequest.CANONICAL)
+            val value = valueOf(port)
             if (value != values[port]) changed = changed or (1 shl port)
             values[port] = value
         }
         return changed
+    }
+
+    /** Notes that the program has set the mode of the sensor at [port]. */
+    fun modeSet(port: Int) {
+        hasMode[port] = true
+    }
+
+    /** What the sensor at [port] measures. On a brick its mode is raw until the program sets one. */
+    private fun valueOf(port: Int): Int {
+        val isRaw = machine.model.hasQuirks && !hasMode[port]
+        return rom.readSensor(port, if (isRaw) SensorRequest.RAW else SensorRequest.CANONICAL)
     }
 
     private fun changedButtons(): Int {

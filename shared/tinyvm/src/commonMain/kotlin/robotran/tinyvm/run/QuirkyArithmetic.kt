@@ -35,9 +35,19 @@ internal class QuirkyArithmetic(private val machine: VirtualMachine) {
         return if (isBrick) value.toShort().toInt() else value and 0xFFFF
     }
 
+    /** The decimal number of the long [value]. A brick takes its 32 bits as a number without a sign. */
+    fun decimalOf(value: Int): Float {
+        if (value < 0) machine.addWarning(Quirk.NEGATIVE_LONG)
+        return if (isBrick) (value.toLong() and LONG_BITS).toFloat() else value.toFloat()
+    }
+
     /** The result of a comparison with NaN; the Java language specifies [default]. */
     fun compareWithNaN(default: Int): Int {
         machine.addWarning(Quirk.NOT_A_NUMBER)
         return if (isBrick) 0 else default
+    }
+
+    private companion object {
+        const val LONG_BITS = 0xFFFFFFFFL
     }
 }

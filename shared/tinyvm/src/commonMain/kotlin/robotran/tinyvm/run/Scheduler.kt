@@ -1,14 +1,19 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.config.MachineModel
+
 /**
  * Chooses the thread to run: one of the highest priority; threads of the same priority take turns. A thread that holds a
  * monitor runs in place of a more important one that waits for it. Sources: leJOS's `threads.c`, and its release notes,
  * which have the avoidance of priority inversion under 2.0.
  *
- * @param mostThreads the most threads that may be alive.
  * @param clock the brick's clock in milliseconds.
  */
-internal class Scheduler(private val monitors: Monitors, private val mostThreads: Int, private val clock: () -> Long) {
+internal class Scheduler(
+    private val monitors: Monitors,
+    private val model: MachineModel,
+    private val clock: () -> Long,
+) {
     private val living = ArrayList<VmThread>()
     private var started = 0
 
@@ -21,7 +26,7 @@ internal class Scheduler(private val monitors: Monitors, private val mostThreads
     /** Whether a non-daemon thread is alive. */
     val hasUserThreads: Boolean get() = living.any { !it.isDaemon }
 
-    val hasRoom: Boolean get() = living.size < mostThreads
+    val hasRoom: Boolean get() = living.size < model.threads
 
     fun start(thread: VmThread) {
         thread.state = ThreadState.READY
@@ -67,7 +72,9 @@ internal class Scheduler(private val monitors: Monitors, private val mostThreads
                 if (chosen != null) continue
                 if (thread.state == ThreadState.READY) {
                     chosen = thread
-                    queue.moveToEnd(thread)
+                    // A brick moves a thread that it starts only after its second turn.
+                    if (thread.hasBegun || !model.hasQuirks) queue.moveToEnd(thread)
+                    thread.hasBegun = true
                 } else if (thread.state == ThreadState.BLOCKED) {
                     chosen = blockerOf(thread)
                 }
@@ -96,6 +103,7 @@ internal class Scheduler(private val monitors: Monitors, private val mostThreads
                 val thread = queue[place]
                 if (thread.state != ThreadState.WAITING || thread.awaitedLock != lock) continue
                 thread.state = ThreadState.BLOCKED
+                if (model.hasQuirks) thread.isInterruptDue = thread.isInterrupted
                 if (!all) return
             }
         }
@@ -105,10 +113,20 @@ internal class Scheduler(private val monitors: Monitors, private val mostThreads
 
     private fun wake(thread: VmThread) {
         val isTime = thread.wakeTime in 1..clock()
+        val isInterrupted = model.hasQuirks && thread.isInterrupted
         when (thread.state) {
-            ThreadState.SLEEPING -> if (isTime) thread.state = ThreadState.READY
-            ThreadState.WAITING -> if (isTime) thread.state = ThreadState.BLOCKED
+            ThreadState.SLEEPING -> if (isTime || isInterrupted) {
+                thread.state = ThreadState.READY
+                thread.isInterruptDue = isInterrupted
+            }
+
+            ThreadState.WAITING -> if (isTime || isInterrupted) {
+                thread.state = ThreadState.BLOCKED
+                thread.isInterruptDue = !isTime
+            }
+
             ThreadState.JOINING -> if (isTime) goOn(thread)
+
             else -> return
         }
     }

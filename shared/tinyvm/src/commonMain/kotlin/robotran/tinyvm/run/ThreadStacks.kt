@@ -13,6 +13,10 @@ internal class ThreadStacks(private val machine: VirtualMachine) {
     private val model = machine.model
     private val room = model.stack
 
+    /** Whether the last [grow] could not create an array: it would be too long, or there was no memory. */
+    var hasFailedArray = false
+        private set
+
     /** Creates the stack of [thread]; returns false if there is no memory. */
     fun create(thread: VmThread): Boolean {
         val bytes = frameBytes(room.frames) + wordBytes(room.words)
@@ -29,8 +33,12 @@ internal class ThreadStacks(private val machine: VirtualMachine) {
         thread.stackBytes = 0
     }
 
-    /** Makes room for one more frame of [thread], of [words] from [base] on; returns false if there is none. */
+    /**
+     * Makes room for one more frame of [thread], of [words] from [base] on; returns false if there is none. Then
+     * [hasFailedArray] tells why.
+     */
     fun grow(thread: VmThread, base: Int, words: Int): Boolean {
+        hasFailedArray = false
         val needed = base + words
         if (thread.depth == thread.frameRoom) {
             val half = thread.frameRoom * 3 / 2
@@ -45,6 +53,7 @@ internal class ThreadStacks(private val machine: VirtualMachine) {
             val longest = if (model.isExact) room.mostWords else TinyVmLimits.BRICK_ARRAY_ELEMENTS
             val grows = longer <= longest &&
                 exchange(thread, wordBytes(thread.wordRoom), wordBytes(longer))
+            if (longer > longest) hasFailedArray = true
             thread.wordRoom = if (grows) longer else exceeded(thread.wordRoom, room.mostWords)
         }
         return thread.depth < thread.frameRoom && needed <= thread.wordRoom
@@ -52,7 +61,10 @@ internal class ThreadStacks(private val machine: VirtualMachine) {
 
     /** Replaces an array of [old] bytes by one of [new] bytes; returns false if there is no memory for both. */
     private fun exchange(thread: VmThread, old: Int, new: Int): Boolean {
-        if (!reserve(new)) return false
+        if (!reserve(new)) {
+            hasFailedArray = true
+            return false
+        }
         machine.heap.release(old)
         thread.stackBytes += new - old
         return true

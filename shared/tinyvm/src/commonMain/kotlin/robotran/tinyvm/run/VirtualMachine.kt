@@ -39,7 +39,7 @@ internal class VirtualMachine(
     val statics = IntArray(program.staticWords)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
-    val scheduler = Scheduler(monitors, model.threads) { peripherals.milliseconds }
+    val scheduler = Scheduler(monitors, model) { peripherals.milliseconds }
     val remarks = RuntimeWarnings(model, messages, program.bytes, allBytes)
     val stacks = ThreadStacks(this)
 
@@ -151,6 +151,14 @@ internal class VirtualMachine(
     /** Makes [thread] throw [kind] before its next operation. */
     fun raise(thread: VmThread, kind: BuiltInException) {
         thread.pending = exception(kind, thread)
+    }
+
+    /** Makes [thread], which has been chosen for a turn, throw `InterruptedException` if that is due. */
+    fun raiseDueInterrupt(thread: VmThread) {
+        if (!thread.isInterruptDue) return
+        thread.isInterruptDue = false
+        thread.isInterrupted = false
+        raise(thread, BuiltInException.INTERRUPTED)
     }
 
     /**

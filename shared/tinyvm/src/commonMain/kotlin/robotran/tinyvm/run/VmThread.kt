@@ -45,6 +45,12 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     var isDaemon = false
     var isInterrupted = false
 
+    /** Whether an interrupt has ended a sleep or wait on an RCX; the exception follows when the thread has its turn. */
+    var isInterruptDue = false
+
+    /** Whether it has been chosen for a turn. */
+    var hasBegun = false
+
     /** The locals and operands of all frames, innermost last. */
     var stack = IntArray(INITIAL_STACK_WORDS)
         private set
