@@ -34,8 +34,16 @@ class FontTest {
     }
 
     @Test
-    fun `what the font lacks is a box`() {
-        for (character in listOf('ä', 'ñ', '\u007f', '\u0000', '€')) {
+    fun `the cell of a letter that the font lacks stays empty`() {
+        for (character in listOf('\u0080', 'ä', 'ñ', '€')) {
+            assertEquals(listOf(0, 0, 0, 0, 0), columns(character), "$character")
+            assertFalse(Font5x7.has(character))
+        }
+    }
+
+    @Test
+    fun `a control character without a sign is a box`() {
+        for (character in listOf('\u007f', '\u0000')) {
             assertEquals(listOf(0x7F, 0x41, 0x41, 0x41, 0x7F), columns(character), "$character")
             assertFalse(Font5x7.has(character))
         }

@@ -69,6 +69,7 @@ sealed interface ProgramStatus {
  * @property sourceFile the file of the failure; null if the program has only one.
  * @property stack the calls that were active, innermost first, as an NXT shows them; empty if the language has none.
  * @property thrownText the text that the program gave the exception, as an NXT shows it; null if none.
+ * @property causes the exceptions that caused it, as an NXT shows them, the nearest first.
  */
 data class ProgramFailure(
     val message: String,
@@ -78,7 +79,20 @@ data class ProgramFailure(
     val sourceFile: String? = null,
     val stack: List<FailureFrame> = emptyList(),
     val thrownText: String? = null,
+    val causes: List<FailureCause> = emptyList(),
 )
+
+/**
+ * An exception that caused another.
+ *
+ * @property exceptionNumber the number of its class.
+ * @property thrownText the text that the program gave it; null if none.
+ * @property calls the calls that were active when it was made, innermost first.
+ */
+data class FailureCause(val exceptionNumber: Int, val thrownText: String?, val calls: List<FailureCall>)
+
+/** A call as an NXT shows it: the number of the method, and the [offset] in its code, in bytes. */
+data class FailureCall(val methodNumber: Int, val offset: Int)
 
 /**
  * A call that was active when a program failed.

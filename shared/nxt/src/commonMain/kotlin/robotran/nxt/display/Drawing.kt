@@ -12,7 +12,7 @@ object Drawing {
 
     /**
      * Draws [text] from a cell on, each character with the gap behind it. A line feed goes on in column 0 of the next
-     * row. What lies beyond the edge is left out. A character that the [font][Font5x7] lacks becomes a box.
+     * row. What lies beyond the edge is left out. The cell of a letter that the [font][Font5x7] lacks stays empty.
      *
      * @param inverted whether it is white on black.
      */

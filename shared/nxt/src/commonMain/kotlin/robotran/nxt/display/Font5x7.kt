@@ -2,8 +2,8 @@ package robotran.nxt.display
 
 /**
  * The display's only font: 128 characters, 5 dots wide, capital letters 7 dots high, with descenders in the eighth row.
- * As on a real NXT there are no accented letters; a character from 128 on is drawn as the box of 127, and so are
- * control characters without a sign of their own.
+ * As on a real NXT there are no accented letters: the cell of a character from 128 on stays empty. Control characters
+ * without a sign of their own are drawn as the box of 127.
  */
 object Font5x7 {
     const val CHARACTERS = 128
@@ -11,7 +11,6 @@ object Font5x7 {
     /** The characters that have a letter, digit or sign of ASCII. */
     val PRINTABLE = 32..126
 
-    private const val BOX = 127
     private const val FIRST_PRINTABLE = 32
     private val SIGNS = listOf(1, 2, 3, 4, 5, 6, 8, 13)
     private const val GLYPHS_OF_BAND = 8
@@ -38,11 +37,11 @@ object Font5x7 {
      */
     fun bytes(): ByteArray = columns.copyOf()
 
-    /** Whether the font has the character itself, not just a box. */
+    /** Whether the font has the character itself, not just a box or an empty cell. */
     fun has(character: Char): Boolean = character.code in PRINTABLE || character.code in SIGNS
 
-    /** The number, 0..127, of the glyph for a character. */
-    fun glyphOf(character: Char): Int = if (character.code < CHARACTERS) character.code else BOX
+    /** The number, 0..127, of the glyph for a character; that of the blank for one from 128 on. */
+    fun glyphOf(character: Char): Int = if (character.code < CHARACTERS) character.code else FIRST_PRINTABLE
 
     /** A column, 0..4, of a glyph; bit 0 is its upper dot. */
     fun columnOf(glyph: Int, column: Int): Int = columns[glyph * DisplaySize.GLYPH_WIDTH + column].toInt() and BYTE

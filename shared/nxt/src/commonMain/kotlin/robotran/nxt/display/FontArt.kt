@@ -14,7 +14,7 @@ internal object FontArt {
 ..... ..... ..... ..... ..... ..... ..... .....
 """
 
-    /** The characters from the blank to 127, whose box also stands for characters that the font lacks. */
+    /** The characters from the blank to 127, whose box also stands for control characters without a sign. */
     const val PRINTABLE = """
 ..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#..
 ..... ..#.. .#.#. .#.#. .#### ##..# #..#. ..#..

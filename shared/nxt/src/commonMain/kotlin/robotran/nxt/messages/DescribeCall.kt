@@ -173,8 +173,8 @@ private fun NxtMessages.describeMove(port: MotorPort, speed: Float, limit: Int, 
 }
 
 private fun NxtMessages.describeText(text: String, column: Int, row: Int, isInverted: Boolean): String {
-    val boxes = text.toList().distinct().filter { it != '\n' && !Font5x7.has(it) }.map { it.toString() }
-    return drawText(quoted(text.replace("\n", "\\n")), column, row, isInverted, boxes)
+    val gaps = text.toList().distinct().filter { it != '\n' && !Font5x7.has(it) }.map { it.toString() }
+    return drawText(quoted(text.replace("\n", "\\n")), column, row, isInverted, gaps)
 }
 
 private fun sizeOf(speed: Float): String = tenths(if (speed < 0) -speed else speed)

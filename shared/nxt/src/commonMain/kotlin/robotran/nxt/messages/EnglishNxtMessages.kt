@@ -105,12 +105,10 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
         else -> "it is not ready"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, gaps: List<String>) = buildString {
         append("draw $text at column $column, row $row")
         if (isInverted) append(", white on black")
-        if (boxes.isNotEmpty()) {
-            append(", with boxes, for the display has no ${listed(boxes, "or")}")
-        }
+        if (gaps.isNotEmpty()) append(", but the display has no ${listed(gaps, "or")}")
     }
 
     override fun clearDisplay() = "clear the display"

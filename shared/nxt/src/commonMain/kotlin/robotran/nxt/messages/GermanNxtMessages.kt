@@ -111,12 +111,10 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
         else -> "er ist nicht bereit"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, gaps: List<String>) = buildString {
         append("$text zeichnen in Spalte $column, Zeile $row")
         if (isInverted) append(", weiß auf schwarz")
-        if (boxes.isNotEmpty()) {
-            append(", mit Kästchen, denn die Anzeige hat kein ${listed(boxes, "und kein")}")
-        }
+        if (gaps.isNotEmpty()) append(", aber die Anzeige hat kein ${listed(gaps, "und kein")}")
     }
 
     override fun clearDisplay() = "Anzeige löschen"

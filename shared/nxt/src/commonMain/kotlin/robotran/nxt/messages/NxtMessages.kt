@@ -76,9 +76,9 @@ interface NxtMessages : PlaceMessages {
 
     /**
      * @param text quoted.
-     * @param boxes characters that the display does not have, each once.
+     * @param gaps characters that the display does not have, each once.
      */
-    fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>): String
+    fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, gaps: List<String>): String
 
     fun clearDisplay(): String
 

@@ -113,12 +113,10 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
         else -> "no está preparado"
     }
 
-    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, boxes: List<String>) = buildString {
+    override fun drawText(text: String, column: Int, row: Int, isInverted: Boolean, gaps: List<String>) = buildString {
         append("dibujar $text en la columna $column, fila $row")
         if (isInverted) append(", en blanco sobre negro")
-        if (boxes.isNotEmpty()) {
-            append(", con cuadros, porque la pantalla no tiene ${listed(boxes, "ni")}")
-        }
+        if (gaps.isNotEmpty()) append(", pero la pantalla no tiene ${listed(gaps, "ni")}")
     }
 
     override fun clearDisplay() = "borrar la pantalla"

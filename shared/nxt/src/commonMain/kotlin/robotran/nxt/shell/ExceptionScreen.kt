@@ -9,7 +9,8 @@ import robotran.nxt.state.ExceptionView
 
 /**
  * What leJOS NXJ shows of an exception that nobody catches: numbers of its class, and of each method with the place in
- * its code. A failure without a stack, of a language without numbers, shows its line. LEFT and RIGHT move the text.
+ * its code, also of the exceptions that caused it. A text has one row and is cut off at the edge. A failure without a
+ * stack, of a language without numbers, shows its line. LEFT and RIGHT move the text.
  */
 internal class ExceptionScreen(private val failure: ProgramFailure) {
     private val rows = rowsOf(failure)
@@ -38,10 +39,17 @@ internal class ExceptionScreen(private val failure: ProgramFailure) {
             if (failure.sourceLine > 0) add("in line ${failure.sourceLine}")
         } else {
             add("Exception: ${failure.exceptionNumber}")
-            failure.thrownText?.let { addAll(it.chunked(DisplaySize.COLUMNS)) }
-            for (frame in failure.stack) add(" at:${"${frame.methodNumber}".padStart(NUMBER_WIDTH)}:${frame.offset}")
+            failure.thrownText?.let { add(it.lineSequence().first()) }
+            for (frame in failure.stack) add(rowOf(frame.methodNumber, frame.offset))
+            for (cause in failure.causes) {
+                add("Caused by: ${cause.exceptionNumber}")
+                cause.thrownText?.let { add(it.lineSequence().first()) }
+                for (call in cause.calls) add(rowOf(call.methodNumber, call.offset))
+            }
         }
     }
+
+    private fun rowOf(methodNumber: Int, offset: Int) = " at:${"$methodNumber".padStart(NUMBER_WIDTH)}:$offset"
 
     private companion object {
         const val NUMBER_WIDTH = 5

@@ -49,6 +49,7 @@ internal class LinkedProgram(
     /** The calls of an exception that the machine itself makes, on an exact machine. */
     val throwableCalls: LinkedField? = throwable.findField("calls", "[I", isStatic = false)
 
+    val throwableCause: LinkedField? = throwable.findField("cause", "Ljava/lang/Throwable;", isStatic = false)
     val throwableMessage: LinkedField? = throwable.findField("message", "Ljava/lang/String;", isStatic = false)
 
     /** The number of the class [type] on a brick. */

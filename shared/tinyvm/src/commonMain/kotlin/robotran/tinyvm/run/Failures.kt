@@ -1,7 +1,10 @@
 package robotran.tinyvm.run
 
+import robotran.brick.program.FailureCall
+import robotran.brick.program.FailureCause
 import robotran.brick.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.SpecialNumbers
 import robotran.tinyvm.messages.RunMessages
 
@@ -54,15 +57,43 @@ internal class Failures(private val machine: VirtualMachine, private val message
             at.file,
             at.calls,
             text.ifEmpty { null },
+            causesOf(exception),
         )
     }
+
+    /** The exceptions that caused [exception], the nearest first; at most [MOST_CAUSES]. */
+    private fun causesOf(exception: Int): List<FailureCause> =
+        generateSequence(referenceIn(exception, machine.program.throwableCause).takeIf { it != 0 }) { cause ->
+            referenceIn(cause, machine.program.throwableCause).takeIf { it != 0 }
+        }.take(MOST_CAUSES).map { cause ->
+            val type = machine.heap.typeOf(cause) as LinkedClass
+            FailureCause(machine.program.numberOf(type), textOf(cause).ifEmpty { null }, callsOf(cause))
+        }.toList()
+
+    private fun callsOf(exception: Int): List<FailureCall> {
+        val calls = referenceIn(exception, machine.program.throwableCalls)
+        if (calls == 0) return emptyList()
+        return List(machine.heap.length(calls)) {
+            val call = machine.heap.words[calls + Heap.HEADER_WORDS + it]
+            FailureCall(call ushr HALF_BITS, call and LOW_HALF)
+        }
+    }
+
+    private fun referenceIn(exception: Int, field: LinkedField?): Int =
+        if (field == null) 0 else machine.heap.words[exception + Heap.HEADER_WORDS + field.slot]
 
     /** Returns an exception that ended a thread and was not returned before, or null. */
     fun take(): ProgramFailure? = unseen.also { unseen = null }
 
     private fun textOf(exception: Int): String {
-        val field = machine.program.throwableMessage ?: return ""
-        val text = machine.heap.words[exception + Heap.HEADER_WORDS + field.slot]
+        val text = referenceIn(exception, machine.program.throwableMessage)
         return if (text == 0) "" else machine.textOf(text)
+    }
+
+    private companion object {
+        /** More do not fit the memory of a brick. */
+        const val MOST_CAUSES = 100
+        const val HALF_BITS = 16
+        const val LOW_HALF = 0xFFFF
     }
 }
