@@ -51,5 +51,11 @@ public final class BrickProblem {
     /** A constant outside -128 to 127 that is added to a local variable, as with {@code i += 128}. */
     public static final int LARGE_STEP = -19;
 
+    /**
+     * Two texts that are compared as objects. Arguments: {@code ==} or {@code !=}, the offset behind the left one or -1 if
+     * no call can stand behind it, and the offset of the right one.
+     */
+    public static final int TEXTS_COMPARED = -20;
+
     private BrickProblem() {}
 }

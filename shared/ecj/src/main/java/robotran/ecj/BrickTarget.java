@@ -27,6 +27,11 @@ public enum BrickTarget {
         return this == LEJOS_RCX;
     }
 
+    /** Whether the virtual machine makes a new object at each use of a text, so that {@link TextComparisons} fail. */
+    boolean copiesTexts() {
+        return this == LEJOS_NXJ;
+    }
+
     /**
      * Whether the code of a {@code finally} is copied to each end of its {@code try}, as class files of version 50 need
      * it; those of older versions have it once, as a subroutine.

@@ -15,31 +15,28 @@ import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
 /**
- * ECJ that also checks each source with resolved types, and prints nothing when it fails. It checks {@link BrickRules} and
- * {@link LockRules} if the brick has any, and {@link LibraryGaps} and {@link LargeSteps} if there are gaps.
+ * ECJ that also checks each source with resolved types, and prints nothing when it fails. It checks what is special about the
+ * brick, and if there are gaps {@link LibraryGaps}, for an RCX also {@link LargeSteps}.
  */
 final class CheckingCompiler extends Compiler {
-    private final boolean hasRules;
+    private final BrickTarget target;
     private final Set<String> gaps;
     private final List<EcjProblem> problems;
     private final Map<String, MemberNames> memberNames = new HashMap<>();
     private boolean crashed;
 
-    /**
-     * @param hasRules whether to check {@link BrickRules} and {@link LockRules}
-     * @param gaps see {@link EcjCompiler#addGap}
-     */
+    /** @param gaps see {@link EcjCompiler#addGap} */
     CheckingCompiler(
             INameEnvironment library,
             CompilerOptions options,
-            boolean hasRules,
+            BrickTarget target,
             ICompilerRequestor results,
             Set<String> gaps,
             List<EcjProblem> problems) {
         super(
             library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(),
             null);
-        this.hasRules = hasRules;
+        this.target = target;
         this.gaps = gaps;
         this.problems = problems;
         useSingleThread = true;
@@ -65,13 +62,18 @@ final class CheckingCompiler extends Compiler {
             return; // After a syntax error, the tree contains guesses.
         }
         BrickReport report = new BrickReport(path);
-        if (hasRules) {
+        if (target.hasRules()) {
             unit.traverse(new BrickRules(report), unit.scope);
             unit.traverse(new LockRules(report), unit.scope);
         }
+        if (target.copiesTexts()) {
+            unit.traverse(new TextComparisons(report), unit.scope);
+        }
         if (!gaps.isEmpty()) {
             unit.traverse(new LibraryGaps(gaps, report), unit.scope);
-            unit.traverse(new LargeSteps(report), unit.scope);
+            if (target.hasRules()) {
+                unit.traverse(new LargeSteps(report), unit.scope);
+            }
         }
         problems.addAll(report.problems());
     }

@@ -101,7 +101,7 @@ public final class EcjCompiler {
             WorkBudget.begin();
             try {
                 compiler = new CheckingCompiler(
-                        library.environment(), options(), target.hasRules(), this::take, gaps, problems);
+                        library.environment(), options(), target, this::take, gaps, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {

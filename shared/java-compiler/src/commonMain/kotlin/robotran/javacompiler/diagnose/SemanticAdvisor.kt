@@ -13,10 +13,11 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
     private val types = TypeAdvisor(messages, boxes)
     private val classes = ClassAdvisor(messages)
     private val constructors = ConstructorAdvisor(messages)
+    private val texts = TextAdvisor(messages)
 
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? =
         types.advice(problem, source) ?: classes.advice(problem, source) ?: constructors.advice(problem, source)
-            ?: variable(problem) ?: way(problem, source)
+            ?: texts.advice(problem, source) ?: variable(problem) ?: way(problem, source)
 
     private fun variable(problem: EcjProblem): ProblemExplanation? {
         fun argument(index: Int) = shortened(problem.arguments[index])

@@ -24,6 +24,7 @@ internal object ProblemId {
     const val TOO_MANY_IMPORTS = -17
     const val TOO_MANY_CLASSES = -18
     const val LARGE_STEP = -19
+    const val TEXTS_COMPARED = -20
 
     // What StructureMistakes finds.
     const val OUTSIDE_CLASS = -101

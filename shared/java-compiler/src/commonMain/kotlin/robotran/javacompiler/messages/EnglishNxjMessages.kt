@@ -6,15 +6,15 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.WAIT -> "Thread.sleep(1000) waits a second, and so does Delay.msDelay(1000) of lejos.util."
         NxjRemedy.BUTTONS -> "An NXT has no keyboard. Wait for a button: Button.waitForAnyPress()."
         NxjRemedy.SORT_ARRAY -> "Arrays.sort(numbers) sorts an array. Anything else takes a loop."
-        NxjRemedy.HASH_MAP -> "Use a HashMap. It has no order, so keep the keys in an ArrayList if you need one."
-        NxjRemedy.HASH_SET -> "Use a HashSet. It has no order."
+        NxjRemedy.HASH_MAP -> "Use a HashMap, and keep its keys in an ArrayList: an NXT cannot tell them."
+        NxjRemedy.HASH_SET -> "Use a HashSet, or an ArrayList: on an NXT, no loop can go through a HashSet."
         NxjRemedy.LINKED_LIST -> "Use a LinkedList with addLast(), removeFirst() and removeLast()."
         NxjRemedy.FILL_LIST -> "Make an empty one, such as new ArrayList<String>(), and add() each element."
         NxjRemedy.LOOP -> "Go through the elements in a loop: for (String word : words)."
         NxjRemedy.OWN_CLASS -> "Write an interface or a class of your own for it."
         NxjRemedy.NULL -> "Use null for what may be missing."
         NxjRemedy.JOIN_TEXTS -> "Join texts with \"+\". LCD.drawInt(number, 4, 0, 0) writes a number in four places."
-        NxjRemedy.TOKENIZER -> "A StringTokenizer of java.util takes a text apart."
+        NxjRemedy.TOKENIZER -> "A StringTokenizer of java.util takes a text apart: new StringTokenizer(text, \" \")."
         NxjRemedy.COMPARE_TEXTS -> "A text on an NXT has equals(), startsWith(), indexOf(), substring() and trim()."
         NxjRemedy.INDEX_OF -> "Write text.indexOf(\"part\") >= 0."
         NxjRemedy.SUBSTRINGS -> "Make a new text of parts: text.substring(0, 2) + \"new\" + text.substring(2)."
@@ -51,4 +51,9 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.SENSOR_PORT -> "An NXT has a class for each sensor, such as new TouchSensor(SensorPort.S1)."
         NxjRemedy.NXT_BUTTONS -> "An NXT has Button.ENTER, Button.LEFT, Button.RIGHT and Button.ESCAPE."
     }
+
+    override fun textsCompared(operator: String): String =
+        "\"$operator\" asks whether both are the same object. An NXT makes a new one each time a text is used."
+
+    override fun compareLetters(comparison: String): String = "Compare the letters: $comparison."
 }

@@ -6,15 +6,15 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.WAIT -> "Thread.sleep(1000) wartet eine Sekunde, genau wie Delay.msDelay(1000) aus lejos.util."
         NxjRemedy.BUTTONS -> "Ein NXT hat keine Tastatur. Warte auf eine Taste: Button.waitForAnyPress()."
         NxjRemedy.SORT_ARRAY -> "Arrays.sort(zahlen) sortiert ein Array. Alles andere braucht eine Schleife."
-        NxjRemedy.HASH_MAP -> "Nimm eine HashMap. Sie hat keine Reihenfolge; die merkt sich eine ArrayList."
-        NxjRemedy.HASH_SET -> "Nimm ein HashSet. Es hat keine Reihenfolge."
+        NxjRemedy.HASH_MAP -> "Nimm eine HashMap, und merk dir ihre Schlüssel: Ein NXT nennt sie nicht."
+        NxjRemedy.HASH_SET -> "Nimm ein HashSet oder eine ArrayList: Keine Schleife geht auf dem NXT ein HashSet durch."
         NxjRemedy.LINKED_LIST -> "Nimm eine LinkedList mit addLast(), removeFirst() und removeLast()."
         NxjRemedy.FILL_LIST -> "Mach eine leere, zum Beispiel new ArrayList<String>(), und füg mit add() alles ein."
         NxjRemedy.LOOP -> "Geh die Elemente in einer Schleife durch: for (String wort : woerter)."
         NxjRemedy.OWN_CLASS -> "Schreib dafür ein eigenes Interface oder eine eigene Klasse."
         NxjRemedy.NULL -> "Nimm null für das, was fehlen kann."
         NxjRemedy.JOIN_TEXTS -> "Verbinde Texte mit \"+\". LCD.drawInt(zahl, 4, 0, 0) schreibt auf vier Plätze."
-        NxjRemedy.TOKENIZER -> "Ein StringTokenizer aus java.util zerlegt einen Text."
+        NxjRemedy.TOKENIZER -> "Ein StringTokenizer aus java.util zerlegt einen Text: new StringTokenizer(text, \" \")."
         NxjRemedy.COMPARE_TEXTS -> "Ein Text hat auf dem NXT equals(), startsWith(), indexOf(), substring() und trim()."
         NxjRemedy.INDEX_OF -> "Schreib text.indexOf(\"teil\") >= 0."
         NxjRemedy.SUBSTRINGS -> "Mach einen neuen Text aus Teilen: text.substring(0, 2) + \"neu\" + text.substring(2)."
@@ -51,4 +51,9 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.SENSOR_PORT -> "Ein NXT hat für jeden Sensor eine Klasse: new TouchSensor(SensorPort.S1)."
         NxjRemedy.NXT_BUTTONS -> "Ein NXT hat Button.ENTER, Button.LEFT, Button.RIGHT und Button.ESCAPE."
     }
+
+    override fun textsCompared(operator: String): String =
+        "\"$operator\" fragt, ob beide dasselbe Objekt sind. Ein NXT macht für jeden Text jedes Mal ein neues."
+
+    override fun compareLetters(comparison: String): String = "Vergleich die Buchstaben: $comparison."
 }

@@ -6,15 +6,15 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.WAIT -> "Thread.sleep(1000) espera un segundo, igual que Delay.msDelay(1000) de lejos.util."
         NxjRemedy.BUTTONS -> "Un NXT no tiene teclado. Espera un botón: Button.waitForAnyPress()."
         NxjRemedy.SORT_ARRAY -> "Arrays.sort(numeros) ordena un array. Para lo demás, recorre la lista con un \"for\"."
-        NxjRemedy.HASH_MAP -> "Usa un HashMap. No tiene orden; para eso guarda las claves en un ArrayList."
-        NxjRemedy.HASH_SET -> "Usa un HashSet. No tiene orden."
+        NxjRemedy.HASH_MAP -> "Usa un HashMap, y guarda sus claves en un ArrayList: un NXT no las dice."
+        NxjRemedy.HASH_SET -> "Usa un HashSet o un ArrayList: en el NXT ningún bucle recorre un HashSet."
         NxjRemedy.LINKED_LIST -> "Usa una LinkedList con addLast(), removeFirst() y removeLast()."
         NxjRemedy.FILL_LIST -> "Crea una vacía, como new ArrayList<String>(), y añade cada elemento con add()."
         NxjRemedy.LOOP -> "Recorre los elementos con un bucle: for (String palabra : palabras)."
         NxjRemedy.OWN_CLASS -> "Escribe para eso una interfaz o una clase tuya."
         NxjRemedy.NULL -> "Usa null para lo que puede faltar."
         NxjRemedy.JOIN_TEXTS -> "Une textos con \"+\". LCD.drawInt(numero, 4, 0, 0) escribe en cuatro lugares."
-        NxjRemedy.TOKENIZER -> "Un StringTokenizer de java.util separa un texto en partes."
+        NxjRemedy.TOKENIZER -> "Un StringTokenizer de java.util separa un texto: new StringTokenizer(texto, \" \")."
         NxjRemedy.COMPARE_TEXTS -> "Un texto tiene en el NXT equals(), startsWith(), indexOf(), substring() y trim()."
         NxjRemedy.INDEX_OF -> "Escribe texto.indexOf(\"parte\") >= 0."
         NxjRemedy.SUBSTRINGS -> "Haz un texto nuevo de partes: texto.substring(0, 2) + \"nuevo\" + texto.substring(2)."
@@ -51,4 +51,9 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.SENSOR_PORT -> "Un NXT tiene una clase para cada sensor: new TouchSensor(SensorPort.S1)."
         NxjRemedy.NXT_BUTTONS -> "Un NXT tiene Button.ENTER, Button.LEFT, Button.RIGHT y Button.ESCAPE."
     }
+
+    override fun textsCompared(operator: String): String =
+        "\"$operator\" pregunta si son el mismo objeto. Un NXT crea uno nuevo cada vez que usa un texto."
+
+    override fun compareLetters(comparison: String): String = "Compara las letras: $comparison."
 }

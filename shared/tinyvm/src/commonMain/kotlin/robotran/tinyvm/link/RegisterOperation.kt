@@ -237,11 +237,8 @@ internal object RegisterOperation {
     /** A = whether B is of the type in the next word. */
     const val IS_INSTANCE = 118
 
-    /** A = the text whose number is the next word. */
-    const val TEXT = 119
-
     /** A[B] = C, a reference. */
-    const val SET_REFERENCE = 120
+    const val SET_REFERENCE = 119
 
     /** The operations whose result is in A and the next register. */
     val WITH_WIDE_RESULT: Set<Int> =

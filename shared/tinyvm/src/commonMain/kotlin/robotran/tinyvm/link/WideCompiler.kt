@@ -20,10 +20,7 @@ internal class WideCompiler(
 
             in Operation.ADD_LONG..Operation.COMPARE_DOUBLE_64_HIGH -> calculate(operation)
 
-            Operation.CAST, Operation.IS_INSTANCE, Operation.PUSH_TEXT, Operation.SET_REFERENCE -> objects(
-                operation,
-                operand,
-            )
+            Operation.CAST, Operation.IS_INSTANCE, Operation.SET_REFERENCE -> objects(operation, operand)
 
             else -> return false
         }
@@ -192,10 +189,6 @@ internal class WideCompiler(
             Operation.IS_INSTANCE -> {
                 val register = operands.popRegister()
                 RegisterInstruction(RegisterOperation.IS_INSTANCE, operands.pushResult(), register, words = words)
-            }
-
-            Operation.PUSH_TEXT -> {
-                RegisterInstruction(RegisterOperation.TEXT, operands.pushResult(), exit = exit, words = words)
             }
 
             else -> {

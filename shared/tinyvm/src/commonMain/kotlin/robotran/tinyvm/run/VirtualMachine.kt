@@ -4,6 +4,7 @@ import robotran.brick.program.FailureFrame
 import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.NxtCosts
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.link.ArrayType
@@ -280,17 +281,14 @@ internal class VirtualMachine(
     }
 
     /**
-     * Returns the string constant [number], 0 if there is no memory. A brick creates a new object each time; forgiving
-     * mode always returns the same one.
+     * Returns the string constant [number], 0 if there is no memory. A brick creates a new object each time, an NXT, too;
+     * forgiving mode always returns the same one.
      */
     fun text(number: Int): Int {
-        if (model.hasQuirks) return newText(program.texts[number])
+        if (model.quirks != QuirkHandling.WARN) return newText(program.texts[number])
         if (textReferences[number] == 0) textReferences[number] = newText(program.texts[number])
         return textReferences[number]
     }
-
-    /** The string constant [number], which an exact machine makes only once; 0 if it has not been made yet. */
-    fun knownText(number: Int): Int = textReferences[number]
 
     /** The content of the string object [reference]. */
     fun textOf(reference: Int): String {

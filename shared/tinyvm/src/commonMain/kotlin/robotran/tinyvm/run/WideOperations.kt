@@ -201,13 +201,6 @@ internal class WideOperations(private val machine: VirtualMachine) {
                 return at + 1
             }
 
-            RegisterOperation.TEXT -> {
-                val text = machine.knownText(code[at + 1])
-                if (text == 0) return -1
-                stack[a] = text
-                return at + 1
-            }
-
             RegisterOperation.SET_REFERENCE -> {
                 val array = stack[a]
                 val index = stack[b]
