@@ -38,8 +38,8 @@ public final class Class<T> {
     /** Says whether it is a type like int that is no class. */
     public native boolean isPrimitive();
 
-    /** Gives the number of the class. */
+    /** Gives a text such as "class 27": a brick knows only the number of the class. */
     public String toString() {
-        return String.valueOf(number);
+        return (isInterface() ? "interface " : "class ") + number;
     }
 }

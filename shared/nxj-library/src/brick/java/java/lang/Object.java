@@ -19,9 +19,9 @@ public class Object {
         return System.getDataAddress(this);
     }
 
-    /** Gives the object as text: the number of its class and of the object, unless its class knows better. */
+    /** Gives the word Object with a number that tells objects apart, unless its class knows better. */
     public String toString() {
-        return getClass() + "@" + Integer.toHexString(hashCode());
+        return "Object@" + Integer.toHexString(System.identityHashCode(this));
     }
 
     /** Gives a copy whose fields are those of the object; its class must implement Cloneable. */

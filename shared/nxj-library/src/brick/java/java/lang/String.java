@@ -141,7 +141,8 @@ public final class String implements CharSequence, Comparable<String> {
 
     /** Gives the character at a place; the first one is at place 0. */
     public char charAt(int index) {
-        if (index < 0 || index >= characters.length) throw new StringIndexOutOfBoundsException(index);
+        // Directly behind the text and before it, a brick fails with ArrayIndexOutOfBoundsException.
+        if (index > characters.length) throw new StringIndexOutOfBoundsException(index);
         return characters[index];
     }
 
@@ -187,7 +188,7 @@ public final class String implements CharSequence, Comparable<String> {
 
     /** Says whether both are the same text, if small and large letters are alike. */
     public boolean equalsIgnoreCase(String other) {
-        return other != null && toLowerCase().equals(other.toLowerCase());
+        return toLowerCase().equals(other.toLowerCase());
     }
 
     /** Says whether the characters are the same. */
@@ -204,15 +205,16 @@ public final class String implements CharSequence, Comparable<String> {
         return contentEquals((CharSequence) other);
     }
 
-    /** Gives a number below 0 if this text comes before the other one, and above 0 if it comes after it. */
+    /** Gives -1 if this text comes before the other one, 1 if it comes after it, and 0 if both are the same. */
     public int compareTo(String other) {
         int own = characters.length;
         int others = other.characters.length;
         for (int index = 0; index < own && index < others; index++) {
-            int difference = characters[index] - other.characters[index];
-            if (difference != 0) return difference;
+            if (characters[index] != other.characters[index]) {
+                return characters[index] < other.characters[index] ? -1 : 1;
+            }
         }
-        return own - others;
+        return own == others ? 0 : own < others ? -1 : 1;
     }
 
     /** Gives a number that is the same for the same text. */
@@ -300,12 +302,14 @@ public final class String implements CharSequence, Comparable<String> {
         return substring(start, end);
     }
 
-    /** Gives both texts, one after the other. */
+    /**
+     * Gives the other text if this one is empty, and otherwise fails with ArrayIndexOutOfBoundsException.
+     *
+     * <p>Join texts with + instead: leJOS NXJ has a mistake here.
+     */
     public String concat(String other) {
-        String text = new String(characters.length + other.characters.length);
-        System.arraycopy(characters, 0, text.characters, 0, characters.length);
-        System.arraycopy(other.characters, 0, text.characters, characters.length, other.characters.length);
-        return text;
+        if (characters.length > 0) throw new ArrayIndexOutOfBoundsException();
+        return new String(other.characters);
     }
 
     /** Gives the text with one character in the place of another. */

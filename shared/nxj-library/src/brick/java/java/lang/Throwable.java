@@ -57,11 +57,13 @@ public class Throwable {
 
     /** Gives what caused it, or null. */
     public Throwable getCause() {
-        return cause == this ? null : cause;
+        return cause;
     }
 
-    /** Sets what caused it. */
+    /** Sets what caused it; fails if that is known already, or if it is the exception itself. */
     public Throwable initCause(Throwable cause) {
+        if (this.cause != null) throw new IllegalStateException();
+        if (cause == this) throw new IllegalArgumentException();
         this.cause = cause;
         return this;
     }
@@ -73,32 +75,18 @@ public class Throwable {
 
     /** Writes it, and the numbers of the methods that were being called. */
     public void printStackTrace(PrintStream out) {
-        out.println("Exception: " + getClass());
-        Throwable told = this;
-        while (told != null) {
-            String message = told.getLocalizedMessage();
-            if (message != null) out.println(message);
-            if (told.calls != null) {
-                for (int index = 0; index < told.calls.length; index++) {
-                    int call = told.calls[index];
-                    out.println(" at: " + pad(call >>> 16) + ":" + (call & 0xFFFF));
-                }
+        for (Throwable told = this; told != null; told = told.cause) {
+            out.println((told == this ? "" : "Caused by: ") + told);
+            int count = told.calls == null ? 0 : told.calls.length;
+            for (int index = 0; index < count; index++) {
+                int call = told.calls[index];
+                out.println(" at: " + (call >>> 16) + ":" + (call & 0xFFFF));
             }
-            told = told.getCause();
-            if (told != null) out.println("Caused by: " + told.getClass());
         }
     }
 
-    /** Gives the number of the class and the sentence that says what went wrong. */
+    /** Gives a text such as "class 27", and behind it the sentence that says what went wrong. */
     public String toString() {
-        String message = getLocalizedMessage();
-        return message == null ? getClass().toString() : getClass() + ": " + message;
-    }
-
-    /** The number of a method, in four columns. */
-    private static String pad(int number) {
-        String text = String.valueOf(number);
-        while (text.length() < 4) text = " " + text;
-        return text;
+        return message == null ? getClass().toString() : getClass() + ": " + getLocalizedMessage();
     }
 }

@@ -1,34 +1,37 @@
 package java.util;
 
-/** Finds values by their keys, in no particular order. */
-public class HashMap<K, V> extends AbstractMap<K, V> {
-    private Node<K, V>[] table;
-    private final float loadFactor;
+/**
+ * Finds values by their keys.
+ *
+ * <p>On a brick, nothing gives all keys or values: keySet, values, entrySet and containsValue fail with
+ * UnsupportedOperationException, and so does what needs them. Keep the keys in a list of your own. A key must not be
+ * null, and its hashCode must not be below 0, as it is for some texts: then the brick fails with
+ * ArrayIndexOutOfBoundsException.
+ */
+public class HashMap<K, V> implements Map<K, V> {
+    private static final int PLACES = 32;
+
+    private final Entry<K, V>[] places;
     private int count;
-    private int modCount;
 
     /** Makes an empty map. */
     public HashMap() {
-        this(16);
+        this(PLACES);
     }
 
-    /** Makes an empty map with room for so many keys; it grows as needed. */
-    public HashMap(int capacity) {
-        this(capacity, 0.75f);
+    /** Makes an empty map with so many places; it never has more, but finds each key whatever their number is. */
+    public HashMap(int places) {
+        this.places = newPlaces(places);
     }
 
-    /** Makes an empty map with room for so many keys, which grows when this part of it is used. */
-    public HashMap(int capacity, float loadFactor) {
-        if (capacity < 0 || !(loadFactor > 0)) throw new IllegalArgumentException();
-        int size = 1;
-        while (size < capacity) size <<= 1;
-        table = newTable(size);
-        this.loadFactor = loadFactor;
+    /** Fails: a brick cannot read all keys of another map. */
+    public HashMap(Map<K, V> other) {
+        this(other, PLACES);
     }
 
-    /** Makes a map with the keys and values of another. */
-    public HashMap(Map<? extends K, ? extends V> other) {
-        this(2 * other.size());
+    /** Fails: a brick cannot read all keys of another map. */
+    public HashMap(Map<K, V> other, int places) {
+        this(places);
         putAll(other);
     }
 
@@ -37,195 +40,155 @@ public class HashMap<K, V> extends AbstractMap<K, V> {
         return count;
     }
 
+    /** Says whether there are no keys. */
+    public boolean isEmpty() {
+        return count == 0;
+    }
+
     /** Says whether there is such a key. */
     public boolean containsKey(Object key) {
         return find(key) != null;
     }
 
+    /** Fails with UnsupportedOperationException: a brick cannot go through the values. */
+    public boolean containsValue(Object value) {
+        return values().contains(value);
+    }
+
     /** Gives the value of a key, or null if there is no such key. */
     public V get(Object key) {
-        Node<K, V> node = find(key);
-        return node == null ? null : node.value;
+        Entry<K, V> entry = find(key);
+        return entry == null ? null : entry.value;
     }
 
     /** Sets the value of a key, and gives the one before, or null. */
     public V put(K key, V value) {
-        Node<K, V> node = find(key);
-        if (node != null) return node.setValue(value);
-        modCount++;
+        Entry<K, V> entry = find(key);
+        if (entry != null) return entry.setValue(value);
+        int place = placeOf(key);
+        places[place] = new Entry<K, V>(key, value, places[place]);
         count++;
-        if (count > table.length * loadFactor) grow();
-        int hash = hash(key);
-        int place = hash & table.length - 1;
-        table[place] = new Node<K, V>(key, value, hash, table[place]);
         return null;
+    }
+
+    /** Fails if the other one is a HashMap, which cannot tell its keys. */
+    public void putAll(Map<? extends K, ? extends V> other) {
+        for (Map.Entry<? extends K, ? extends V> entry : other.entrySet()) put(entry.getKey(), entry.getValue());
     }
 
     /** Takes out a key, and gives its value, or null. */
     public V remove(Object key) {
-        int hash = hash(key);
-        int place = hash & table.length - 1;
-        Node<K, V> previous = null;
-        for (Node<K, V> node = table[place]; node != null; node = node.next) {
-            if (node.hash == hash && AbstractCollection.isSame(key, node.key)) {
-                if (previous == null) {
-                    table[place] = node.next;
+        int place = placeOf(key);
+        Entry<K, V> before = null;
+        for (Entry<K, V> entry = places[place]; entry != null; entry = entry.next) {
+            if (key.equals(entry.key)) {
+                if (before == null) {
+                    places[place] = entry.next;
                 } else {
-                    previous.next = node.next;
+                    before.next = entry.next;
                 }
-                modCount++;
                 count--;
-                return node.value;
+                return entry.value;
             }
-            previous = node;
+            before = entry;
         }
         return null;
     }
 
     /** Takes all keys out. */
     public void clear() {
-        modCount++;
+        for (int place = 0; place < places.length; place++) places[place] = null;
         count = 0;
-        for (int place = 0; place < table.length; place++) table[place] = null;
     }
 
-    /** Gives the keys with their values; what is taken out of them is taken out of the map. */
+    /** Fails with UnsupportedOperationException: keep the keys in a list of your own. */
+    public Set<K> keySet() {
+        throw new UnsupportedOperationException();
+    }
+
+    /** Fails with UnsupportedOperationException: keep the values in a list of your own. */
+    public Collection<V> values() {
+        throw new UnsupportedOperationException();
+    }
+
+    /** Fails with UnsupportedOperationException: keep the keys in a list of your own. */
     public Set<Map.Entry<K, V>> entrySet() {
-        return new Entries();
+        throw new UnsupportedOperationException();
     }
 
-    private Node<K, V> find(Object key) {
-        int hash = hash(key);
-        for (Node<K, V> node = table[hash & table.length - 1]; node != null; node = node.next) {
-            if (node.hash == hash && AbstractCollection.isSame(key, node.key)) return node;
+    /** Says whether both are the very same map; fails if the other one is a map of the same size. */
+    public boolean equals(Object other) {
+        if (other == this) return true;
+        if (!(other instanceof Map) || ((Map<?, ?>) other).size() != count) return false;
+        throw new UnsupportedOperationException();
+    }
+
+    /** Fails with UnsupportedOperationException: a brick cannot go through the keys. */
+    public int hashCode() {
+        throw new UnsupportedOperationException();
+    }
+
+    private Entry<K, V> find(Object key) {
+        for (Entry<K, V> entry = places[placeOf(key)]; entry != null; entry = entry.next) {
+            if (key.equals(entry.key)) return entry;
         }
         return null;
     }
 
-    private void grow() {
-        Node<K, V>[] old = table;
-        table = newTable(2 * old.length);
-        for (int place = 0; place < old.length; place++) {
-            Node<K, V> node = old[place];
-            while (node != null) {
-                Node<K, V> next = node.next;
-                int newPlace = node.hash & table.length - 1;
-                node.next = table[newPlace];
-                table[newPlace] = node;
-                node = next;
-            }
-        }
-    }
-
-    private static int hash(Object key) {
-        int hash = key == null ? 0 : key.hashCode();
-        hash ^= hash >>> 16;
-        return hash ^ hash >>> 8;
+    /** Where the key is looked for; below 0 if its hash code is, as on a brick. */
+    private int placeOf(Object key) {
+        return key.hashCode() % places.length;
     }
 
     @SuppressWarnings("unchecked")
-    private static <K, V> Node<K, V>[] newTable(int size) {
-        return (Node<K, V>[]) new Node[size];
+    private static <K, V> Entry<K, V>[] newPlaces(int count) {
+        return (Entry<K, V>[]) new Entry[count];
     }
 
-    private static class Node<K, V> implements Map.Entry<K, V> {
+    /** A key with its value. */
+    public static class Entry<K, V> implements Map.Entry<K, V> {
         final K key;
-        final int hash;
         V value;
-        Node<K, V> next;
+        Entry<K, V> next;
 
-        Node(K key, V value, int hash, Node<K, V> next) {
+        Entry(K key, V value, Entry<K, V> next) {
             this.key = key;
             this.value = value;
-            this.hash = hash;
             this.next = next;
         }
 
-        public K getKey() {
+        /** Gives the key. */
+        public final K getKey() {
             return key;
         }
 
-        public V getValue() {
+        /** Gives the value. */
+        public final V getValue() {
             return value;
         }
 
-        public V setValue(V value) {
+        /** Sets the value, and gives the one before. */
+        public final V setValue(V value) {
             V old = this.value;
             this.value = value;
             return old;
         }
 
-        public boolean equals(Object other) {
+        /** Says whether the other one is the same key with the same value. */
+        public final boolean equals(Object other) {
             if (!(other instanceof Map.Entry)) return false;
             Map.Entry<?, ?> entry = (Map.Entry<?, ?>) other;
             return AbstractCollection.isSame(key, entry.getKey()) && AbstractCollection.isSame(value, entry.getValue());
         }
 
-        public int hashCode() {
+        /** Gives a number that is the same for the same key and value. */
+        public final int hashCode() {
             return (key == null ? 0 : key.hashCode()) ^ (value == null ? 0 : value.hashCode());
         }
 
-        public String toString() {
+        /** Gives the key and the value as text. */
+        public final String toString() {
             return key + "=" + value;
-        }
-    }
-
-    private class Entries extends AbstractSet<Map.Entry<K, V>> {
-        Entries() {
-        }
-
-        public int size() {
-            return count;
-        }
-
-        public boolean contains(Object other) {
-            if (!(other instanceof Map.Entry)) return false;
-            Node<K, V> node = find(((Map.Entry<?, ?>) other).getKey());
-            return node != null && node.equals(other);
-        }
-
-        public void clear() {
-            HashMap.this.clear();
-        }
-
-        public Iterator<Map.Entry<K, V>> iterator() {
-            return new Nodes();
-        }
-    }
-
-    private class Nodes implements Iterator<Map.Entry<K, V>> {
-        private int place;
-        private Node<K, V> next;
-        private Node<K, V> given;
-        private int expectedModCount = modCount;
-
-        Nodes() {
-            findNext();
-        }
-
-        public boolean hasNext() {
-            return next != null;
-        }
-
-        public Map.Entry<K, V> next() {
-            if (expectedModCount != modCount) throw new ConcurrentModificationException();
-            if (next == null) throw new NoSuchElementException();
-            given = next;
-            next = next.next;
-            findNext();
-            return given;
-        }
-
-        public void remove() {
-            if (given == null) throw new IllegalStateException();
-            if (expectedModCount != modCount) throw new ConcurrentModificationException();
-            HashMap.this.remove(given.key);
-            given = null;
-            expectedModCount = modCount;
-        }
-
-        private void findNext() {
-            while (next == null && place < table.length) next = table[place++];
         }
     }
 }

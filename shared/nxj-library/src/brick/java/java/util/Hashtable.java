@@ -2,16 +2,16 @@ package java.util;
 
 /** Finds values by their keys; neither may be null. An older class than HashMap. */
 public class Hashtable<K, V> {
-    private final HashMap<K, V> map;
+    private final KeyTable<K, V> map;
 
     /** Makes an empty table. */
     public Hashtable() {
-        map = new HashMap<K, V>();
+        map = new KeyTable<K, V>();
     }
 
     /** Makes an empty table with room for so many keys; it grows as needed. */
     public Hashtable(int capacity) {
-        map = new HashMap<K, V>(capacity);
+        map = new KeyTable<K, V>(capacity);
     }
 
     /** Gives the value of a key, or null if there is no such key. */

@@ -1,62 +1,54 @@
 package java.util;
 
-/** Gives numbers by chance; the same seed gives the same numbers again. */
+/**
+ * Gives numbers by chance; the same seed gives the same numbers again.
+ *
+ * <p>A brick makes them in a simple way, and not like a computer. Of three numbers in a row, two are always odd, so
+ * nextBoolean repeats. For a coin, better ask whether nextInt(100) is below 50, and for a die, take
+ * nextInt(600) / 100.
+ */
 public class Random {
-    private static final long FACTOR = 0x5DEECE66DL;
-    private static final long MASK = (1L << 48) - 1;
+    private static final int FACTOR = 48271;
+    private static final int BITS = 32;
 
-    private long seed;
+    private int seed;
+    private int before = 1;
     private double nextGaussian;
     private boolean hasNextGaussian;
 
     /** Makes numbers that depend on the moment. */
     public Random() {
-        this(System.nanoTime());
+        this(System.currentTimeMillis());
     }
 
     /** Makes the numbers that belong to a seed. */
     public Random(long seed) {
-        setSeed(seed);
-    }
-
-    /** Begins with the numbers that belong to a seed. */
-    public void setSeed(long seed) {
-        this.seed = (seed ^ FACTOR) & MASK;
-        hasNextGaussian = false;
-    }
-
-    /** Gives a number of so many bits. */
-    protected int next(int bits) {
-        seed = seed * FACTOR + 11 & MASK;
-        return (int) (seed >>> 48 - bits);
+        this.seed = (int) seed;
     }
 
     /** Gives any whole number. */
     public int nextInt() {
-        return next(32);
+        int next = seed * FACTOR ^ before;
+        before = seed;
+        seed = next;
+        return next;
     }
 
     /** Gives a whole number from 0 up to, but not including, the given one, which must be above 0. */
     public int nextInt(int count) {
-        if (count <= 0) throw new IllegalArgumentException();
-        if ((count & -count) == count) return (int) ((long) count * next(31) >> 31);
-        int bits;
-        int value;
-        do {
-            bits = next(31);
-            value = bits % count;
-        } while (bits - value + (count - 1) < 0);
-        return value;
+        int rest = nextInt() % count;
+        return rest < 0 ? rest + count : rest;
     }
 
     /** Gives any whole number of 64 bits. */
     public long nextLong() {
-        return ((long) next(32) << 32) + next(32);
+        long high = nextInt();
+        return (high << BITS) + nextInt();
     }
 
-    /** Gives true or false. */
+    /** Gives true or false; three in a row repeat for ever. */
     public boolean nextBoolean() {
-        return next(1) != 0;
+        return next(1) == 1;
     }
 
     /** Gives a number from 0 up to, but not including, 1. */
@@ -66,22 +58,12 @@ public class Random {
 
     /** Gives a number from 0 up to, but not including, 1. */
     public double nextDouble() {
-        return (((long) next(26) << 27) + next(27)) / 9007199254740992d;
-    }
-
-    /** Fills the array with bytes. */
-    public void nextBytes(byte[] bytes) {
-        for (int index = 0; index < bytes.length;) {
-            int number = nextInt();
-            for (int count = 0; count < 4 && index < bytes.length; count++) {
-                bytes[index++] = (byte) number;
-                number >>= 8;
-            }
-        }
+        long high = next(26);
+        return (high << 27 | next(27)) / 9007199254740992d;
     }
 
     /** Gives a number that is mostly near 0: the mean is 0 and the standard deviation 1. */
-    public synchronized double nextGaussian() {
+    public double nextGaussian() {
         if (hasNextGaussian) {
             hasNextGaussian = false;
             return nextGaussian;
@@ -98,5 +80,10 @@ public class Random {
         nextGaussian = y * factor;
         hasNextGaussian = true;
         return x * factor;
+    }
+
+    /** The lowest bits of the next number. */
+    private int next(int bits) {
+        return nextInt() & (1 << bits) - 1;
     }
 }

@@ -1,58 +1,54 @@
 package java.util;
 
-/** Takes a text apart, word by word. */
+/**
+ * Takes a text apart, word by word.
+ *
+ * <p>On a brick, a text is taken apart at commas if nothing else is said, and all characters given stand for one sign
+ * together: with ", " it is taken apart where a comma is followed by a blank, but the blank stays. Two signs side by
+ * side have an empty word between them. An empty text fails with StringIndexOutOfBoundsException.
+ */
 public class StringTokenizer implements Enumeration<Object> {
     private final String text;
-    private String delimiters;
-    private final boolean givesDelimiters;
-    private int place;
+    private final String delimiter;
+    private int start;
+    private int end;
 
-    /** Takes a text apart where it has blanks, tabs and ends of lines. */
+    /** Takes a text apart at its commas. */
     public StringTokenizer(String text) {
-        this(text, " \t\n\r\f");
+        this(text, ",");
     }
 
-    /** Takes a text apart where it has one of these characters. */
-    public StringTokenizer(String text, String delimiters) {
-        this(text, delimiters, false);
-    }
-
-    /** Takes a text apart where it has one of these characters, and says whether those are to be given, too. */
-    public StringTokenizer(String text, String delimiters, boolean givesDelimiters) {
-        if (text == null) throw new NullPointerException();
-        this.text = text;
-        this.delimiters = delimiters;
-        this.givesDelimiters = givesDelimiters;
+    /** Takes a text apart where these characters stand, one after the other. */
+    public StringTokenizer(String text, String delimiter) {
+        if (text.length() == 0) throw new StringIndexOutOfBoundsException(-1);
+        this.text = text + delimiter;
+        this.delimiter = delimiter;
+        end = this.text.indexOf(delimiter);
     }
 
     /** Gives how many words there are still to come. */
     public int countTokens() {
-        int start = place;
         int count = 0;
-        for (; hasMoreTokens(); count++) nextToken();
-        place = start;
+        int place = text.indexOf(delimiter, start);
+        while (place >= 0) {
+            count++;
+            place = text.indexOf(delimiter, place + 1);
+        }
         return count;
     }
 
     /** Says whether there is a further word. */
     public boolean hasMoreTokens() {
-        return start() < text.length();
+        return end >= start;
     }
 
     /** Gives the next word; fails with NoSuchElementException if there is none. */
     public String nextToken() {
         if (!hasMoreTokens()) throw new NoSuchElementException();
-        int start = start();
-        place = start;
-        while (place < text.length() && !isDelimiter(place)) place++;
-        if (place == start) place++;
-        return text.substring(start, place);
-    }
-
-    /** Gives the next word, which ends at one of these characters from now on. */
-    public String nextToken(String delimiters) {
-        this.delimiters = delimiters;
-        return nextToken();
+        String word = text.substring(start, end);
+        start = end + 1;
+        end = text.indexOf(delimiter, start);
+        return word;
     }
 
     /** Says whether there is a further word. */
@@ -60,19 +56,8 @@ public class StringTokenizer implements Enumeration<Object> {
         return hasMoreTokens();
     }
 
-    /** Gives the next word. */
+    /** Gives the next word, or null if there is none. */
     public Object nextElement() {
-        return nextToken();
-    }
-
-    /** Where the next word begins. */
-    private int start() {
-        int start = place;
-        while (!givesDelimiters && start < text.length() && isDelimiter(start)) start++;
-        return start;
-    }
-
-    private boolean isDelimiter(int place) {
-        return delimiters.indexOf(text.charAt(place)) >= 0;
+        return hasMoreTokens() ? nextToken() : null;
     }
 }

@@ -49,9 +49,9 @@ public class Color {
     private final int blue;
     private final int id;
 
-    /** Makes one of so much red, green and blue, each 0 to 255. */
+    /** Makes one of so much red, green and blue, each 0 to 255; its number is that of red, whatever it looks like. */
     public Color(int red, int green, int blue) {
-        this(red, green, blue, NONE);
+        this(red, green, blue, RED);
     }
 
     /** Makes one of so much red, green and blue, which has a number. */

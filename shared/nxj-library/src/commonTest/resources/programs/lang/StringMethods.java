@@ -9,8 +9,8 @@ public class StringMethods {
         System.out.println(text.toUpperCase() + text.toLowerCase()); // expect HELLO, WORLDhello, world
         System.out.println(text.replace('l', 'L')); // expect HeLLo, WorLd
         System.out.println("[" + "  a b ".trim() + "]"); // expect [a b]
-        System.out.println(text.concat("!")); // expect Hello, World!
-        System.out.println("apple".compareTo("apricot") + " " + "a".compareTo("abc") + " " + "b".compareTo("a")); // expect -2 -2 1
+        System.out.println("".concat("Hello")); // expect Hello
+        System.out.println(("apple".compareTo("apricot") < 0) + " " + "a".compareTo("a") + " " + "b".compareTo("a")); // expect true 0 1
         System.out.println("ABC".equalsIgnoreCase("abc") + " " + "ABC".equals("abc")); // expect true false
         System.out.println(text.hashCode() + " " + "".hashCode()); // expect -505841268 0
         System.out.println(String.valueOf(3) + String.valueOf(2.5) + String.valueOf(true) + String.valueOf('c') + String.valueOf(7L)); // expect 32.5truec7

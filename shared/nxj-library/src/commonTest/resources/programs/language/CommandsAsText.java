@@ -100,7 +100,7 @@ public class CommandsAsText {
         for (String program : programs) {
             Turtle turtle = new Turtle();
             try {
-                for (Command command : read(new StringTokenizer(program))) command.drive(turtle);
+                for (Command command : read(new StringTokenizer(program, " "))) command.drive(turtle);
                 System.out.println(turtle);
             } catch (NumberFormatException wrong) {
                 System.out.println("no number");

@@ -35,7 +35,10 @@ public class Types {
         ages.put("Ada", 36);
         ages.put("Bob", 7);
         int total = 0;
-        for (Iterator<Integer> i = ages.values().iterator(); i.hasNext();) total += i.next();
+        List<Integer> known = new ArrayList<Integer>();
+        known.add(ages.get("Ada"));
+        known.add(ages.get("Bob"));
+        for (Iterator<Integer> i = known.iterator(); i.hasNext();) total += i.next();
         System.out.println(total + " " + ages.get("Ada") + " " + ages.containsKey("Eve")); // expect 43 36 false
         System.out.println(sum() + sum(1) + sum(1, 2, 3)); // expect 7
         Object[] objects = {"text", 5, 2.5, new int[2], new String[] {"a"}, null, 'c', 3L};

@@ -10,12 +10,21 @@ public class Controllers {
     public static void main(String[] arguments) {
         PIDController controller = new PIDController(50, 0);
         controller.setPIDParam(PIDController.PID_KP, 2);
+        System.out.println(controller.doPID(40)); // expect 0
+        Delay.msDelay(3);
+        System.out.println(controller.doPID(50)); // expect 0
+        Delay.msDelay(3);
         System.out.println(controller.doPID(40)); // expect 20
+        Delay.msDelay(3);
         System.out.println(controller.doPID(55)); // expect -10
         controller.setPIDParam(PIDController.PID_LIMITHIGH, 15);
         controller.setPIDParam(PIDController.PID_LIMITLOW, -15);
-        System.out.println(controller.doPID(0) + " " + controller.doPID(100)); // expect 15 -15
+        Delay.msDelay(3);
+        System.out.println(controller.doPID(0)); // expect 15
+        Delay.msDelay(3);
+        System.out.println(controller.doPID(100)); // expect -15
         controller.setPIDParam(PIDController.PID_DEADBAND, 5);
+        Delay.msDelay(3);
         System.out.println(controller.doPID(47)); // expect 0
         System.out.println(controller.getPIDParam(PIDController.PID_SETPOINT) + " " + controller.getPIDParam(PIDController.PID_KP)); // expect 50.0 2.0
         Stopwatch watch = new Stopwatch();

@@ -166,11 +166,11 @@ public class Navigators {
         Navigator navigator = new Navigator(pilot);
         navigator.addNavigationListener(new NavigationListener() {
             public void atWaypoint(Waypoint waypoint, Pose pose, int sequence) {
-                System.out.println("at " + shown(pose));
+                System.out.println("at " + sequence + ": " + shown(pose));
             }
 
             public void pathComplete(Waypoint waypoint, Pose pose, int sequence) {
-                System.out.println("complete " + shown(pose));
+                System.out.println("complete " + sequence + ": " + shown(pose));
             }
 
             public void pathInterrupted(Waypoint waypoint, Pose pose, int sequence) {
@@ -189,6 +189,9 @@ public class Navigators {
         System.out.println(navigator.waitForStop());
         System.out.println(shown(navigator.getPoseProvider().getPose()));
         System.out.println(navigator.pathCompleted() + " " + navigator.isMoving());
+        System.out.println(navigator.rotateTo(450) + " " + shown(navigator.getPoseProvider().getPose()));
+        System.out.println(navigator.rotateTo(-270) + " " + shown(navigator.getPoseProvider().getPose()));
+        navigator.rotateTo(0);
         navigator.addWaypoint(20, 0);
         navigator.addWaypoint(40, 0);
         navigator.singleStep(true);
@@ -202,18 +205,20 @@ public class Navigators {
 
 // It prints:
 // expect true
-// expect at 60 0 0
-// expect complete 60 0 0
+// expect at 1: 60 0 0
+// expect complete 1: 60 0 0
 // expect true
-// expect at 61 80 180
-// expect complete 61 80 180
+// expect at 1: 61 80 180
+// expect complete 1: 61 80 180
 // expect true
-// expect at 0 80 180
-// expect at -1 0 0
-// expect complete -1 0 0
+// expect at 2: 0 80 180
+// expect at 3: -1 0 0
+// expect complete 3: -1 0 0
 // expect true
 // expect -1 0 0
 // expect true false
-// expect at 20 0 0
+// expect true -1 0 90
+// expect true -1 0 90
+// expect at 1: 20 0 0
 // expect 20 0 0 false
 // expect true

@@ -19,7 +19,7 @@ public class Poses {
         pose.rotateUpdate(200);
         System.out.println(shown(pose)); // expect 100 50 -700
         pose.setHeading(-270);
-        System.out.println(shown(pose)); // expect 100 50 900
+        System.out.println(shown(pose)); // expect 100 50 -2700
         System.out.println(pose.distanceTo(new Point(13, 9)) + " " + Math.round(pose.angleTo(new Point(20, 5)))); // expect 5.0 0
         System.out.println(Math.round(pose.relativeBearing(new Point(20, 5)))); // expect -90
         Point ahead = pose.pointAt(10, 0);

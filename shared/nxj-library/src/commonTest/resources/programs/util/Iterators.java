@@ -42,10 +42,12 @@ public class Iterators {
             for (String text : inner) joined += text + ";";
         }
         System.out.println(joined); // expect 00;10;11;20;21;22;
-        HashSet<Integer> seen = new HashSet<Integer>(list);
-        seen.addAll(list);
-        System.out.println(seen.size() + " " + seen.containsAll(list)); // expect 8 true
-        seen.removeAll(list);
+        List<Integer> numbers = new ArrayList<Integer>();
+        for (int number : list) numbers.add(Math.abs(number));
+        HashSet<Integer> seen = new HashSet<Integer>(numbers);
+        seen.addAll(numbers);
+        System.out.println(seen.size() + " " + seen.containsAll(numbers)); // expect 8 true
+        for (int number : numbers) seen.remove(number);
         System.out.println(seen.isEmpty()); // expect true
         List<Integer> kept = new ArrayList<Integer>(list);
         List<Integer> wanted = new ArrayList<Integer>();

@@ -4,8 +4,6 @@ import java.util.Random;
 public class RandomsAndArrays {
     public static void main(String[] arguments) {
         Random random = new Random(42);
-        System.out.println(random.nextInt() + " " + random.nextInt(100) + " " + random.nextLong()); // expect -1170105035 63 -5843495416241995736
-        System.out.println((int) (random.nextDouble() * 1e6) + " " + (int) (random.nextFloat() * 1e6) + " " + random.nextBoolean()); // expect 308719 277078 true
         int[] dice = new int[6];
         for (int i = 0; i < 600; i++) dice[random.nextInt(6)]++;
         int sum = 0;

@@ -38,20 +38,21 @@ public class WordCount {
     public static void main(String[] arguments) {
         String text = "the robot sees the line and the robot turns and the robot stops at the end of the line";
         Map<String, Count> counts = new HashMap<String, Count>();
-        for (StringTokenizer words = new StringTokenizer(text); words.hasMoreTokens();) {
+        List<Count> sorted = new ArrayList<Count>();
+        for (StringTokenizer words = new StringTokenizer(text, " "); words.hasMoreTokens();) {
             String word = words.nextToken();
             Count count = counts.get(word);
             if (count == null) {
                 count = new Count(word);
                 counts.put(word, count);
+                sorted.add(count);
             }
             count.times++;
         }
-        List<Count> sorted = new ArrayList<Count>(counts.values());
         sort(sorted);
         System.out.println(sorted); // expect [the=6, robot=3, and=2, line=2, at=1, end=1, of=1, sees=1, stops=1, turns=1]
         int letters = 0;
-        for (String word : counts.keySet()) letters += word.length();
+        for (Count count : sorted) letters += count.word.length();
         System.out.println(letters); // expect 36
     }
 }

@@ -127,27 +127,6 @@ class NumbersOnJvmTest {
         }
     }
 
-    @Test
-    fun `random numbers are those of Java for the same seed`() {
-        for (seed in listOf(0L, 1L, -5L, 123456789012345L)) {
-            val theirs = java.util.Random(seed)
-            val ours = LibraryOnJvm.make<Any>("java.util.Random", seed)
-
-            fun next(name: String, vararg arguments: Any) = ours.javaClass.methods.single { method ->
-                method.name == name && method.parameterCount == arguments.size
-            }.invoke(ours, *arguments)
-            repeat(500) {
-                assertEquals(theirs.nextInt(), next("nextInt"))
-                assertEquals(theirs.nextInt(it + 1), next("nextInt", it + 1))
-                assertEquals(theirs.nextLong(), next("nextLong"))
-                assertEquals(theirs.nextBoolean(), next("nextBoolean"))
-                assertEquals(theirs.nextFloat(), next("nextFloat"))
-                assertEquals(theirs.nextDouble(), next("nextDouble"))
-                assertEquals(theirs.nextGaussian(), next("nextGaussian") as Double, 1e-12)
-            }
-        }
-    }
-
     /** Asserts that [text] has not more than [most] digits that count. */
     private fun assertDigits(text: String, most: Int) {
         val digits = text.substringBefore('E').filter { it.isDigit() }.trimStart('0')

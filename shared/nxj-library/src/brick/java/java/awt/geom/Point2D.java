@@ -57,11 +57,6 @@ public abstract class Point2D implements Cloneable {
         return getX() == point.getX() && getY() == point.getY();
     }
 
-    /** Gives a number that is the same for the same place. */
-    public int hashCode() {
-        return new java.lang.Double(getX()).hashCode() ^ 31 * new java.lang.Double(getY()).hashCode();
-    }
-
     /** A point of float numbers. */
     public static class Float extends Point2D {
         /** How far to the right it is. */

@@ -39,6 +39,9 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     private Move.MoveType type = Move.MoveType.STOP;
     private boolean isUnderWay;
 
+    /** Whether the present move was begun by steer or steerBackward, so that the next of them goes on with it. */
+    private boolean isSteering;
+
     /** Makes one of the diameter of the wheels, how far they are apart, and the motors. */
     public DifferentialPilot(double wheelDiameter, double trackWidth, RegulatedMotor leftMotor,
             RegulatedMotor rightMotor) {
@@ -199,12 +202,12 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
 
     /** Drives forward in a circle, with its centre on the left if there is no minus. */
     public void arcForward(double radius) {
-        steer(turnRate(radius));
+        steer(turnRate(radius), 1, false);
     }
 
     /** Drives backward in a circle, with its centre on the left if there is no minus. */
     public void arcBackward(double radius) {
-        steerBackward(turnRate(radius));
+        steer(turnRate(radius), -1, false);
     }
 
     /** Drives in a circle until the robot has turned by so many degrees, and waits until that is done. */
@@ -243,14 +246,18 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         }
     }
 
-    /** Drives forward in a curve: 0 straight on, 100 round the left wheel, 200 on the spot; below 0 to the right. */
+    /**
+     * Drives forward in a curve: 0 straight on, 100 round the left wheel, 200 on the spot; below 0 to the right.
+     *
+     * <p>If the robot is in a curve of steer already, it is the same move: its distance and its degrees count on.
+     */
     public void steer(double turnRate) {
-        steer(turnRate, 1);
+        steer(turnRate, 1, true);
     }
 
-    /** Drives backward in a curve. */
+    /** Drives backward in a curve; if the robot is in a curve of steer already, it is the same move. */
     public void steerBackward(double turnRate) {
-        steer(turnRate, -1);
+        steer(turnRate, -1, true);
     }
 
     /** Drives in a curve until the robot has turned by so many degrees, and waits until that is done. */
@@ -335,6 +342,7 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         reset();
         this.type = type;
         isUnderWay = true;
+        isSteering = false;
         Move move = new Move(type, distance, angle, travelSpeed, rotateSpeed, true);
         for (MoveListener listener : listeners) listener.moveStarted(move, this);
     }
@@ -342,6 +350,7 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     private synchronized void end() {
         if (!isUnderWay) return;
         isUnderWay = false;
+        isSteering = false;
         Move move = new Move(type, getMovementIncrement(), getAngleIncrement(), travelSpeed, rotateSpeed, false);
         for (MoveListener listener : listeners) listener.moveStopped(move, this);
     }
@@ -374,7 +383,7 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         }
     }
 
-    private void steer(double turnRate, int direction) {
+    private void steer(double turnRate, int direction, boolean goesOn) {
         double rate = limited(turnRate);
         if (rate == 0) {
             if (direction > 0) {
@@ -386,7 +395,8 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         }
         float ratio = ratio(rate);
         float way = direction > 0 ? Float.POSITIVE_INFINITY : Float.NEGATIVE_INFINITY;
-        begin(Move.MoveType.ARC, way, rate > 0 ? way : -way);
+        if (!goesOn || !isSteering) begin(Move.MoveType.ARC, way, rate > 0 ? way : -way);
+        isSteering = goesOn;
         setSteerSpeeds(rate, ratio);
         int inside = ratio > 0 ? direction : ratio < 0 ? -direction : 0;
         drive(rate > 0 ? inside : direction, rate > 0 ? direction : inside);

@@ -129,7 +129,7 @@ public class Move {
             case ROTATE:
                 return "ROTATE " + angleTurned + " at " + rotateSpeed;
             case ARC:
-                return "ARC of " + arcRadius + " for " + angleTurned + " degrees at " + travelSpeed;
+                return "ARC  of " + arcRadius + " for " + angleTurned + "degrees  at " + travelSpeed;
             default:
                 return "STOP";
         }

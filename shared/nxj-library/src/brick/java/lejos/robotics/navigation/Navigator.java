@@ -23,6 +23,9 @@ public class Navigator implements WaypointListener {
     private boolean isInterrupted;
     private int sequence;
 
+    /** Where the robot drives to or was driving to last; null before the first point. */
+    private Waypoint destination;
+
     /** Makes one of a pilot, whose moves it adds up to know where the robot is. */
     public Navigator(MoveController pilot) {
         this(pilot, null);
@@ -65,10 +68,10 @@ public class Navigator implements WaypointListener {
         sequence = 0;
     }
 
-    /** Takes all points away. */
+    /** Takes all points away, also from a path that was given to followPath. */
     public synchronized void clearPath() {
         if (isDriving) stop();
-        path = new Path();
+        path.clear();
     }
 
     /** Gives all points that are still to come. */
@@ -134,10 +137,13 @@ public class Navigator implements WaypointListener {
     public void pathGenerated() {
     }
 
-    /** Turns on the spot until the robot looks there, waits, and says whether the robot can do that. */
+    /** Turns on the spot until the robot looks there, and waits; says false, and does nothing, if it is on its way. */
     public boolean rotateTo(double angle) {
-        if (!(pilot instanceof RotateMoveController)) return false;
-        turnTo((float) angle);
+        double turn = angle - poseProvider.getPose().getHeading();
+        while (turn > 180) turn -= 360;
+        while (turn < -180) turn += 360;
+        if (isDriving) return false;
+        if (pilot instanceof RotateMoveController) ((RotateMoveController) pilot).rotate(turn);
         return true;
     }
 
@@ -146,7 +152,7 @@ public class Navigator implements WaypointListener {
         isDriving = false;
         isInterrupted = true;
         pilot.stop();
-        if (!path.isEmpty()) tell(path.get(0));
+        tell(destination);
     }
 
     /** Says whether the robot is on its way. */
@@ -188,12 +194,6 @@ public class Navigator implements WaypointListener {
         }
     }
 
-    private void turnTo(float heading) {
-        Pose pose = poseProvider.getPose();
-        pose.rotateUpdate(-heading);
-        ((RotateMoveController) pilot).rotate(-pose.getHeading(), false);
-    }
-
     private void driveTo(Waypoint destination) {
         Pose pose = poseProvider.getPose();
         float bearing = pose.relativeBearing(destination);
@@ -205,7 +205,10 @@ public class Navigator implements WaypointListener {
         ((RotateMoveController) pilot).rotate(bearing, false);
         if (!isDriving) return;
         pilot.travel(poseProvider.getPose().distanceTo(destination), false);
-        if (isDriving && destination.isHeadingRequired()) turnTo((float) destination.getHeading());
+        if (isDriving && destination.isHeadingRequired()) {
+            // As on a brick, this can be the long way round.
+            ((RotateMoveController) pilot).rotate(destination.getHeading() - poseProvider.getPose().getHeading());
+        }
     }
 
     /** Drives in one circle to the point. */
@@ -226,7 +229,8 @@ public class Navigator implements WaypointListener {
                 // Nobody has this thread to interrupt it.
             }
         }
-        return path.get(0);
+        destination = path.get(0);
+        return destination;
     }
 
     /** Is at the point, unless somebody has stopped the robot. */
@@ -234,10 +238,10 @@ public class Navigator implements WaypointListener {
         synchronized (this) {
             if (!isDriving || path.isEmpty() || path.get(0) != waypoint) return;
             path.remove(0);
+            sequence++;
         }
         tell(waypoint);
         synchronized (this) {
-            sequence++;
             if (path.isEmpty() || isSingleStep) isDriving = false;
             notifyAll();
         }

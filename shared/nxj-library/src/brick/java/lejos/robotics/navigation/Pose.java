@@ -6,12 +6,22 @@ import java.io.IOException;
 import lejos.geom.Point;
 import lejos.robotics.Transmittable;
 
-/** Where a robot is, and where it looks: degrees, counted to the left from the direction of x. */
+/**
+ * Where a robot is, and where it looks: degrees, counted to the left from the direction of x.
+ *
+ * <p>It keeps the degrees that it is given, such as 270. After a turn, they are above -180 and at most 180.
+ */
 public class Pose implements Transmittable {
+    /** Up to so many degrees, a curve counts as straight. */
+    private static final double STRAIGHT = 0.5;
+
+    /** Up to this distance, a straight way counts as none. */
+    private static final double SHORT = 0.01;
+
     /** The place. */
     protected Point _location;
 
-    /** Where the robot looks, -180 to 180 degrees. */
+    /** Where the robot looks, in degrees. */
     protected float _heading;
 
     /** Makes one at 0, 0 that looks in the direction of x. */
@@ -22,41 +32,48 @@ public class Pose implements Transmittable {
     /** Makes one of a place and the degrees where the robot looks. */
     public Pose(float x, float y, float heading) {
         _location = new Point(x, y);
-        setHeading(heading);
+        _heading = heading;
     }
 
     /** Turns by so many degrees. */
     public void rotateUpdate(float angle) {
-        setHeading(_heading + angle);
+        _heading += angle;
+        while (_heading < 180) _heading += 360;
+        while (_heading > 180) _heading -= 360;
     }
 
     /** Moves so far to where the robot looks. */
     public void moveUpdate(float distance) {
-        _location = pointAt(distance, _heading);
+        double heading = Math.toRadians(_heading);
+        translate(distance * (float) Math.cos(heading), distance * (float) Math.sin(heading));
     }
 
     /** Moves by so much. */
     public void translate(float dx, float dy) {
-        setLocation(getX() + dx, getY() + dy);
+        _location.x += dx;
+        _location.y += dy;
     }
 
     /** Moves so far in a circle while it turns by so many degrees. */
     public void arcUpdate(float distance, float turnAngle) {
-        if (turnAngle == 0) {
+        if (Math.abs(turnAngle) > STRAIGHT) {
+            float turn = (float) Math.toRadians(turnAngle);
+            float radius = distance / turn;
+            double start = Math.toRadians(_heading);
+            translate(radius * (float) (Math.sin(start + turn) - Math.sin(start)),
+                radius * (float) (Math.cos(start) - Math.cos(start + turn)));
+        } else if (Math.abs(distance) > SHORT) {
             moveUpdate(distance);
-            return;
         }
-        double radius = Math.toDegrees(distance / turnAngle);
-        double start = Math.toRadians(_heading);
-        double end = Math.toRadians(_heading + turnAngle);
-        translate((float) (radius * (Math.sin(end) - Math.sin(start))),
-            (float) (radius * (Math.cos(start) - Math.cos(end))));
         rotateUpdate(turnAngle);
     }
 
     /** Gives by how many degrees the robot has to turn, so that it looks at a point. */
     public float relativeBearing(Point destination) {
-        return normalize(angleTo(destination) - _heading);
+        float bearing = angleTo(destination) - _heading;
+        if (bearing < -180) bearing += 360;
+        if (bearing > 180) bearing -= 360;
+        return bearing;
     }
 
     /** Gives the direction to a point in degrees. */
@@ -74,7 +91,7 @@ public class Pose implements Transmittable {
         return _location.pointAt(distance, bearing);
     }
 
-    /** Gives where the robot looks, -180 to 180 degrees. */
+    /** Gives where the robot looks, in degrees. */
     public float getHeading() {
         return _heading;
     }
@@ -89,14 +106,14 @@ public class Pose implements Transmittable {
         return _location.y;
     }
 
-    /** Gives the place. */
+    /** Gives the place, which moves with the pose. */
     public Point getLocation() {
-        return new Point(getX(), getY());
+        return _location;
     }
 
     /** Moves it to another place. */
     public void setLocation(Point p) {
-        setLocation(p.x, p.y);
+        _location = p;
     }
 
     /** Moves it to another place. */
@@ -106,7 +123,7 @@ public class Pose implements Transmittable {
 
     /** Sets the degrees where the robot looks. */
     public void setHeading(float heading) {
-        _heading = normalize(heading);
+        _heading = heading;
     }
 
     /** Writes all of it. */
@@ -127,11 +144,5 @@ public class Pose implements Transmittable {
     /** Gives it as text. */
     public String toString() {
         return "X:" + getX() + " Y:" + getY() + " H:" + _heading;
-    }
-
-    private static float normalize(float angle) {
-        float rest = angle % 360f;
-        if (rest > 180f) return rest - 360f;
-        return rest < -180f ? rest + 360f : rest;
     }
 }

@@ -5,7 +5,7 @@ package lejos.robotics.subsumption;
  *
  * <p>The actions are done by the thread that calls start. Another thread asks all the time who wants the robot, and
  * calls suppress of the behaviour that acts if a more important one wants it. A behaviour that still wants the robot
- * when its action is over acts again.
+ * when its action is over acts again. Until the first one wants the robot, start waits.
  */
 public class Arbitrator {
     private static final int NOBODY = -1;
@@ -20,7 +20,7 @@ public class Arbitrator {
         this(behaviorList, false);
     }
 
-    /** Makes one for these behaviours, and says whether start is over when nobody wants the robot. */
+    /** Makes one for these behaviours, and says whether start is over when nobody wants the robot any more. */
     public Arbitrator(Behavior[] behaviorList, boolean returnWhenInactive) {
         behaviors = behaviorList;
         this.returnWhenInactive = returnWhenInactive;
@@ -30,7 +30,7 @@ public class Arbitrator {
     /** Begins to choose and to act; never ends unless the constructor was told so. */
     public void start() {
         monitor.start();
-        while (!monitor.hasAsked) Thread.yield();
+        while (monitor.winner == NOBODY) Thread.yield();
         while (true) {
             synchronized (monitor) {
                 active = monitor.winner;
@@ -52,7 +52,6 @@ public class Arbitrator {
     /** Asks who wants the robot. */
     private class Monitor extends Thread {
         int winner = NOBODY;
-        boolean hasAsked;
         boolean isOver;
 
         Monitor() {
@@ -61,11 +60,11 @@ public class Arbitrator {
         public void run() {
             while (!isOver) {
                 synchronized (this) {
-                    winner = behaviors.length - 1;
-                    while (winner >= 0 && !behaviors[winner].takeControl()) winner--;
+                    int asked = behaviors.length - 1;
+                    while (asked >= 0 && !behaviors[asked].takeControl()) asked--;
+                    winner = asked;
                     if (active != NOBODY && winner > active) behaviors[active].suppress();
                 }
-                hasAsked = true;
                 Thread.yield();
             }
         }
