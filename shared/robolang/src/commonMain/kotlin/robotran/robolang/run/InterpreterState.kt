@@ -25,7 +25,7 @@ internal class InterpreterState(
      * Seeded with the clock at the start, rounded to less than millisecond accuracy, since a translation gets there
      * slightly later.
      */
-    val random = robot.random(robot.milliseconds.toInt() / SEED_MILLISECONDS)
+    val random = LejosRandom(robot.milliseconds.toInt() / SEED_MILLISECONDS)
 
     /** Whether conditions are evaluated: once the variables that they can use are declared. */
     var isWatching = false

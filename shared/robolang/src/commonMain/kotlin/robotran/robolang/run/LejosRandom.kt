@@ -1,9 +1,16 @@
 package robotran.robolang.run
 
-/** The random numbers of a brick's class library. */
-internal abstract class LejosRandom {
+/** The random numbers of `java.util.Random` for [seed], in leJOS on an RCX and in leJOS NXJ on an NXT. */
+internal class LejosRandom(private var seed: Int) {
+    private var previousSeed = 1
+
     /** Any whole number. */
-    abstract fun next(): Int
+    fun next(): Int {
+        val next = (seed * FACTOR) xor previousSeed
+        previousSeed = seed
+        seed = next
+        return next
+    }
 
     /** A whole number between [first] and [last] inclusive, in either order. */
     fun between(first: Int, last: Int): Int {
@@ -18,42 +25,11 @@ internal abstract class LejosRandom {
     fun between(first: Float, last: Float): Float = first + (last - first) * ((next() and LOW_BITS) / DIVISOR)
 
     private companion object {
+        /** Source: leJOS `Random.java`. */
+        const val FACTOR = 48271
+
         /** The number of bits in a float's mantissa. */
         const val LOW_BITS = 0xFFFFFF
         const val DIVISOR = 16777216f
-    }
-}
-
-/** The random numbers of leJOS's `java.util.Random` for [seed]. */
-internal class RcxRandom(private var seed: Int) : LejosRandom() {
-    private var previousSeed = 1
-
-    override fun next(): Int {
-        val next = (seed * FACTOR) xor previousSeed
-        previousSeed = seed
-        seed = next
-        return next
-    }
-
-    private companion object {
-        /** Source: leJOS `Random.java`. */
-        const val FACTOR = 48271
-    }
-}
-
-/** The random numbers of leJOS NXJ's `java.util.Random` for a seed: those of any Java. */
-internal class NxtRandom(seed: Int) : LejosRandom() {
-    private var seed = (seed.toLong() xor FACTOR) and MASK
-
-    override fun next(): Int {
-        seed = (seed * FACTOR + ADDEND) and MASK
-        return (seed ushr LOW_BITS).toInt()
-    }
-
-    private companion object {
-        const val FACTOR = 0x5DEECE66DL
-        const val ADDEND = 11
-        const val MASK = (1L shl 48) - 1
-        const val LOW_BITS = 16
     }
 }

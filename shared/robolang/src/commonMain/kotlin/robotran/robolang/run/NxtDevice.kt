@@ -42,8 +42,6 @@ internal class NxtDevice private constructor(
         sensors.begin(ports)
     }
 
-    override fun random(seed: Int): LejosRandom = NxtRandom(seed)
-
     override val collectsLists: Boolean get() = true
 
     override val isSetUp: Boolean get() = sensors.goOn(lineOfSetUp)

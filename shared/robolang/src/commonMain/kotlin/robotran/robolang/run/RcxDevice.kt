@@ -38,8 +38,6 @@ internal class RcxDevice(private val rom: Rom, private val robot: RobotTarget.Rc
 
     override val longestTone: Int get() = RobotConstants.LONGEST_TONE
 
-    override fun random(seed: Int): LejosRandom = RcxRandom(seed)
-
     override val collectsLists: Boolean get() = false
 
     override val isSetUp: Boolean get() = true

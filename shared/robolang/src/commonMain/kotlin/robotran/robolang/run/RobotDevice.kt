@@ -15,9 +15,6 @@ internal interface RobotDevice : RobotSenses {
     /** The brick's clock. */
     val milliseconds: Long
 
-    /** The random numbers of the brick for [seed]. */
-    fun random(seed: Int): LejosRandom
-
     /** Whether the brick frees lists that are no longer in use. */
     val collectsLists: Boolean
 

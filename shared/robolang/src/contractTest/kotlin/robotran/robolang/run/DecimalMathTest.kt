@@ -74,9 +74,9 @@ class DecimalMathTest {
 
     @Test
     fun `chance is that of leJOS`() {
-        val random = RcxRandom(seed = 0)
+        val random = LejosRandom(seed = 0)
         assertEquals(listOf(1, 48271, -1964877856), List(3) { random.next() })
-        val dice = RcxRandom(seed = 150)
+        val dice = LejosRandom(seed = 150)
         assertEquals((1..6).toSet(), List(200) { dice.between(6, 1) }.toSet())
         assertEquals(true, List(200) { dice.between(-1f, 2.5f) }.all { it >= -1f && it <= 2.5f })
     }
