@@ -15,13 +15,9 @@ internal class WideCompiler(
     fun compile(operation: Int, operand: Int, second: Int): Boolean {
         when (operation) {
             in Operation.PUSH_LONG..Operation.SET_STATIC_LONG -> move(operation, operand, second)
-
             in Operation.FIELD_LONG..Operation.SET_ELEMENT_LONG -> access(operation, operand)
-
             in Operation.ADD_LONG..Operation.COMPARE_DOUBLE_64_HIGH -> calculate(operation)
-
             Operation.CAST, Operation.IS_INSTANCE, Operation.SET_REFERENCE -> objects(operation, operand)
-
             else -> return false
         }
         return true
