@@ -30,12 +30,10 @@ final class Powers {
         sum = 0.49999999999990424 + sum * x;
         sum = 1.0000000000000013 + sum * x;
         sum = 1 + sum * x;
-        if (twos > 1000) {
-            twos -= 1000;
-            sum *= 0x1p1000;
-        } else if (twos < -1000) {
-            twos += 1000;
-            sum *= 0x1p-1000;
+        if (twos > 1000 || twos < -1000) {
+            int most = twos > 0 ? 1000 : -1000;
+            twos -= most;
+            sum *= twos > 0 ? 0x1p1000 : 0x1p-1000;
         }
         return sum * Double.longBitsToDouble((long) (twos + 1023) << 52);
     }
