@@ -198,7 +198,7 @@ private object EnglishVmRunMessages : RunMessages {
 
         Quirk.UNCHECKED_ELEMENT -> {
             "A brick does not check what you store in an array. This object is of another class, so nothing good " +
-                "comes of it: here the element is null."
+                "comes of it: here null is stored instead."
         }
 
         Quirk.LOST_EXCEPTION -> {

@@ -209,7 +209,7 @@ private object GermanVmRunMessages : RunMessages {
 
         Quirk.UNCHECKED_ELEMENT -> {
             "Ein Stein prüft nicht, was du in ein Array schreibst. Dieses Objekt gehört zu einer anderen Klasse, und " +
-                "damit geht es nicht gut weiter: Hier ist das Element null."
+                "damit geht es nicht gut weiter: Hier wird stattdessen null gespeichert."
         }
 
         Quirk.LOST_EXCEPTION -> {

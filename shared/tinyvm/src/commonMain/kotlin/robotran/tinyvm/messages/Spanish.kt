@@ -205,7 +205,7 @@ private object SpanishVmRunMessages : RunMessages {
 
         Quirk.UNCHECKED_ELEMENT -> {
             "Un ladrillo no comprueba lo que guardas en un array. Este objeto es de otra clase, y de eso no sale " +
-                "nada bueno: aquí el elemento es null."
+                "nada bueno: aquí se guarda null en su lugar."
         }
 
         Quirk.LOST_EXCEPTION -> {
