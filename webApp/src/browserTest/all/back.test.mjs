@@ -1,10 +1,10 @@
 // Back in all that can be opened.
 import assert from 'node:assert/strict';
-import { hasEntries, openAndGoBack, TABLET } from '../back.mjs';
-import { photograph } from '../page.mjs';
+import { hasEntries, openAndGoBack, PHONE, TABLET } from '../back.mjs';
+import { photograph, reload } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { disappears } from '../words.mjs';
+import { appears, disappears, tap, words } from '../words.mjs';
 
 /** What can be opened, the taps that open it, and its tag. */
 const ON_A_TABLET = [
@@ -31,5 +31,18 @@ test('Back closes each page, dialog and menu, and nothing is left behind', () =>
     assert.equal(page.url(), site.address);
     await page.goBack();
     assert.equal(page.url(), 'about:blank', 'at the bottom Back leaves');
+    assert.deepEqual(troubles, []);
+  }));
+
+test('on a phone Back goes to the world from the other panes, again after a reload', () =>
+  onPage(PHONE, async ({ page, troubles }) => {
+    await openAndGoBack(page, ['tab-program'], 'program');
+    await appears(page, 'world');
+    await openAndGoBack(page, ['menu', 'menu-worlds'], 'worlds-page');
+    await tap(page, 'tab-program');
+    await appears(page, 'program');
+    await hasEntries(page, 1);
+    await reload(page);
+    await hasEntries(page, await words(page, 'program').count()); // Only what is open has an entry.
     assert.deepEqual(troubles, []);
   }));

@@ -138,3 +138,18 @@ test('a browser that reaches no tower says which one does', () =>
 function withoutTowers() {
   for (const name of ['serial', 'usb']) Object.defineProperty(navigator, name, { value: undefined });
 }
+
+for (const kind of ['serial', 'usb']) {
+  test(`a ${kind} tower that is unplugged in the middle is told, and goes on once it is plugged in again`, () =>
+    onPage({ ...PHONE, hasTouch: true, prepare: plugIn({ kind, remembered: true, unplugAfterBlocks: 3 }) }, async ({ page, troubles }) => {
+      await tap(page, 'tab-program');
+      await pointAtTool(page, 'send-robot', tap);
+      await ends(page, /The tower was unplugged/);
+      await photograph(page, `send-phone-unplugged-${kind}`);
+      assert.equal((await brick(page)).program, null);
+      await page.evaluate(() => globalThis.brick.plugIn());
+      await tap(page, 'send-again');
+      await ends(page, IN_ROBOT);
+      assert.deepEqual(troubles, []);
+    }));
+}

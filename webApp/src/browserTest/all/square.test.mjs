@@ -1,13 +1,32 @@
-// All examples in Robolang, and pictures of the page.
+// The green Run on the brick, all examples in Robolang, and pictures of the page.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import path from 'node:path';
-import { assertRecordedRun, photograph } from '../page.mjs';
+import { findColour } from '../browser.mjs';
+import { assertRecordedRun, photograph, report, RUN_GREEN } from '../page.mjs';
 import { browserOptions, onPage, PHONE, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
 
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;
+
+test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await photograph(page, 'tablet-before');
+    const button = await findColour(page, RUN_GREEN);
+    assert.ok(button, 'there is a green Run button to be seen');
+    await page.mouse.move(button.x, button.y);
+    await page.mouse.down();
+    assert.equal((await report(page)).inkCentimetres, 0, 'a program starts when Run is let go');
+    await page.mouse.up();
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 30);
+    await photograph(page, 'tablet-drawing');
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended');
+    await photograph(page, 'tablet-ended');
+    const { inkCentimetres } = await report(page);
+    assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
+    assert.deepEqual(troubles, []);
+  }));
 
 test('every example makes its recorded run in the browser, bit for bit', () =>
   onPage(TABLET, async ({ page, troubles }) => {

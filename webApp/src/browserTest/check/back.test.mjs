@@ -1,8 +1,7 @@
 // The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { hasEntries, openAndGoBack, PHONE, TABLET } from '../back.mjs';
-import { reload } from '../page.mjs';
+import { hasEntries, openAndGoBack, TABLET } from '../back.mjs';
 import { onPage } from '../set-up.mjs';
 import { appears, disappears, tap, words } from '../words.mjs';
 
@@ -73,19 +72,6 @@ test('a link that is opened before the browser has gone back stays open', () =>
     await went;
     await hasEntries(page, 1);
     assert.equal(await words(page, 'document-trouble').count(), 1);
-    assert.deepEqual(troubles, []);
-  }));
-
-test('on a phone Back goes to the world from the other panes, again after a reload', () =>
-  onPage(PHONE, async ({ page, troubles }) => {
-    await openAndGoBack(page, ['tab-program'], 'program');
-    await appears(page, 'world');
-    await openAndGoBack(page, ['menu', 'menu-worlds'], 'worlds-page');
-    await tap(page, 'tab-program');
-    await appears(page, 'program');
-    await hasEntries(page, 1);
-    await reload(page);
-    await hasEntries(page, await words(page, 'program').count()); // Only what is open has an entry.
     assert.deepEqual(troubles, []);
   }));
 

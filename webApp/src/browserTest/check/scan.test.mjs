@@ -4,12 +4,12 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { hasEntries } from '../back.mjs';
 import { startBrowser } from '../browser.mjs';
 import { cameraOf, film } from '../camera.mjs';
 import { look, openPage, photograph } from '../page.mjs';
+import { openHandIns, scanner } from '../scan.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { appears, choose, disappears, PATIENCE, placeOf, press, says, words, writeProgram } from '../words.mjs';
+import { choose, disappears, PATIENCE, placeOf, press, says, words, writeProgram } from '../words.mjs';
 
 /** A picture of the QR code of a link to `program`. */
 async function codeOf(page, program) {
@@ -25,30 +25,6 @@ async function codeOf(page, program) {
     await disappears(page, open);
   }
   return picture;
-}
-
-const scanner = (page) => page.locator('dialog.robotran-scanner');
-
-/** To draw forty centimetres. */
-const WORLD = {
-  format: 'robotran-world',
-  version: 2,
-  title: 'A long line',
-  task: 'Draw a line. It needs forty centimetres.',
-  paper: { width: 100, height: 80 },
-  robots: [{ start: { x: 30, y: 30, heading: 0 } }],
-  goals: [{ kind: 'inkLength', atLeast: 40 }],
-  timeLimit: 20,
-};
-
-async function openHandIns(page) {
-  const chooser = page.waitForEvent('filechooser');
-  await choose(page, 'work-menu', 'work-open');
-  const buffer = Buffer.from(JSON.stringify(WORLD));
-  await (await chooser).setFiles([{ name: 'line.world.json', mimeType: 'application/json', buffer }]);
-  await says(page, 'task-title', /A long line/);
-  await choose(page, 'work-menu', 'work-hand-ins');
-  await appears(page, 'hand-ins-paste');
 }
 
 /** Runs in the page: keeps the streams of the camera for the test. */
@@ -122,48 +98,4 @@ test('a camera that is not allowed is a sentence', () =>
 /** Runs in the page: as a user who says no. */
 function refuse() {
   navigator.mediaDevices.getUserMedia = () => Promise.reject(new DOMException('Permission denied', 'NotAllowedError'));
-}
-
-test('Escape ends the scanner while the camera is still starting', () =>
-  onPage({ ...TABLET, prepare: wait }, async ({ page, troubles }) => {
-    await openHandIns(page);
-    await press(page, 'hand-ins-scan');
-    await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
-    await page.keyboard.press('Escape');
-    await scanner(page).waitFor({ state: 'detached' });
-    await appears(page, 'hand-ins-paste');
-    assert.deepEqual(troubles, []);
-  }));
-
-test('Back ends the scanner, and the hand-ins stay open', () =>
-  onPage({ ...TABLET, prepare: wait }, async ({ page, troubles }) => {
-    await openHandIns(page);
-    for (let time = 0; time < 2; time++) {
-      await press(page, 'hand-ins-scan');
-      await scanner(page).getByRole('status').filter({ hasText: 'starting' }).waitFor();
-      await hasEntries(page, 2);
-      await page.goBack();
-      await scanner(page).waitFor({ state: 'detached' });
-      await appears(page, 'hand-ins-paste');
-      await hasEntries(page, 1);
-    }
-    await page.goBack();
-    await disappears(page, 'hand-ins-paste');
-    assert.deepEqual(troubles, []);
-  }));
-
-/** Runs in the page: a camera that never comes. */
-function wait() {
-  navigator.mediaDevices.getUserMedia = () => new Promise(() => undefined);
-}
-
-test('without cameras there is no button', () =>
-  onPage({ ...TABLET, prepare: takeAway }, async ({ page }) => {
-    await openHandIns(page);
-    assert.equal(await words(page, 'hand-ins-scan').count(), 0);
-  }));
-
-/** Runs in the page: as over plain `http`. */
-function takeAway() {
-  Object.defineProperty(Navigator.prototype, 'mediaDevices', { get: () => undefined });
 }

@@ -77,21 +77,6 @@ test('a program in Java goes from a tablet into the robot through the USB tower'
     assert.deepEqual(troubles, []);
   }));
 
-for (const kind of ['serial', 'usb']) {
-  test(`a ${kind} tower that is unplugged in the middle is told, and goes on once it is plugged in again`, () =>
-    onPage({ ...PHONE, hasTouch: true, prepare: plugIn({ kind, remembered: true, unplugAfterBlocks: 3 }) }, async ({ page, troubles }) => {
-      await tap(page, 'tab-program');
-      await pointAtTool(page, 'send-robot', tap);
-      await ends(page, /The tower was unplugged/);
-      await photograph(page, `send-phone-unplugged-${kind}`);
-      assert.equal((await brick(page)).program, null);
-      await page.evaluate(() => globalThis.brick.plugIn());
-      await tap(page, 'send-again');
-      await ends(page, IN_ROBOT);
-      assert.deepEqual(troubles, []);
-    }));
-}
-
 test('damaged bytes end the stream of a serial port, and the next one is taken', () =>
   onPage(
     { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.0005, damage: true, remembered: true }) },

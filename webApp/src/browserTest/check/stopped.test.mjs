@@ -1,4 +1,4 @@
-// What stops the page, or would: work that is never opened to its end, a compiler and a database that never answer.
+// What stops the page, or would: work that is never opened to its end, a database that never answers.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from '../kept.mjs';
@@ -11,17 +11,6 @@ function opensToNoEnd() {
   const remove = Storage.prototype.removeItem;
   Storage.prototype.removeItem = function removeItem(key) {
     if (!/^robotran-opening-w/.test(key)) remove.call(this, key);
-  };
-}
-
-/** Runs in a page: the worker that compiles Java is there and never answers. */
-function neverCompiles() {
-  const Original = Worker;
-  globalThis.Worker = function Worker(address, options) {
-    if (!/ecj-worker/.test(address)) return new Original(address, options);
-    const silent = { postMessage: () => undefined, terminate: () => (globalThis.ended = (globalThis.ended ?? 0) + 1) };
-    setTimeout(() => silent.onmessage({ data: { kind: 'ready' } }));
-    return silent;
   };
 }
 
@@ -58,18 +47,6 @@ test('work that stopped the page is asked about at the next visit, with the way 
     await photograph(next, 'my-work-with-what-stopped-the-page');
     await press(next, `work-${first}`);
     await says(next, 'program', /forward 31/);
-  }));
-
-test('a Java program that keeps the compiler busy has a mistake that says so, and the page stays alive', () =>
-  onPage({ ...TABLET, prepare: neverCompiles }, async ({ page, troubles }) => {
-    await choose(page, 'add-program', 'new-java');
-    await says(page, 'program', /class/);
-    await writeProgram(page, 'class A');
-    await says(page, 'program', /class A/);
-    await isSaid(page, /keeps the compiler for Java busy for too long/);
-    assert.ok((await page.evaluate(() => globalThis.ended)) >= 1, 'the worker is ended');
-    await photograph(page, 'compiler-busy');
-    assert.deepEqual(troubles, []);
   }));
 
 test('a page whose database never answers runs without it, and says so', () =>

@@ -28,38 +28,4 @@ class DrawerTabsTest {
         for (tab in DrawerTab.entries) assertWhole("drawer-${tab.name.lowercase()}", "in English")
         assertFalse(saysThereIsMore("drawer-names", isRight = true))
     }
-
-    @Test
-    fun `the name of what is shown is in sight, and where not all fit it is seen that there are more`() {
-        for ((width, height) in listOf(412 to 915, 360 to 740, 820 to 1180)) {
-            for (scale in listOf(1f, 2f)) {
-                for (language in Language.entries) {
-                    onScreen(width, height) { workshop ->
-                        val told = "$width x $height at $scale in $language"
-                        workshop.handle(
-                            SettingsEvent.SettingsChanged(
-                                Settings(language = language, textScale = scale, lessMotion = true),
-                            ),
-                        )
-                        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-                        for (tab in DrawerTab.entries.reversed()) {
-                            workshop.handle(RunEvent.DrawerChosen(tab))
-                            pass(600)
-                            assertWhole("drawer-${tab.name.lowercase()}", told)
-                        }
-                        val last = onNodeWithTag("drawer-why").fetchSemanticsNode()
-                        val isCut = last.boundsInRoot.width < last.size.width - 0.5f
-                        if (isCut) {
-                            assertTrue(
-                                saysThereIsMore("drawer-names", isRight = true),
-                                "$told: nothing says that there are more",
-                            )
-                        }
-                        scroll("drawer-names", toEnd = true)
-                        assertFalse(saysThereIsMore("drawer-names", isRight = true), told)
-                    }
-                }
-            }
-        }
-    }
 }

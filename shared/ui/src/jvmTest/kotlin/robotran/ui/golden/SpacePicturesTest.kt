@@ -1,88 +1,9 @@
 package robotran.ui.golden
 
-import kotlinx.coroutines.runBlocking
-import robotran.ui.screen.photograph
-import robotran.workshop.Workshop
-import robotran.workshop.event.LearningEvent
-import robotran.workshop.event.RunEvent
-import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.SheetEvent
-import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
-import robotran.workshop.state.CameraKind
-import robotran.workshop.state.Pane
-import robotran.workshop.state.Settings
-import robotran.workshop.state.SpaceCamera
-import kotlin.test.Test
 
-/** Compares the 3D view of several worlds on screens of three sizes, in the light and the dark theme. */
-class SpacePicturesTest {
-    @Test
-    fun `a robot that draws looks as it did`() = everywhere("space-square") { runAWhile() }
-
-    @Test
-    fun `a maze looks as it did`() = everywhere("space-maze") { handle(LearningEvent.WorldChosen("maze")) }
-
-    @Test
-    fun `a block and a yard look as they did`() = everywhere("space-block-push") {
-        handle(LearningEvent.WorldChosen("block-push"))
-    }
-
-    @Test
-    fun `lamps in the dark look as they did`() = everywhere("space-light-room") {
-        handle(LearningEvent.WorldChosen("light-room"))
-    }
-
-    @Test
-    fun `two robots in a ring look as they did`() = everywhere("space-sumo") {
-        handle(LearningEvent.WorldChosen("sumo"))
-        handle(SheetEvent.SpaceCameraMoved(SpaceCamera(heading = 65.0, pitch = 34.0, zoom = 1.4)))
-    }
-
-    @Test
-    fun `from behind the robot it looks as it did`() = everywhere("space-follow") {
-        runAWhile()
-        handle(SheetEvent.CameraKindChosen(CameraKind.FOLLOW, 0))
-    }
-
-    @Test
-    fun `with the robot's eye a slalom looks as it did`() = everywhere("space-eye") {
-        handle(LearningEvent.WorldChosen("slalom"))
-        handle(SheetEvent.CameraKindChosen(CameraKind.ROBOT_EYE, 0))
-    }
-
-    private fun everywhere(scene: String, prepare: Workshop.() -> Unit) {
-        for (theme in THEMES) {
-            for ((screen, size) in SCREENS) {
-                val workshop = runBlocking { openWorkshop() }
-                try {
-                    workshop.handle(
-                        SettingsEvent.SettingsChanged(Settings(theme = theme, lessMotion = true, isIn3D = true)),
-                    )
-                    workshop.prepare()
-                    workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-                    workshop.handle(WorkshopEvent.TaskShown(false))
-                    workshop.handle(WorkshopEvent.NoticeDismissed)
-                    val picture = photograph(workshop, size.first, size.second)
-                    GoldenPicture.check("$scene-$screen-${theme.name.lowercase()}", picture)
-                } finally {
-                    workshop.close()
-                }
-            }
-        }
-    }
-
-    private fun Workshop.runAWhile() {
-        handle(RunEvent.RunPressed)
-        advance(HALF_DRAWN)
-    }
-
-    private companion object {
-        val THEMES = listOf(AppTheme.LIGHT, AppTheme.DARK)
-        val SCREENS = mapOf("phone" to (411 to 891), "tablet" to (1280 to 800), "laptop" to (1440 to 900))
-
-        /** Milliseconds into the square program: somewhere on its third side. */
-        const val HALF_DRAWN = 3900
-    }
+/** Each scene in each theme, on two of the three screens; `thorough` compares all. */
+class SpacePicturesTest : SpaceScenes() {
+    override fun isCompared(number: Int, screen: SpaceScreen, theme: AppTheme): Boolean =
+        (number + if (theme == AppTheme.DARK) 1 else 0) % SpaceScreen.entries.size == screen.ordinal
 }

@@ -27,6 +27,7 @@ import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.event.HandInsEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.handins.AnyClass
 import robotran.workshop.state.HandInVerdict
 import robotran.workshop.state.Settings
@@ -58,8 +59,11 @@ class HandInsPageTest {
 
     @Test
     fun `everything can be touched on a phone, also with large text`() {
-        for (scale in listOf(1f, 2f)) {
-            onScreenOf(gradedClass(AnyClass.few, Settings(lessMotion = true, textScale = scale)), 411, 891) {
+        val workshop = gradedClass(AnyClass.few)
+        onScreenOf(workshop, 411, 891) {
+            for (scale in listOf(1f, 2f)) {
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, textScale = scale)))
+                settle()
                 checkTargets(
                     "hand-ins-choose",
                     "hand-ins-paste",
@@ -150,9 +154,11 @@ class HandInsPageTest {
 
     @Test
     fun `the verdicts are counted above the table, in each language`() {
-        for (language in Language.entries) {
-            val workshop = gradedClass(AnyClass.few, Settings(lessMotion = true, language = language))
-            onScreenOf(workshop, 1440, 900) {
+        val workshop = gradedClass(AnyClass.few)
+        onScreenOf(workshop, 1440, 900) {
+            for (language in Language.entries) {
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, language = language)))
+                settle()
                 assertEquals(2, workshop.state.handIns?.counts?.get(HandInVerdict.MISSED))
                 onNodeWithTag("hand-ins-counts").assertIsDisplayed()
                 assertEquals(1, onAllNodesWithTag("hand-ins-order-verdict").fetchSemanticsNodes().size)

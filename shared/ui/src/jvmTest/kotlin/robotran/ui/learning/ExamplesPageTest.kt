@@ -102,9 +102,6 @@ class ExamplesPageTest {
         val inNqc = ExamplePictures.of("square.nqc", SheetColours.LIGHT, ROOM)
         assertTrue(inNqc.pixels() != ExamplePictures.of("melody.nqc", SheetColours.LIGHT, ROOM).pixels())
         val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
-        val shown = ProgramLanguage.JAVA.examples.keys.filter {
-            ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty
-        }
         for (name in listOf(
             "Spiral.java",
             "WallBouncer.java",
@@ -113,7 +110,7 @@ class ExamplesPageTest {
             "Shapes.java",
             "TwoThings.java",
         )) {
-            assertTrue(name in shown, "$name of $shown")
+            assertTrue(ExamplePictures.of(name, SheetColours.LIGHT, ROOM).pixels() != empty, name)
         }
     }
 

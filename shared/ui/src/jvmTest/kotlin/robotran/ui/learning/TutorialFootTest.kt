@@ -29,31 +29,6 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class TutorialFootTest {
     @Test
-    fun `with hint and solution open, everything that can be done with a step stays in sight`() {
-        for ((width, height) in SIZES) {
-            for (language in Language.entries) {
-                for (scale in listOf(1f, 2f)) {
-                    onStep(width, height, Settings(language = language, textScale = scale)) { workshop ->
-                        val told = "$width x $height in $language at $scale"
-                        workshop.handle(LearningEvent.HintRequested(true))
-                        workshop.handle(LearningEvent.SolutionRequested(true))
-                        pass(600)
-                        val others =
-                            if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
-                        for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
-                        if (scale == 1f) {
-                            assertTrue(
-                                placesByTag().getValue("tutorial-text").height >= 120f,
-                                "$told: no room for the text",
-                            )
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    @Test
     fun `the text shows that there is more of it`() {
         for ((width, height) in SIZES) {
             onStep(width, height, Settings(textScale = 2f)) {

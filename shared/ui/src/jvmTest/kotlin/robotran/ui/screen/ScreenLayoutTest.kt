@@ -28,48 +28,6 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class ScreenLayoutTest {
     @Test
-    fun `nothing that can be pressed moves while a program runs, ends, fails, or the app says something`() {
-        for ((width, height) in listOf(1180 to 820, 820 to 1180, 412 to 915, 1366 to 768, 891 to 411)) {
-            for (scale in listOf(1f, 2f)) {
-                onScreen(width, height) { workshop ->
-                    val told = "$width x $height at $scale"
-                    workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale, lessMotion = true)))
-                    workshop.handle(LearningEvent.WorldChosen("maze"))
-                    workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-                    pass(300)
-                    val places = placesNow()
-                    assertTrue(
-                        places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")),
-                        "$told: ${places.keys}",
-                    )
-
-                    fun check(moment: String) {
-                        pass(300)
-                        assertEquals(places, placesNow().filterKeys { it in places }, "$told, $moment")
-                    }
-                    workshop.write("forward 3\n")
-                    workshop.handle(RunEvent.RunPressed)
-                    check("running")
-                    workshop.handle(RunEvent.PausePressed)
-                    check("paused")
-                    workshop.handle(RunEvent.PausePressed)
-                    pass(4_000)
-                    check("at its end")
-                    workshop.handle(RunEvent.Scrubbed(500))
-                    check("looking back")
-                    workshop.write("var zero = 0\nshow 5 / zero\n")
-                    workshop.handle(RunEvent.RunPressed)
-                    pass(2_000)
-                    check("failed")
-                    workshop.handle(RunEvent.LogCopied)
-                    check("with a notice")
-                    onNodeWithTag("notice").assertIsDisplayed()
-                }
-            }
-        }
-    }
-
-    @Test
     fun `why a program failed is told in full, and neither covers the brick nor is covered`() {
         for ((width, height) in listOf(
             1366 to 768,
@@ -262,12 +220,6 @@ class ScreenLayoutTest {
 
     private fun Workshop.write(program: String) = handle(ProgramEvent.ProgramEdited(program))
 
-    /** The positions of all pressable elements by tag. */
-    private fun ComposeUiTest.placesNow(): Map<String, Rect> = onAllNodes(TAGGED).fetchSemanticsNodes()
-        .groupBy { it.config[SemanticsProperties.TestTag] }
-        .filter { (tag, nodes) -> tag in PRESSABLE && nodes.size == 1 }
-        .mapValues { (_, nodes) -> nodes.single().boundsInRoot }
-
     private fun ComposeUiTest.node(tag: String): SemanticsNode = onNodeWithTag(tag).fetchSemanticsNode()
 
     private fun ComposeUiTest.bounds(tag: String): Rect = node(tag).boundsInRoot
@@ -277,50 +229,9 @@ class ScreenLayoutTest {
     }.any { it.config.contains(SemanticsProperties.IsPopup) }
 
     private companion object {
-        val TAGGED = SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)
         val SCROLLS_DOWN = SemanticsMatcher.keyIsDefined(SemanticsProperties.VerticalScrollAxisRange)
 
         /** The free space above and below a menu. */
         const val SPARE = 64
-        val PRESSABLE = setOf(
-            "menu",
-            "learn",
-            "worlds",
-            "edit-world",
-            "tab-program",
-            "tab-world",
-            "tab-brick",
-            "run",
-            "pause",
-            "step",
-            "steps",
-            "stop",
-            "speed",
-            "run-more",
-            "sound",
-            "timeline",
-            "mark-previous",
-            "mark-next",
-            "world",
-            "sheet-nearer",
-            "sheet-whole",
-            "sheet-show",
-            "sheet-3d",
-            "sheet-surroundings",
-            "drawer-variables",
-            "drawer-goals",
-            "goal-chip",
-            "brick",
-            "brick-run",
-            "brick-view",
-            "brick-prgm",
-            "brick-on_off",
-            "program",
-            "undo",
-            "editor-more",
-            "program-0",
-            "add-program",
-            "divider",
-        )
     }
 }

@@ -48,36 +48,6 @@ class SheetRoomTest {
         assertTrue(pane / 1180 >= 0.45f, "$pane")
     }
 
-    @Test
-    fun `all that belongs beside the sheet is in the window, at every size, with large text, and in German`() {
-        for (size in SHARES.map { it.first }) {
-            for (settings in SETTINGS) {
-                onWindow(size, settings) { workshop ->
-                    val told = "$size, ${settings.language}, text ${settings.textScale}"
-                    workshop.handle(LearningEvent.WorldChosen("maze"))
-                    workshop.handle(WorkshopEvent.TaskShown(false))
-                    pass(500)
-                    for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, told)
-                    val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
-                    for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, told)
-                    if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, told)
-                    val sheet = bounds("world")
-                    for (tag in onSheet) {
-                        val button = bounds(tag)
-                        assertTrue(
-                            button.top >= sheet.top && button.bottom <= sheet.bottom,
-                            "$told: $tag is at $button of $sheet",
-                        )
-                    }
-                    workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-                    pass(300)
-                    assertTrue(bounds("program").height >= MIN_PROGRAM, "$told: ${bounds("program")}")
-                    for (tag in listOf("undo", "editor-more", "run", "stop")) assertWhole(tag, told)
-                }
-            }
-        }
-    }
-
     private fun onWindow(size: Pair<Int, Int>, settings: Settings, check: ComposeUiTest.(Workshop) -> Unit) =
         onScreen(size.first, size.second) { workshop ->
             workshop.handle(SettingsEvent.SettingsChanged(settings))
@@ -105,13 +75,5 @@ class SheetRoomTest {
             Pair(1440 to 900, listOf(53, 51)),
             Pair(1920 to 1080, listOf(42, 55)),
         )
-        val SETTINGS = listOf(
-            Settings(lessMotion = true),
-            Settings(textScale = 2f, lessMotion = true),
-            Settings(language = Language.GERMAN, lessMotion = true),
-        )
-
-        /** Some lines of a program. */
-        const val MIN_PROGRAM = 100f
     }
 }

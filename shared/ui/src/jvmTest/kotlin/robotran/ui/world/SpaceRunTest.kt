@@ -48,7 +48,7 @@ class SpaceRunTest {
     private companion object {
         const val WIDTH = 640
         const val HEIGHT = 480
-        const val FRAMES = 60
+        const val FRAMES = 30
         const val FRAME_NANOSECONDS = 50_000_000L
     }
 }

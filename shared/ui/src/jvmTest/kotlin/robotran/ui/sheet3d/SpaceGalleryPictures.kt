@@ -14,7 +14,7 @@ import kotlin.test.Test
 import kotlin.test.assertTrue
 
 /** Pictures for review, in `build/pictures/space`. */
-class SpaceGalleryTest {
+class SpaceGalleryPictures {
     private val folder = File("build/pictures/space").apply { mkdirs() }
     private val world = SheetScenes.everything
     private val state = SheetScenes.everythingLater

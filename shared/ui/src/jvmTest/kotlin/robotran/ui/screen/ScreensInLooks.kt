@@ -1,0 +1,140 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.onNodeWithTag
+import robotran.language.Language
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+/** What must fit on every screen in every language with every size of text, on those that [looksOn] gives. */
+@OptIn(ExperimentalTestApi::class)
+abstract class ScreensInLooks {
+    /** The looks that are tested on the window with this [number] of a test. */
+    internal abstract fun looksOn(number: Int): List<Look>
+
+    internal data class Look(val language: Language, val textScale: Float)
+
+    @Test
+    fun `nothing that can be pressed moves while a program runs, ends, fails, or the app says something`() =
+        everywhere(1180 to 820, 820 to 1180, 412 to 915, 1366 to 768, 891 to 411) { workshop, told ->
+            workshop.handle(LearningEvent.WorldChosen("maze"))
+            workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            pass(300)
+            val places = pressablePlaces()
+            assertTrue(
+                places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")),
+                "$told: ${places.keys}",
+            )
+
+            fun check(moment: String) {
+                pass(300)
+                assertEquals(places, pressablePlaces().filterKeys { it in places }, "$told, $moment")
+            }
+            workshop.handle(ProgramEvent.ProgramEdited("forward 3\n"))
+            workshop.handle(RunEvent.RunPressed)
+            check("running")
+            workshop.handle(RunEvent.PausePressed)
+            check("paused")
+            workshop.handle(RunEvent.PausePressed)
+            pass(4_000)
+            check("at its end")
+            workshop.handle(RunEvent.Scrubbed(500))
+            check("looking back")
+            workshop.handle(ProgramEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
+            workshop.handle(RunEvent.RunPressed)
+            pass(2_000)
+            check("failed")
+            workshop.handle(RunEvent.LogCopied)
+            check("with a notice")
+            onNodeWithTag("notice").assertIsDisplayed()
+        }
+
+    @Test
+    fun `with hint and solution open, everything that can be done with a step stays in sight`() =
+        everywhere(412 to 915, 820 to 1180, 1024 to 768, 1280 to 800, 1366 to 768) { workshop, told ->
+            workshop.handle(LearningEvent.TutorialStarted)
+            workshop.handle(LearningEvent.HintRequested(true))
+            workshop.handle(LearningEvent.SolutionRequested(true))
+            pass(600)
+            val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
+            for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
+            if (workshop.settings.textScale == 1f) {
+                assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$told: no room for the text")
+            }
+        }
+
+    @Test
+    fun `the tab of what the drawer shows is in sight, and where not all fit it is seen that there are more`() =
+        everywhere(412 to 915, 360 to 740, 820 to 1180) { workshop, told ->
+            workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            for (tab in DrawerTab.entries.reversed()) {
+                workshop.handle(RunEvent.DrawerChosen(tab))
+                pass(600)
+                assertWhole("drawer-${tab.name.lowercase()}", told)
+            }
+            val last = onNodeWithTag("drawer-why").fetchSemanticsNode()
+            val isCut = last.boundsInRoot.width < last.size.width - 0.5f
+            if (isCut) {
+                assertTrue(saysThereIsMore("drawer-names", isRight = true), "$told: nothing says that there are more")
+            }
+            scroll("drawer-names", toEnd = true)
+            assertFalse(saysThereIsMore("drawer-names", isRight = true), told)
+        }
+
+    @Test
+    fun `all that belongs beside the sheet is in the window`() = everywhere(
+        360 to 640, 411 to 891, 640 to 360, 891 to 411, 820 to 1180, 1280 to 800, 1440 to 900, 1920 to 1080,
+    ) { workshop, told ->
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        workshop.handle(LearningEvent.WorldChosen("maze"))
+        workshop.handle(WorkshopEvent.TaskShown(false))
+        pass(500)
+        for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, told)
+        val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
+        for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, told)
+        if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, told)
+        val places = placesByTag()
+        val sheet = places.getValue("world")
+        for (tag in onSheet) {
+            val button = places.getValue(tag)
+            assertTrue(button.top >= sheet.top && button.bottom <= sheet.bottom, "$told: $tag is at $button of $sheet")
+        }
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        pass(300)
+        val program = placesByTag().getValue("program")
+        assertTrue(program.height >= MIN_PROGRAM, "$told: $program")
+        for (tag in listOf("undo", "editor-more", "run", "stop")) assertWhole(tag, told)
+    }
+
+    private fun everywhere(vararg windows: Pair<Int, Int>, check: ComposeUiTest.(Workshop, told: String) -> Unit) {
+        for ((number, window) in windows.withIndex()) {
+            val (width, height) = window
+            for ((language, scale) in looksOn(number)) {
+                onScreen(width, height) { workshop ->
+                    val settings = Settings(language = language, textScale = scale, lessMotion = true)
+                    workshop.handle(SettingsEvent.SettingsChanged(settings))
+                    pass(300)
+                    check(workshop, "$width x $height in $language at $scale")
+                }
+            }
+        }
+    }
+
+    private companion object {
+        /** Some lines of a program. */
+        const val MIN_PROGRAM = 100f
+    }
+}
