@@ -1,4 +1,4 @@
-// Hand-ins of a class with an NXT, a page without workers, workers that die or never answer, and grading that is stopped.
+// Hand-ins of a class with an NXT, a page without workers, workers that die, never answer or do not start, and grading that is stopped.
 import assert from 'node:assert/strict';
 import { costsItsRow, expected, grade, haveEnded, isGraded, NXT, RCX, table } from '../grading.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
@@ -55,6 +55,30 @@ function dies() {
     if (typeof message === 'string' && !message.includes('"first"') && (handIns += 1) === 2) {
       this.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' }));
     } else postMessage.call(this, message);
+  };
+}
+
+test('a worker that does not start the first time costs no row', () =>
+  onPage({ ...TABLET, prepare: startsOnlyOnce }, async ({ page, troubles }) => {
+    await grade(page);
+    await isGraded(page);
+    assert.equal(await table(page), await expected());
+    assert.ok(await page.evaluate(() => globalThis.hasFailed), 'a worker has failed');
+    assert.deepEqual(troubles, []);
+  }));
+
+/** Runs in the page: what the second worker needs does not come. */
+function startsOnlyOnce() {
+  const Original = Worker;
+  let workers = 0;
+  globalThis.Worker = function Worker(address, options) {
+    if (!/ecj-worker/.test(address) && (workers += 1) === 2) {
+      globalThis.hasFailed = true;
+      const failing = { postMessage: () => undefined, terminate: () => undefined };
+      setTimeout(() => failing.onerror({ preventDefault: () => undefined, message: 'could not be fetched' }));
+      return failing;
+    }
+    return new Original(address, options);
   };
 }
 

@@ -48,7 +48,7 @@ private class WorkerCrew(
 
     /** Starts a first worker. */
     suspend fun canStart(): Boolean = try {
-        idle += ready()
+        idle += started()
         true
     } catch (_: WorkerFailure) {
         close()
@@ -58,7 +58,7 @@ private class WorkerCrew(
     override suspend fun grade(submission: Submission.Usable, onProgress: (runs: Int) -> Unit): GradedHandIn {
         var worker: PageWorker? = null
         return try {
-            val ready = idle.removeFirstOrNull() ?: ready()
+            val ready = idle.removeFirstOrNull() ?: started()
             worker = ready
             ready.send(writeHandIn(submission))
             var message = ready.next()
@@ -90,6 +90,13 @@ private class WorkerCrew(
         submission,
         listOf(GradingMessages.of(language).couldNotBeGraded(failure.message.orEmpty())),
     )
+
+    /** A new worker that is ready. What it needs may not have come the first time, for which no hand-in is to blame. */
+    private suspend fun started(): PageWorker = try {
+        ready()
+    } catch (_: WorkerFailure) {
+        ready()
+    }
 
     private suspend fun ready(): PageWorker {
         val worker = try {

@@ -64,6 +64,8 @@ class HandInsPageTest {
             for (scale in listOf(1f, 2f)) {
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, textScale = scale)))
                 settle()
+                onNodeWithTag("hand-in-list").performSemanticsAction(SemanticsActions.ScrollToIndex) { it(0) }
+                settle()
                 checkTargets(
                     "hand-ins-choose",
                     "hand-ins-paste",

@@ -96,7 +96,14 @@ abstract class ScreensInLooks {
 
     @Test
     fun `all that belongs beside the sheet is in the window`() = everywhere(
-        360 to 640, 411 to 891, 640 to 360, 891 to 411, 820 to 1180, 1280 to 800, 1440 to 900, 1920 to 1080,
+        360 to 640,
+        411 to 891,
+        640 to 360,
+        891 to 411,
+        820 to 1180,
+        1280 to 800,
+        1440 to 900,
+        1920 to 1080,
     ) { workshop, told ->
         workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
         workshop.handle(LearningEvent.WorldChosen("maze"))
