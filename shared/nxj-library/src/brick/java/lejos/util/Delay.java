@@ -2,7 +2,8 @@ package lejos.util;
 
 /** Waits; nothing can interrupt it. */
 public class Delay {
-    private Delay() {
+    /** Makes one; nothing needs it, since all of its methods are static. */
+    public Delay() {
     }
 
     /** Waits so many milliseconds. */

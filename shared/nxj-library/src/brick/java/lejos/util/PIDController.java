@@ -1,5 +1,7 @@
 package lejos.util;
 
+import java.io.IOException;
+
 /**
  * Works out what to do about an error: from the error itself, from its sum and from its change.
  *
@@ -58,8 +60,11 @@ public class PIDController {
     private boolean isFrozen;
     private int value;
     private int errorBefore;
+    private float change;
     private long last;
     private int passed;
+    private Logger logger;
+    private int rows;
 
     /** Makes one for what the value should be that is asked every so many milliseconds; 0 for no waiting. */
     public PIDController(int setpoint, int msdelay) {
@@ -117,6 +122,8 @@ public class PIDController {
             return 0;
         }
         int output = ramped(output());
+        if (logger != null && rows > 2) log(output);
+        rows++;
         if (delay > 0) {
             int rest = delay - (int) (System.currentTimeMillis() - last);
             if (rest > 0) Delay.msDelay(rest);
@@ -127,6 +134,46 @@ public class PIDController {
         return output;
     }
 
+    /** Lets a logger write a row in each call, from the fifth one on; false if its columns were set before. */
+    public boolean registerDataLogger(Logger dataLogger) {
+        try {
+            dataLogger.setColumns(new LogColumn[] {
+                new LogColumn("SP", LogColumn.DT_INTEGER), new LogColumn("MV", LogColumn.DT_INTEGER),
+                new LogColumn("PV", LogColumn.DT_INTEGER), new LogColumn("Integral", LogColumn.DT_FLOAT),
+                new LogColumn("Kp*error", LogColumn.DT_FLOAT), new LogColumn("Kd*derivative", LogColumn.DT_FLOAT, 2),
+                new LogColumn("error", LogColumn.DT_INTEGER), new LogColumn("dt", LogColumn.DT_INTEGER),
+            });
+        } catch (UnsupportedOperationException setBefore) {
+            return false;
+        }
+        logger = dataLogger;
+        return true;
+    }
+
+    /** Lets the logger write no more, and gives it, or null. */
+    public Logger deregisterDataLogger() {
+        Logger before = logger;
+        logger = null;
+        return before;
+    }
+
+    private void log(int output) {
+        logger.writeLog((int) values[PID_SETPOINT]);
+        logger.writeLog(output);
+        logger.writeLog(value);
+        logger.writeLog(sum);
+        logger.writeLog(values[PID_KP] * errorBefore);
+        logger.writeLog(values[PID_KD] * change);
+        logger.writeLog(errorBefore);
+        logger.writeLog(passed);
+        try {
+            logger.finishLine();
+        } catch (IOException lost) {
+            logger.stopLogging();
+            logger = null;
+        }
+    }
+
     private int output() {
         int error = (int) values[PID_SETPOINT] - value;
         if (Math.abs(error) <= values[PID_DEADBAND]) error = 0;
@@ -135,7 +182,7 @@ public class PIDController {
             if (sum > values[PID_I_LIMITHIGH]) sum = values[PID_I_LIMITHIGH];
             if (sum < values[PID_I_LIMITLOW]) sum = values[PID_I_LIMITLOW];
         }
-        float change = (float) (error - errorBefore) / passed;
+        change = (float) (error - errorBefore) / passed;
         errorBefore = error;
         int output = (int) (values[PID_KP] * error + sum + values[PID_KD] * change);
         if (output > values[PID_LIMITHIGH]) output = (int) values[PID_LIMITHIGH];

@@ -60,8 +60,9 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.RANDOM, "SecureRandom ThreadLocalRandom UUID SplittableRandom")
     put(NxjRemedy.INSTANCEOF, "Class.getName Class.getSimpleName")
     put(NxjRemedy.INSTANCEOF, "Class.newInstance Class.getMethods Class.getDeclaredFields")
-    put(NxjRemedy.LCD, "JFrame JPanel JButton JLabel JOptionPane Frame Canvas Color.getRGB SwingUtilities")
-    put(NxjRemedy.PIXELS, "Graphics Graphics2D LCD.drawLine LCD.drawRect LCD.fillRect LCD.drawArc Image Font")
+    put(NxjRemedy.LCD, "JFrame JPanel JButton JLabel JOptionPane Frame Color.getRGB SwingUtilities")
+    put(NxjRemedy.PIXELS, "Canvas GameCanvas TiledLayer LayerManager")
+    put(NxjRemedy.PIXELS, "Graphics2D LCD.drawLine LCD.drawRect LCD.fillRect LCD.drawArc LCD.drawImage LCD.fillArc")
     put(NxjRemedy.FILE_STREAMS, "FileReader FileWriter PrintWriter RandomAccessFile Files Path.of Paths")
     put(NxjRemedy.DATA_STREAMS, "ObjectOutputStream ObjectInputStream Externalizable StringReader StringWriter")
     put(NxjRemedy.BLUETOOTH, "Socket ServerSocket URL InetAddress NXTCommand RemoteMotor RemoteNXT RS485 LCP InBox")
@@ -126,7 +127,6 @@ private val ABSENT_PACKAGES = listOf(
     "lejos.nxt.addon" to NxjRemedy.SENSORS,
     "lejos.nxt.remote" to NxjRemedy.BLUETOOTH,
     "lejos.pc" to NxjRemedy.BLUETOOTH,
-    "javax.microedition.lcdui" to NxjRemedy.PIXELS,
     "javax.bluetooth" to NxjRemedy.BLUETOOTH,
     "javax.swing" to NxjRemedy.LCD,
     "java.awt" to NxjRemedy.LCD,

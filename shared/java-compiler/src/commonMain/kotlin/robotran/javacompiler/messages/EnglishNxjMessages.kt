@@ -28,7 +28,7 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.RANDOM -> "Use new Random() of java.util."
         NxjRemedy.INSTANCEOF -> "An NXT forgets the names of classes. \"instanceof\" says what something is."
         NxjRemedy.LCD -> "An NXT has no windows. It shows texts with LCD.drawString(\"hello\", 0, 0)."
-        NxjRemedy.PIXELS -> "LCD.setPixel(x, y, 1) draws a dot."
+        NxjRemedy.PIXELS -> "new Graphics() of javax.microedition.lcdui draws lines, shapes and pictures."
         NxjRemedy.FILE_STREAMS -> "Use a FileInputStream or a FileOutputStream of java.io."
         NxjRemedy.DATA_STREAMS -> "A DataOutputStream writes numbers and texts, and a DataInputStream reads them."
         NxjRemedy.BLUETOOTH -> "Robots talk by Bluetooth, see the class Bluetooth of lejos.nxt.comm."

@@ -28,7 +28,7 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.RANDOM -> "Nimm new Random() aus java.util."
         NxjRemedy.INSTANCEOF -> "Ein NXT vergisst die Namen der Klassen. Was etwas ist, sagt \"instanceof\"."
         NxjRemedy.LCD -> "Ein NXT hat keine Fenster. Er zeigt Texte mit LCD.drawString(\"hallo\", 0, 0)."
-        NxjRemedy.PIXELS -> "LCD.setPixel(x, y, 1) zeichnet einen Punkt."
+        NxjRemedy.PIXELS -> "new Graphics() aus javax.microedition.lcdui zeichnet Linien, Formen und Bilder."
         NxjRemedy.FILE_STREAMS -> "Nimm einen FileInputStream oder einen FileOutputStream aus java.io."
         NxjRemedy.DATA_STREAMS -> "Ein DataOutputStream schreibt Zahlen und Texte, ein DataInputStream liest sie."
         NxjRemedy.BLUETOOTH -> "Roboter sprechen über Bluetooth, siehe die Klasse Bluetooth in lejos.nxt.comm."

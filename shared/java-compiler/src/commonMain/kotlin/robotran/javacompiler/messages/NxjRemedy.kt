@@ -80,7 +80,7 @@ enum class NxjRemedy {
     /** `LCD`: there are no windows. */
     LCD,
 
-    /** `LCD.setPixel`: there is no `Graphics`. */
+    /** `Graphics` of `javax.microedition.lcdui`. */
     PIXELS,
 
     /** `FileInputStream` and `FileOutputStream` with data streams. */

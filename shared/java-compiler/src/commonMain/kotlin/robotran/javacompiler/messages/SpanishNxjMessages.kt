@@ -28,7 +28,7 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.RANDOM -> "Usa new Random() de java.util."
         NxjRemedy.INSTANCEOF -> "Un NXT olvida los nombres de las clases. Qué es algo lo dice \"instanceof\"."
         NxjRemedy.LCD -> "Un NXT no tiene ventanas. Muestra textos con LCD.drawString(\"hola\", 0, 0)."
-        NxjRemedy.PIXELS -> "LCD.setPixel(x, y, 1) dibuja un punto."
+        NxjRemedy.PIXELS -> "new Graphics() de javax.microedition.lcdui dibuja líneas, formas e imágenes."
         NxjRemedy.FILE_STREAMS -> "Usa un FileInputStream o un FileOutputStream de java.io."
         NxjRemedy.DATA_STREAMS -> "Un DataOutputStream escribe números y textos, y un DataInputStream los lee."
         NxjRemedy.BLUETOOTH -> "Los robots hablan por Bluetooth, mira la clase Bluetooth de lejos.nxt.comm."
