@@ -58,6 +58,27 @@ class NxjGapsTest {
     }
 
     @Test
+    fun `what leJOS NXJ has and no world can mean is told with what to use instead`() = runTest {
+        assertTold(NxjRemedy.BALANCE, "SegowayPilot p = null;", "Ballbot b = null;")
+        assertTold(NxjRemedy.LINE_MAP, "SVGMapLoader l = null;")
+        assertTold(NxjRemedy.NO_COMPUTER, "NXTNavigationModel m = null;", "PIDTuner t = null;")
+        assertTold(NxjRemedy.ODOMETRY, "GPSPoseProvider p = null;")
+        assertTold(NxjRemedy.PIXELS, "LCD.drawLine(0, 0, 9, 9);", "TiledLayer l = null;")
+        val imports = mapOf(
+            "lejos.robotics.mapping.NavigationModel" to NxjRemedy.NO_COMPUTER,
+            "lejos.robotics.mapping.SVGMapLoader" to NxjRemedy.LINE_MAP,
+            "javax.microedition.sensor.SensorManager" to NxjRemedy.SENSORS,
+            "javax.microedition.location.Coordinates" to NxjRemedy.ODOMETRY,
+            "javax.microedition.lcdui.game.GameCanvas" to NxjRemedy.PIXELS,
+            "lejos.robotics.kinematics.RobotArm" to NxjRemedy.DIFFERENTIAL_PILOT,
+        )
+        for ((name, remedy) in imports) {
+            val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
+            assertEquals(EnglishJavaMessages.insteadInNxj(remedy), told.hint, name)
+        }
+    }
+
+    @Test
     fun `programs for other robots are told so`() = runTest {
         val imports = mapOf(
             "lejos.hardware.motor.Motor" to NxjRemedy.NOT_EV3,

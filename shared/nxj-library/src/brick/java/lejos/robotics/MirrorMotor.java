@@ -7,12 +7,22 @@ public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
 
     private MirrorMotor(RegulatedMotor motor) {
         this.motor = motor;
+        listener = motor.removeListener();
         motor.addListener(this);
     }
 
     /** Gives the motor turned round. */
     public static RegulatedMotor invertMotor(RegulatedMotor motor) {
-        return motor instanceof MirrorMotor ? ((MirrorMotor) motor).motor : new MirrorMotor(motor);
+        if (!(motor instanceof MirrorMotor)) return new MirrorMotor(motor);
+        MirrorMotor mirror = (MirrorMotor) motor;
+        mirror.motor.addListener(mirror.listener);
+        return mirror.motor;
+    }
+
+    /** Gives a motor that is not regulated, such as an NXTMotor, turned round. */
+    public static EncoderMotor invertMotor(EncoderMotor motor) {
+        return motor instanceof ReversedEncoderMotor ? ((ReversedEncoderMotor) motor).motor
+            : new ReversedEncoderMotor(motor);
     }
 
     /** Turns the motor backward. */
@@ -130,8 +140,9 @@ public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
         motor.setStallThreshold(error, time);
     }
 
-    /** Tells a listener when the motor begins to move and when it stops. */
+    /** Tells a listener that the motor begins to move, when it does and, as in leJOS NXJ, also when it stops. */
     public void addListener(RegulatedMotorListener listener) {
+        motor.addListener(this);
         this.listener = listener;
     }
 
@@ -139,6 +150,7 @@ public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
     public RegulatedMotorListener removeListener() {
         RegulatedMotorListener old = listener;
         listener = null;
+        motor.removeListener();
         return old;
     }
 
@@ -149,6 +161,6 @@ public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
 
     /** Is told by the motor; programs need not call it. */
     public void rotationStopped(RegulatedMotor motor, int tachoCount, boolean stalled, long timeStamp) {
-        if (listener != null) listener.rotationStopped(this, -tachoCount, stalled, timeStamp);
+        if (listener != null) listener.rotationStarted(this, -tachoCount, stalled, timeStamp);
     }
 }

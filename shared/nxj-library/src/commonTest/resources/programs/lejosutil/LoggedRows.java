@@ -63,9 +63,9 @@ public class LoggedRows {
         logger.stopLogging();
         in = new DataInputStream(new ByteArrayInputStream(sent.toByteArray()));
         System.out.println(command() + " " + text() + " " + text() + " " + text()); // expect 2003 milliseconds!y!1 way!y!1 light !y!2
-        // Each row has 4 + 4 + 8 bytes, and commands of 6 bytes before the values of another type.
+        // Each row has 4 + 4 + 8 bytes, and commands of 6 bytes before the values of another type; two more are at the end.
         int size = sent.toByteArray().length;
-        System.out.println(size - 6 - 16 - 12 - 12); // expect 5606
+        System.out.println(size - 6 - 16 - 12 - 12); // expect 5612
         int rows = 0;
         double last = 0;
         int way = 0;

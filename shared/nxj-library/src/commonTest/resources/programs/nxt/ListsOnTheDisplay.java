@@ -6,6 +6,7 @@ import javax.microedition.lcdui.Display;
 import javax.microedition.lcdui.Displayable;
 import javax.microedition.lcdui.List;
 import lejos.nxt.LCD;
+import lejos.util.Delay;
 
 /** A list, a question, and the screen behind it. */
 // press RIGHT at 300
@@ -49,6 +50,7 @@ public class ListsOnTheDisplay {
                 LCD.setAutoRefresh(true);
                 LCD.drawString(log.toString(), 0, 0);
                 LCD.refresh();
+                Delay.msDelay(20);
             }
         });
         Display.getDisplay().setCurrent(list);

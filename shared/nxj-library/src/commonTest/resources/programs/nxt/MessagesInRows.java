@@ -1,5 +1,6 @@
 import lejos.nxt.LCD;
 import lejos.util.DebugMessages;
+import lejos.util.Delay;
 
 /** Messages fill the rows; the one behind the last row is lost, and the next one is in row 0. */
 // screen d
@@ -23,6 +24,7 @@ public class MessagesInRows {
         messages.setDelayEnabled(false);
         messages.echo("d");
         messages.echo(5);
+        Delay.msDelay(20);
     }
 
     static int dots(int row) {

@@ -28,7 +28,7 @@ public class Features {
         System.out.println(sonar.scan() == null); // expect true
         ranges = new float[] {40, 60, 120};
         Feature feature = sonar.scan();
-        System.out.println(feature.getRangeReading().getRange() + " " + feature.getRangeReadings().getNumReadings()); // expect 40.0 2
+        System.out.println(feature.getRangeReading().getRange() + " " + feature.getRangeReadings().getNumReadings()); // expect 40.0 3
         sonar.setMaxDistance(30);
         System.out.println(sonar.scan() == null); // expect true
         System.out.println(sonar.getMaxDistance() + " " + sonar.getDelay() + " " + sonar.isEnabled()); // expect 30.0 100 true

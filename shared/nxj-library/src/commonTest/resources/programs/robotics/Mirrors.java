@@ -1,7 +1,9 @@
+import lejos.robotics.EncoderMotor;
 import lejos.robotics.MirrorMotor;
 import lejos.robotics.RegulatedMotor;
 import lejos.robotics.RegulatedMotorListener;
 
+/** Motors turned round; as in leJOS NXJ, a listener of one is told of the end of a move as of a beginning. */
 public class Mirrors {
     /** A motor that turns only while somebody waits for it, and writes down what it is told. */
     static class Wheel implements RegulatedMotor {
@@ -177,6 +179,52 @@ public class Mirrors {
         mirror.stop();
         mirror.flt();
         System.out.println(told());
+        Engine engine = new Engine();
+        EncoderMotor turned = MirrorMotor.invertMotor(engine);
+        turned.setPower(30);
+        turned.forward();
+        System.out.println(engine.power + " " + engine.count + " " + turned.getTachoCount() + " " + turned.isMoving());
+        System.out.println(MirrorMotor.invertMotor(turned) == engine);
+    }
+
+    /** A motor without regulation. */
+    static class Engine implements EncoderMotor {
+        int power;
+        int count;
+
+        public void setPower(int newPower) {
+            power = newPower;
+        }
+
+        public int getPower() {
+            return power;
+        }
+
+        public void forward() {
+            count++;
+        }
+
+        public void backward() {
+            count--;
+        }
+
+        public void stop() {
+        }
+
+        public void flt() {
+        }
+
+        public boolean isMoving() {
+            return power != 0;
+        }
+
+        public int getTachoCount() {
+            return count;
+        }
+
+        public void resetTachoCount() {
+            count = 0;
+        }
     }
 }
 
@@ -184,12 +232,14 @@ public class Mirrors {
 // expect start 0
 // expect start 0
 // expect start 0
-// expect stop 90
+// expect start 90
 // expect W- W+ Wr-90
 // expect -90 90
 // expect start 90
-// expect stop 100
+// expect start 100
 // expect Wr-10 100
 // expect 200 200
 // expect true
 // expect W0 W~
+// expect 30 -1 1 true
+// expect true

@@ -78,16 +78,20 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.ROTATION_SPEED, "NXTRegulatedMotor.getActualSpeed RegulatedMotor.getActualSpeed")
     put(NxjRemedy.IS_MOVING, "NXTRegulatedMotor.isRotating RegulatedMotor.isRotating NXTRegulatedMotor.isForward")
     put(NxjRemedy.IS_MOVING, "NXTRegulatedMotor.isBackward NXTRegulatedMotor.isStopped NXTRegulatedMotor.isFloating")
-    put(NxjRemedy.DIFFERENTIAL_PILOT, "Pilot TachoPilot LegacyPilot CompassPilot")
-    put(NxjRemedy.DIFFERENTIAL_PILOT, "SegowayPilot Segoway MovePilot WheeledChassis")
-    put(NxjRemedy.DIFFERENTIAL_PILOT, "Chassis OmniPilot SteeringPilot TwoWheelPilot")
+    put(NxjRemedy.DIFFERENTIAL_PILOT, "Pilot TachoPilot LegacyPilot CompassPilot MovePilot WheeledChassis")
+    put(NxjRemedy.DIFFERENTIAL_PILOT, "Chassis OmniPilot TwoWheelPilot PseudoSteeringPilot RobotArm RobotHand")
+    put(NxjRemedy.BALANCE, "SegowayPilot Segoway Segway SegwayPilot Ballbot")
     put(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot.setMoveSpeed")
     put(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot.setSpeed DifferentialPilot.setTurnSpeed")
     put(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot.setLinearSpeed")
     put(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot.setAngularSpeed DifferentialPilot.getMoveSpeed")
     put(NxjRemedy.NAVIGATOR, "SimpleNavigator TachoNavigator LegacyNavigator CompassNavigator NavPathController")
-    put(NxjRemedy.ODOMETRY, "MCLPoseProvider MCLParticleSet LineMap RangeMap OccupancyGridMap ShortestPathFinder")
-    put(NxjRemedy.ODOMETRY, "NodePathFinder FourWayGridMesh AstarSearchAlgorithm BeaconPoseProvider KalmanFilter")
+    put(NxjRemedy.LINE_MAP, "SVGMapLoader OccupancyGridMap GridMap DijkstraPathFinder")
+    put(NxjRemedy.ODOMETRY, "GPSPoseProvider DeadReckonerPoseProvider TachoPoseProvider CompassPoseProvider")
+    put(NxjRemedy.NO_COMPUTER, "NavigationModel NXTNavigationModel NavEventListener LogMessageManager PIDTuner")
+    put(NxjRemedy.NO_COMPUTER, "PIDTuningProvider LogMessageListener LogMessageTypeHandler LoggerDebugConsole")
+    put(NxjRemedy.NO_COMPUTER, "SimpleDrive SimpleDriveProvider")
+    put(NxjRemedy.DATA_STREAMS, "EndianTools RingBuffer BitUtils")
     put(NxjRemedy.SENSORS, "AccelHTSensor AccelMindSensor ColorHTSensor IRSeeker")
     put(NxjRemedy.SENSORS, "IRSeekerV2 IRLink EOPD TiltSensor NXTCam")
     put(NxjRemedy.SENSORS, "OpticalDistanceSensor AngleSensor PressureSensor")
@@ -121,13 +125,20 @@ private val ABSENT_PACKAGES = listOf(
     "lejos.hardware" to NxjRemedy.NOT_EV3,
     "lejos.remote" to NxjRemedy.NOT_EV3,
     "lejos.robotics.chassis" to NxjRemedy.DIFFERENTIAL_PILOT,
-    "lejos.robotics.mapping" to NxjRemedy.ODOMETRY,
+    "lejos.robotics.mapping" to NxjRemedy.LINE_MAP,
+    "lejos.robotics.localization" to NxjRemedy.ODOMETRY,
     "lejos.robotics.filter" to NxjRemedy.SENSORS,
     "lejos.robotics.kinematics" to NxjRemedy.DIFFERENTIAL_PILOT,
     "lejos.nxt.addon" to NxjRemedy.SENSORS,
     "lejos.nxt.remote" to NxjRemedy.BLUETOOTH,
     "lejos.pc" to NxjRemedy.BLUETOOTH,
     "javax.bluetooth" to NxjRemedy.BLUETOOTH,
+    "javax.microedition.sensor" to NxjRemedy.SENSORS,
+    "javax.microedition.location" to NxjRemedy.ODOMETRY,
+    "javax.microedition.io" to NxjRemedy.BLUETOOTH,
+    "javax.microedition.lcdui.game" to NxjRemedy.PIXELS,
+    "javax.xml" to NxjRemedy.LINE_MAP,
+    "javax.net" to NxjRemedy.BLUETOOTH,
     "javax.swing" to NxjRemedy.LCD,
     "java.awt" to NxjRemedy.LCD,
     "java.net" to NxjRemedy.BLUETOOTH,

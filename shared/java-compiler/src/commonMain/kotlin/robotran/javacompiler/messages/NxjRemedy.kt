@@ -122,8 +122,17 @@ enum class NxjRemedy {
     /** `Navigator`. */
     NAVIGATOR,
 
-    /** `OdometryPoseProvider`: there are no maps. */
+    /** `OdometryPoseProvider`. */
     ODOMETRY,
+
+    /** `LineMap`, made of lines. */
+    LINE_MAP,
+
+    /** `DifferentialPilot`: no robot can balance. */
+    BALANCE,
+
+    /** `RConsole`: no program runs on a computer beside the robot. */
+    NO_COMPUTER,
 
     /** The sensors that a world can have. */
     SENSORS,

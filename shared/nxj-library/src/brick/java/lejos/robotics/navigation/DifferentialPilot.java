@@ -15,12 +15,25 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     private static final double PART_OF_MAXIMUM = 0.8;
     private static final int QUICK = 9999;
 
-    private final RegulatedMotor left;
-    private final RegulatedMotor right;
+    /** The left motor. */
+    protected final RegulatedMotor _left;
 
-    /** How many degrees each wheel turns for 1, and for 1 degree of the robot. */
-    private final float leftDegPerDistance;
-    private final float rightDegPerDistance;
+    /** The right motor. */
+    protected final RegulatedMotor _right;
+
+    /** The motor of the outer wheel of the last curve, or null. */
+    protected RegulatedMotor _outside;
+
+    /** How many degrees the left wheel turns for 1. */
+    protected final float _leftDegPerDistance;
+
+    /** How many degrees the right wheel turns for 1. */
+    protected final float _rightDegPerDistance;
+
+    /** The kind of the present move. */
+    protected Move.MoveType _type = Move.MoveType.STOP;
+
+    /** How many degrees each wheel turns for 1 degree of the robot. */
     private final float leftTurnRatio;
     private final float rightTurnRatio;
     private final float leftDiameter;
@@ -36,7 +49,8 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     private double minRadius;
     private int leftStart;
     private int rightStart;
-    private Move.MoveType type = Move.MoveType.STOP;
+    private float plannedDistance;
+    private float plannedAngle;
     private boolean isUnderWay;
 
     /** Whether the present move was begun by steer or steerBackward, so that the next of them goes on with it. */
@@ -57,13 +71,13 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     /** Makes one with a diameter for each wheel, and says whether the motors turn the wheels backward. */
     public DifferentialPilot(double leftWheelDiameter, double rightWheelDiameter, double trackWidth,
             RegulatedMotor leftMotor, RegulatedMotor rightMotor, boolean reverse) {
-        left = leftMotor;
-        right = rightMotor;
-        left.addListener(this);
-        right.addListener(this);
+        _left = leftMotor;
+        _right = rightMotor;
+        _left.addListener(this);
+        _right.addListener(this);
         leftDiameter = (float) leftWheelDiameter;
-        leftDegPerDistance = (float) (360 / (Math.PI * leftWheelDiameter));
-        rightDegPerDistance = (float) (360 / (Math.PI * rightWheelDiameter));
+        _leftDegPerDistance = (float) (360 / (Math.PI * leftWheelDiameter));
+        _rightDegPerDistance = (float) (360 / (Math.PI * rightWheelDiameter));
         leftTurnRatio = (float) (trackWidth / leftWheelDiameter);
         rightTurnRatio = (float) (trackWidth / rightWheelDiameter);
         this.trackWidth = (float) trackWidth;
@@ -79,7 +93,7 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         travelSpeed = (float) speed;
         if (isMoving() && old > 0) {
             float factor = travelSpeed / old;
-            setMotorSpeeds(left.getSpeed() * factor, right.getSpeed() * factor);
+            setMotorSpeeds(_left.getSpeed() * factor, _right.getSpeed() * factor);
         }
     }
 
@@ -90,7 +104,7 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
 
     /** Gives how far the robot can drive in a second. */
     public double getMaxTravelSpeed() {
-        return maxMotorSpeed() / Math.max(leftDegPerDistance, rightDegPerDistance);
+        return maxMotorSpeed() / Math.max(_leftDegPerDistance, _rightDegPerDistance);
     }
 
     /** Sets how many degrees the robot turns in a second. */
@@ -133,14 +147,14 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     /** Drives forward until the robot is told otherwise. */
     public void forward() {
         begin(Move.MoveType.TRAVEL, Float.POSITIVE_INFINITY, 0);
-        setMotorSpeeds(travelSpeed * leftDegPerDistance, travelSpeed * rightDegPerDistance);
+        setMotorSpeeds(travelSpeed * _leftDegPerDistance, travelSpeed * _rightDegPerDistance);
         drive(1, 1);
     }
 
     /** Drives backward until the robot is told otherwise. */
     public void backward() {
         begin(Move.MoveType.TRAVEL, Float.NEGATIVE_INFINITY, 0);
-        setMotorSpeeds(travelSpeed * leftDegPerDistance, travelSpeed * rightDegPerDistance);
+        setMotorSpeeds(travelSpeed * _leftDegPerDistance, travelSpeed * _rightDegPerDistance);
         drive(-1, -1);
     }
 
@@ -157,8 +171,8 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
             backward();
         } else {
             begin(Move.MoveType.TRAVEL, (float) distance, 0);
-            setMotorSpeeds(travelSpeed * leftDegPerDistance, travelSpeed * rightDegPerDistance);
-            turnWheels((int) (distance * leftDegPerDistance), (int) (distance * rightDegPerDistance), immediateReturn);
+            setMotorSpeeds(travelSpeed * _leftDegPerDistance, travelSpeed * _rightDegPerDistance);
+            turnWheels((int) (distance * _leftDegPerDistance), (int) (distance * _rightDegPerDistance), immediateReturn);
         }
     }
 
@@ -188,8 +202,8 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
 
     /** Stops, and waits until the robot stands. */
     public void stop() {
-        left.stop(true);
-        right.stop(true);
+        _left.stop(true);
+        _right.stop(true);
         waitComplete();
     }
 
@@ -286,37 +300,37 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
 
     /** Says whether the robot moves. */
     public boolean isMoving() {
-        return left.isMoving() || right.isMoving();
+        return _left.isMoving() || _right.isMoving();
     }
 
     /** Says whether something keeps one of the motors from moving on. */
     public boolean isStalled() {
-        return left.isStalled() || right.isStalled();
+        return _left.isStalled() || _right.isStalled();
     }
 
     /** Counts how far the robot moves from here. */
     public void reset() {
-        leftStart = left.getTachoCount();
-        rightStart = right.getTachoCount();
+        leftStart = _left.getTachoCount();
+        rightStart = _right.getTachoCount();
     }
 
     /** Gives how far the robot has moved since it began to. */
     public float getMovementIncrement() {
-        float leftWay = (left.getTachoCount() - leftStart) / leftDegPerDistance;
-        float rightWay = (right.getTachoCount() - rightStart) / rightDegPerDistance;
+        float leftWay = (_left.getTachoCount() - leftStart) / _leftDegPerDistance;
+        float rightWay = (_right.getTachoCount() - rightStart) / _rightDegPerDistance;
         return parity * (leftWay + rightWay) / 2;
     }
 
     /** Gives by how many degrees the robot has turned since it began to move. */
     public float getAngleIncrement() {
-        float leftTurn = (left.getTachoCount() - leftStart) / leftTurnRatio;
-        float rightTurn = (right.getTachoCount() - rightStart) / rightTurnRatio;
+        float leftTurn = (_left.getTachoCount() - leftStart) / leftTurnRatio;
+        float rightTurn = (_right.getTachoCount() - rightStart) / rightTurnRatio;
         return parity * (rightTurn - leftTurn) / 2;
     }
 
     /** Gives how the robot has moved since it began to. */
     public Move getMovement() {
-        return new Move(type, getMovementIncrement(), getAngleIncrement(), travelSpeed, rotateSpeed, isMoving());
+        return new Move(_type, getMovementIncrement(), getAngleIncrement(), travelSpeed, rotateSpeed, isMoving());
     }
 
     /** Tells a listener from now on when a move begins and ends. */
@@ -331,16 +345,23 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     /** Is told by the motors; programs need not call it. */
     public void rotationStopped(RegulatedMotor motor, int tachoCount, boolean stall, long timeStamp) {
         if (stall) {
-            left.stop(true);
-            right.stop(true);
+            _left.stop(true);
+            _right.stop(true);
         }
         if (!isMoving()) end();
+    }
+
+    /** Ends the present move, and begins one of the kind _type, as far as the last one was planned to go. */
+    protected void movementStart(boolean alert) {
+        begin(_type, plannedDistance, plannedAngle);
     }
 
     private void begin(Move.MoveType type, float distance, float angle) {
         if (isMoving()) end();
         reset();
-        this.type = type;
+        _type = type;
+        plannedDistance = distance;
+        plannedAngle = angle;
         isUnderWay = true;
         isSteering = false;
         Move move = new Move(type, distance, angle, travelSpeed, rotateSpeed, true);
@@ -351,26 +372,26 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
         if (!isUnderWay) return;
         isUnderWay = false;
         isSteering = false;
-        Move move = new Move(type, getMovementIncrement(), getAngleIncrement(), travelSpeed, rotateSpeed, false);
+        Move move = new Move(_type, getMovementIncrement(), getAngleIncrement(), travelSpeed, rotateSpeed, false);
         for (MoveListener listener : listeners) listener.moveStopped(move, this);
     }
 
     private void waitComplete() {
         do {
-            left.waitComplete();
-            right.waitComplete();
+            _left.waitComplete();
+            _right.waitComplete();
         } while (isMoving());
     }
 
     private void turnWheels(int leftAngle, int rightAngle, boolean immediateReturn) {
-        left.rotate(parity * leftAngle, true);
-        right.rotate(parity * rightAngle, true);
+        _left.rotate(parity * leftAngle, true);
+        _right.rotate(parity * rightAngle, true);
         if (!immediateReturn) waitComplete();
     }
 
     private void drive(int leftDirection, int rightDirection) {
-        drive(left, parity * leftDirection);
-        drive(right, parity * rightDirection);
+        drive(_left, parity * leftDirection);
+        drive(_right, parity * rightDirection);
     }
 
     private static void drive(RegulatedMotor motor, int direction) {
@@ -412,7 +433,8 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     }
 
     private void setSteerSpeeds(double rate, float ratio) {
-        float outer = travelSpeed * (rate > 0 ? rightDegPerDistance : leftDegPerDistance);
+        _outside = rate > 0 ? _right : _left;
+        float outer = travelSpeed * (rate > 0 ? _rightDegPerDistance : _leftDegPerDistance);
         float inner = outer * Math.abs(ratio);
         setMotorSpeeds(rate > 0 ? inner : outer, rate > 0 ? outer : inner);
     }
@@ -423,16 +445,16 @@ public class DifferentialPilot implements ArcRotateMoveController, LineFollowing
     }
 
     private float maxMotorSpeed() {
-        return Math.min(left.getMaxSpeed(), right.getMaxSpeed());
+        return Math.min(_left.getMaxSpeed(), _right.getMaxSpeed());
     }
 
     private void setMotorSpeeds(float leftSpeed, float rightSpeed) {
-        left.setSpeed(Math.round(leftSpeed));
-        right.setSpeed(Math.round(rightSpeed));
+        _left.setSpeed(Math.round(leftSpeed));
+        _right.setSpeed(Math.round(rightSpeed));
     }
 
     private void setMotorAccelerations(int acceleration) {
-        left.setAcceleration(Math.round(acceleration * leftDegPerDistance));
-        right.setAcceleration(Math.round(acceleration * rightDegPerDistance));
+        _left.setAcceleration(Math.round(acceleration * _leftDegPerDistance));
+        _right.setAcceleration(Math.round(acceleration * _rightDegPerDistance));
     }
 }

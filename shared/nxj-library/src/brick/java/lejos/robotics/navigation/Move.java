@@ -1,7 +1,15 @@
 package lejos.robotics.navigation;
 
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import lejos.robotics.Transmittable;
+
 /** How a robot moves: how far, and by how many degrees it turns. */
-public class Move {
+public class Move implements Transmittable {
+    /** Turns by less degrees than this have no radius. */
+    private static final double LEAST_ANGLE = 0.5;
+
     /** The kinds of moves. */
     public enum MoveType {
         /** Straight on. */
@@ -42,7 +50,7 @@ public class Move {
     public Move(MoveType type, float distance, float angle, float travelSpeed, float rotateSpeed, boolean isMoving) {
         this.travelSpeed = travelSpeed;
         this.rotateSpeed = rotateSpeed;
-        setValues(type, distance, angle, isMoving);
+        set(type, distance, angle, isMoving);
     }
 
     /** Makes one of a kind without speeds. */
@@ -51,8 +59,14 @@ public class Move {
     }
 
     /** Makes one whose kind follows from how far the robot moves and turns. */
-    public Move(boolean isMoving, float angle, float distance) {
+    public Move(float distance, float angle, boolean isMoving) {
         this(typeOf(distance, angle), distance, angle, isMoving);
+    }
+
+    /** Makes one of the degrees of a turn and the radius of the circle; 0 is for a turn on the spot. */
+    public Move(boolean isMoving, float angle, float turnRadius) {
+        this(convertAngleToDistance(angle, turnRadius), angle, isMoving);
+        arcRadius = turnRadius;
     }
 
     /** Gives the degrees of a turn for so far on a circle. */
@@ -65,14 +79,37 @@ public class Move {
         return (float) (angle * Math.PI * radius / 180);
     }
 
-    /** Changes everything but the speeds. */
+    /** Changes everything but the speeds; the kind follows from how far the robot moves and turns. */
     public void setValues(MoveType type, float distance, float angle, boolean isMoving) {
+        set(typeOf(distance, angle), distance, angle, isMoving);
+    }
+
+    private void set(MoveType type, float distance, float angle, boolean isMoving) {
         moveType = type;
         distanceTraveled = distance;
         angleTurned = angle;
         this.isMoving = isMoving;
         timeStamp = System.currentTimeMillis();
-        arcRadius = angle == 0 ? Float.POSITIVE_INFINITY : (float) (distance * 180 / (Math.PI * angle));
+        if (Math.abs(angle) > LEAST_ANGLE) arcRadius = (float) (distance / Math.toRadians(angle));
+    }
+
+    /** Writes the kind, the speeds, how far the robot moves, and by how many degrees it turns. */
+    public void dumpObject(DataOutputStream dos) throws IOException {
+        dos.writeByte(moveType.ordinal());
+        dos.writeFloat(travelSpeed);
+        dos.writeFloat(rotateSpeed);
+        dos.writeFloat(distanceTraveled);
+        dos.writeFloat(angleTurned);
+        dos.flush();
+    }
+
+    /** Reads what dumpObject has written. */
+    public void loadObject(DataInputStream dis) throws IOException {
+        moveType = MoveType.values()[dis.readByte()];
+        travelSpeed = dis.readFloat();
+        rotateSpeed = dis.readFloat();
+        distanceTraveled = dis.readFloat();
+        angleTurned = dis.readFloat();
     }
 
     /** Changes the speeds. */
@@ -131,7 +168,7 @@ public class Move {
             case ARC:
                 return "ARC  of " + arcRadius + " for " + angleTurned + "degrees  at " + travelSpeed;
             default:
-                return "STOP";
+                return "STOP ";
         }
     }
 
