@@ -6,6 +6,7 @@ plugins {
 
 texts {
     constant("jvmTest", "robotran.nxjlibrary.documentedNatives", "shared/nxj-library/src/brick", "natives.md")
+    constant("jvmTest", "robotran.nxjlibrary.comparison", "shared/nxj-library", "CompareApi.java")
     constant(
         "jvmTest",
         "robotran.nxjlibrary.testPrograms",

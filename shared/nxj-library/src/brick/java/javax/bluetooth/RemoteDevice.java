@@ -1,12 +1,22 @@
 package javax.bluetooth;
 
-/** Another robot, by its name. */
+/** Another robot; its address is its name here. */
 public class RemoteDevice {
-    private final String name;
+    private String name;
+    private String address;
+    private int kind;
 
     /** Makes one of its name; Bluetooth.getKnownDevice gives those that there are. */
-    protected RemoteDevice(String name) {
+    protected RemoteDevice(String addr) {
+        name = addr;
+        address = addr;
+    }
+
+    /** Makes one of a name, an address and the number of its kind. */
+    public RemoteDevice(String name, String deviceAddr, int devclass) {
         this.name = name;
+        address = deviceAddr;
+        kind = devclass;
     }
 
     /** Gives the name of the robot; the value does not matter. */
@@ -14,18 +24,48 @@ public class RemoteDevice {
         return name;
     }
 
-    /** Gives the address of the robot, which is its name here. */
-    public final String getBluetoothAddress() {
-        return name;
+    /** Sets the name by which this object knows the robot. */
+    public void setFriendlyName(String fName) {
+        name = fName;
     }
 
-    /** Says whether both are the same robot. */
-    public boolean equals(Object other) {
-        return other instanceof RemoteDevice && ((RemoteDevice) other).name.equals(name);
+    /** Gives the address of the robot. */
+    public String getBluetoothAddress() {
+        return address;
     }
 
-    /** Gives a number that is the same for the same robot. */
+    /** Gives the address of the robot. */
+    public String getDeviceAddr() {
+        return address;
+    }
+
+    /** Sets the address by which this object knows the robot. */
+    public void setDeviceAddr(String deviceAddr) {
+        address = deviceAddr;
+    }
+
+    /** Gives the number of the kind of device. */
+    public int getDeviceClass() {
+        return kind;
+    }
+
+    /** Tells whether the robot has a name. */
+    public boolean isAuthenticated() {
+        return !name.equals("");
+    }
+
+    /** Gives false. */
+    public boolean isEncrypted() {
+        return false;
+    }
+
+    /** Tells whether both have the same address. */
+    public boolean equals(Object obj) {
+        return obj instanceof RemoteDevice && ((RemoteDevice) obj).address.equals(address);
+    }
+
+    /** Gives a number that is the same for the same address. */
     public int hashCode() {
-        return name.hashCode();
+        return address.hashCode();
     }
 }

@@ -25,6 +25,9 @@ public class RotatingRangeScanner implements RangeScanner {
     /** How many degrees the motor turns for one of the sensor. */
     protected int gearRatio;
 
+    /** The same with what is behind the point; 0 if it was given as a whole number. */
+    private float exactRatio;
+
     /** Makes one of a motor, which looks ahead now, and the sensor on it. */
     public RotatingRangeScanner(RegulatedMotor head, RangeFinder rangeFinder) {
         this(head, rangeFinder, 1);
@@ -38,9 +41,16 @@ public class RotatingRangeScanner implements RangeScanner {
         head.resetTachoCount();
     }
 
+    /** Makes one whose motor turns so many degrees for one of the sensor, also parts of degrees. */
+    public RotatingRangeScanner(RegulatedMotor head, RangeFinder rangeFinder, float gearRatio) {
+        this(head, rangeFinder, (int) gearRatio);
+        exactRatio = gearRatio;
+    }
+
     /** Sets how many degrees the motor turns for one of the sensor. */
     public void setGearRatio(int gearRatio) {
         this.gearRatio = gearRatio;
+        exactRatio = 0;
     }
 
     /** Sets the motor that turns the sensor. */
@@ -59,7 +69,8 @@ public class RotatingRangeScanner implements RangeScanner {
             readings = new RangeReadings(angles.length);
         }
         for (int i = 0; i < angles.length; i++) {
-            head.rotateTo((int) angles[i] * gearRatio);
+            int angle = (int) angles[i];
+            head.rotateTo(exactRatio == 0 ? angle * gearRatio : (int) (angle * exactRatio));
             Delay.msDelay(50);
             float range = rangeFinder.getRange() + ZERO;
             readings.setRange(i, angles[i], range > MAX_RELIABLE_RANGE_READING ? -1 : range);

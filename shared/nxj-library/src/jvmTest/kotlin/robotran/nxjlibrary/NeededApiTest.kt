@@ -116,6 +116,29 @@ class NeededApiTest {
                 "addListener scan enableDetection isEnabled getDelay setDelay",
             "lejos.robotics.objectdetection.FeatureListener" to "featureDetected",
             "lejos.robotics.objectdetection.RangeFeatureDetector" to "new",
+            "lejos.robotics.mapping.LineMap" to "new range inside getBoundingRect getLines",
+            "lejos.robotics.pathfinding.ShortestPathFinder" to "new findRoute lengthenLines",
+            "lejos.robotics.pathfinding.NodePathFinder" to "new findRoute addListener startPathFinding",
+            "lejos.robotics.pathfinding.FourWayGridMesh" to "new getMesh",
+            "lejos.robotics.pathfinding.AstarSearchAlgorithm" to "new findPath",
+            "lejos.robotics.localization.MCLPoseProvider" to "new getPose update generateParticles getParticles",
+            "lejos.robotics.FixedRangeScanner" to "new getRangeValues setAngles getRangeFinder",
+            "lejos.robotics.RotatingRangeScanner" to "new getRangeValues setAngles getRangeFinder",
+            "lejos.robotics.navigation.SteeringPilot" to "new travel arc travelArc calibrateSteering",
+            "lejos.util.Matrix" to "new get set times plus transpose inverse solve identity print",
+            "lejos.util.KalmanFilter" to "new setState update getMean getCovariance getGain",
+            "lejos.util.DebugMessages" to "new echo",
+            "lejos.util.NXTDataLogger" to
+                "new startRealtimeLog startCachingLog writeLog finishLine setColumns sendCache stopLogging",
+            "javax.microedition.lcdui.Graphics" to
+                "new drawLine drawRect fillRect drawArc fillArc drawRoundRect drawString drawChar drawImage " +
+                "drawRegion setFont getFont setStrokeStyle translate clear HCENTER VCENTER LEFT RIGHT " +
+                "TOP BOTTOM BASELINE",
+            "javax.microedition.lcdui.Font" to
+                "getFont getDefaultFont getLargeFont getSmallFont stringWidth getHeight",
+            "javax.microedition.lcdui.Image" to "new createImage getWidth getHeight getGraphics",
+            "javax.microedition.lcdui.Display" to "getDisplay setCurrent show quit",
+            "javax.microedition.lcdui.List" to "new append delete getSelectedIndex setCommandListener",
             "lejos.nxt.comm.Bluetooth" to
                 "waitForConnection connect getKnownDevice getFriendlyName getLocalAddress getConnector",
             "lejos.nxt.comm.NXTConnection" to

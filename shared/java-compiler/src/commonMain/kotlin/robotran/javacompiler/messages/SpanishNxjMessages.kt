@@ -44,7 +44,7 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.NAVIGATOR -> "Usa un Navigator de lejos.robotics.navigation."
         NxjRemedy.ODOMETRY -> "Un OdometryPoseProvider de lejos.robotics.localization sabe dónde está el robot."
         NxjRemedy.LINE_MAP -> "Un mapa se hace de líneas: new LineMap(lines, new Rectangle(0, 0, 200, 100))."
-        NxjRemedy.BALANCE -> "Aquí ningún robot se equilibra sobre dos ruedas. Usa un DifferentialPilot y una tercera rueda."
+        NxjRemedy.BALANCE -> "Aquí ningún robot se equilibra en dos ruedas. Usa DifferentialPilot y una tercera rueda."
         NxjRemedy.NO_COMPUTER -> "Necesita un programa en un ordenador. RConsole.println() escribe en el registro."
         NxjRemedy.SENSORS -> "Hay TouchSensor, LightSensor, SoundSensor, ColorSensor y UltrasonicSensor."
         NxjRemedy.NOT_EV3 -> "Eso es para un EV3. Este robot tiene un NXT: import lejos.nxt.*;"

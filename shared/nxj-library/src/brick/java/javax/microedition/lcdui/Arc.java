@@ -36,12 +36,8 @@ class Arc {
         int radius = (isHigh ? width : height) >> 1;
         int scaleX = isHigh ? FINE : (FINE * width + (width >> 1)) / height;
         int scaleY = isHigh ? (FINE * height + (height >> 1)) / width : FINE;
-        int start = startAngle;
-        while (start < 0) start += 360;
-        while (start > 360) start -= 360;
-        int by = arcAngle;
-        while (by > 360) by -= 360;
-        while (by < -360) by += 360;
+        int start = within(startAngle, 0, 360);
+        int by = within(arcAngle, -360, 360);
         int from = Math.min(start, start + by);
         int to = Math.max(start, start + by);
         if (to > 360) {
@@ -53,6 +49,14 @@ class Arc {
         } else {
             draw(radius, scaleX, scaleY, from, to);
         }
+    }
+
+    private static int within(int angle, int least, int most) {
+        int turn = 360;
+        int result = angle;
+        while (result < least) result += turn;
+        while (result > most) result -= turn;
+        return result;
     }
 
     private void draw(int radius, int scaleX, int scaleY, int from, int to) {

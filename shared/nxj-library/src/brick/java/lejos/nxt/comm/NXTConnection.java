@@ -4,9 +4,10 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.InputStream;
 import java.io.OutputStream;
+import javax.microedition.io.StreamConnection;
 
 /** A connection between two robots, over which both send bytes. */
-public abstract class NXTConnection {
+public abstract class NXTConnection implements StreamConnection {
     /** Bytes go in packets. */
     public static final int PACKET = 0;
 
