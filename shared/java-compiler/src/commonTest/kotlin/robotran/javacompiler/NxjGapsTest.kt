@@ -193,4 +193,12 @@ class NxjGapsTest {
         assertEquals(EnglishJavaMessages.severalClasses("Timer"), diagnostic.message)
         assertEquals(EnglishJavaMessages.importIt("import lejos.util.Timer;"), diagnostic.hint)
     }
+
+    @Test
+    fun `of two classes the one with types in angle brackets is Java's`() = runTest {
+        suspend fun hint(statement: String) =
+            nxtDiagnosticOf("import javax.microedition.lcdui.*;\n" + nxtProgram(statement)).hint
+        assertEquals(EnglishJavaMessages.importIt("import java.util.List;"), hint("List<String> names = null;"))
+        assertEquals(EnglishJavaMessages.importIt("import javax.microedition.lcdui.List;"), hint("List menu = null;"))
+    }
 }

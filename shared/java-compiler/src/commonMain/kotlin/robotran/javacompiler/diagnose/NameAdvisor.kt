@@ -20,7 +20,7 @@ internal class NameAdvisor(
         return when (problem.number) {
             ProblemId.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
             ProblemId.UNDEFINED_TYPE -> classAdvice(problem, source, written)
-            ProblemId.AMBIGUOUS_TYPE -> choiceAdvice(source, written)
+            ProblemId.AMBIGUOUS_TYPE -> choiceAdvice(problem, source, written)
             ProblemId.UNDEFINED_NAME, ProblemId.UNRESOLVED_VARIABLE -> name(problem, source, written)
             else -> null
         }
@@ -122,11 +122,15 @@ internal class NameAdvisor(
         }
     }
 
-    /** Several of the imported packages have the class; a program most likely means that of the brick. */
-    private fun choiceAdvice(source: SourceText, name: String): ProblemExplanation {
+    /**
+     * Several of the imported packages have the class; a program most likely means that of the brick, but with types in
+     * angle brackets that of Java.
+     */
+    private fun choiceAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val message = messages.severalClasses(shortened(name))
         val candidates = library.qualifiedNames.filter { it.substringAfterLast('.') == name }
-        val home = candidates.firstOrNull { !it.startsWith("java.") } ?: candidates.firstOrNull()
+        val isGeneric = source.codeAt(source.codeFrom(problem.end)) == '<'
+        val home = candidates.firstOrNull { it.startsWith("java.") == isGeneric } ?: candidates.firstOrNull()
         return home?.let { "import $it;" }
             ?.let { ProblemExplanation(message, messages.importIt(it), source.addLineAtTop(it)) }
             ?: ProblemExplanation(message)

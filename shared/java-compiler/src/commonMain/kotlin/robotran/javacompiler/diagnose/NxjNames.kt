@@ -80,6 +80,7 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.IS_MOVING, "NXTRegulatedMotor.isBackward NXTRegulatedMotor.isStopped NXTRegulatedMotor.isFloating")
     put(NxjRemedy.DIFFERENTIAL_PILOT, "Pilot TachoPilot LegacyPilot CompassPilot MovePilot WheeledChassis")
     put(NxjRemedy.DIFFERENTIAL_PILOT, "Chassis OmniPilot TwoWheelPilot PseudoSteeringPilot RobotArm RobotHand")
+    put(NxjRemedy.DIFFERENTIAL_PILOT, "ArcAlgorithms")
     put(NxjRemedy.BALANCE, "SegowayPilot Segoway Segway SegwayPilot Ballbot")
     put(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot.setMoveSpeed")
     put(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot.setSpeed DifferentialPilot.setTurnSpeed")
@@ -102,7 +103,7 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.DRAW, "LCD.showNumber LCD.setNumber LCD.showProgramNumber LCD.setSegment LCD.print LCD.println")
     put(NxjRemedy.SENSOR_PORT, "Sensor SensorConstants.SENSOR_TYPE_LIGHT Sensor.S1 Sensor.S2 Sensor.S3 ProximitySensor")
     put(NxjRemedy.NXT_BUTTONS, "Button.RUN Button.VIEW Button.PRGM Button.UP Button.DOWN")
-    put(NxjRemedy.BLUETOOTH, "Serial RCXPort PacketHandler")
+    put(NxjRemedy.BLUETOOTH, "Serial RCXPort PacketHandler DiscoveryAgent DiscoveryListener")
 }
 
 /** Methods that other programs call without a class or an object. */
