@@ -41,7 +41,11 @@ public class RotatingRangeScanner implements RangeScanner {
         head.resetTachoCount();
     }
 
-    /** Makes one whose motor turns so many degrees for one of the sensor, also parts of degrees. */
+    /**
+     * Makes one whose motor turns so many degrees for one of the sensor, also parts of degrees.
+     *
+     * @hidden
+     */
     public RotatingRangeScanner(RegulatedMotor head, RangeFinder rangeFinder, float gearRatio) {
         this(head, rangeFinder, (int) gearRatio);
         exactRatio = gearRatio;
