@@ -228,7 +228,21 @@ private object GermanSensorMessages : SensorMessages {
             SensorKind.COLOUR -> "Farbsensor"
             SensorKind.COMPASS -> "Kompasssensor"
             SensorKind.GYRO -> "Kreiselsensor"
+            SensorKind.HITECHNIC_COLOUR -> "Farbsensor"
+            SensorKind.MINDSENSORS_COMPASS -> "Kompasssensor"
+            SensorKind.HITECHNIC_ACCELERATION -> "Beschleunigungssensor"
+            SensorKind.MINDSENSORS_ACCELERATION -> "Beschleunigungssensor"
+            SensorKind.RCX_LIGHT -> "RCX-Lichtsensor"
+            SensorKind.RCX_LINK -> "RCX-Adapter"
+            SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
+            SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
         }
-        return if (ports.size == 1) "ein $sensor" else "${sensor}en"
+        val maker = when (kind) {
+            SensorKind.HITECHNIC_COLOUR, SensorKind.HITECHNIC_ACCELERATION -> " von HiTechnic"
+            SensorKind.MINDSENSORS_COMPASS, SensorKind.MINDSENSORS_ACCELERATION -> " von mindsensors"
+            else -> ""
+        }
+        val ending = if (kind == SensorKind.RCX_LINK) "" else "en"
+        return if (ports.size == 1) "ein $sensor$maker" else "$sensor$ending$maker"
     }
 }
