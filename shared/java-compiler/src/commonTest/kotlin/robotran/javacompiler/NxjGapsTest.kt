@@ -95,6 +95,8 @@ class NxjGapsTest {
         assertTold(NxjRemedy.RCX_LINK, "IRLink i = null;")
         assertTold(NxjRemedy.ONE_PORT_EACH, "TouchMUX m = null;", "SensorMux m = null;")
         assertTold(NxjRemedy.THREE_MOTORS, "PFLink p = null;", "MServo s = null;", "RCXMotorMultiplexer m = null;")
+        assertTold(NxjRemedy.MENU_SETTINGS, "Button.loadSettings();", "Sound.loadSettings();")
+        assertTold(NxjRemedy.BREAKPOINTS, "VM.getVM();", "NXT.boot();")
         val comm = "lejos.nxt.comm"
         assertTold(NxjRemedy.BLUETOOTH_BY_NAME, "$comm.Bluetooth.btRead(null, 0, 0);", "$comm.Bluetooth.getPin();")
         assertTold(NxjRemedy.BLUETOOTH, "$comm.USB.usbReset();", "$comm.RS485.hsEnable(0, 0);")

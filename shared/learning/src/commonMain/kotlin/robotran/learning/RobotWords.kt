@@ -55,6 +55,8 @@ private val SENSOR_WORDS: Map<SensorKind, Map<Language, String>> = mapOf(
         "enlace RCX infrarrojos mensaje",
     ),
     SensorKind.NXT_TEMPERATURE to words("temperature", "Temperatur", "temperatura"),
+    SensorKind.INFRARED_SEEKER to words("infrared seeker", "Infrarotsucher", "buscador de infrarrojos"),
+    SensorKind.INFRARED_SEEKER_2 to words("infrared seeker", "Infrarotsucher", "buscador de infrarrojos"),
     SensorKind.OPTICAL_DISTANCE to words(
         "optical distance sensor infrared",
         "Abstandssensor Infrarot Entfernung",

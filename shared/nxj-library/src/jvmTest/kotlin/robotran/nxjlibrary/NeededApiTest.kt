@@ -80,6 +80,9 @@ class NeededApiTest {
             "lejos.nxt.addon.CompassMindSensor" to "new getDegrees",
             "lejos.nxt.addon.GyroSensor" to "new readValue setOffset getAngularVelocity recalibrateOffset " +
                 "recalibrateOffsetAlt",
+            "lejos.nxt.addon.IRSeeker" to "new getDirection getSensorValue",
+            "lejos.nxt.addon.IRSeekerV2" to "new setMode getDirection getAngle hasDirection getSensorValue " +
+                "getSensorValues getAverage",
             "lejos.nxt.addon.OpticalDistanceSensor" to "new getDistance getRange getRanges powerOn powerOff",
             "lejos.nxt.addon.RCXLightSensor" to "new getLightValue getNormalizedLightValue setFloodlight",
             "lejos.nxt.addon.RCXLink" to "new A B C ping sendF7 sendPacket runProgram beep readBytes sendBytes",

@@ -36,6 +36,8 @@ data class SensorBody(val back: Double, val front: Double, val half: Double) {
             SensorKind.HITECHNIC_ACCELERATION,
             SensorKind.MINDSENSORS_ACCELERATION,
             SensorKind.RCX_LINK,
+            SensorKind.INFRARED_SEEKER,
+            SensorKind.INFRARED_SEEKER_2,
         )
 
         fun of(sensor: SensorKind, brick: BrickKind): SensorBody = when (sensor) {

@@ -122,6 +122,12 @@ enum class ReportedSensorKind {
 
     @SerialName("nxt temperature")
     NXT_TEMPERATURE,
+
+    @SerialName("infrared seeker")
+    INFRARED_SEEKER,
+
+    @SerialName("infrared seeker 2")
+    INFRARED_SEEKER_2,
 }
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
@@ -220,6 +226,8 @@ private fun reported(kind: SensorKind): ReportedSensorKind = when (kind) {
     SensorKind.RCX_LINK -> ReportedSensorKind.RCX_LINK
     SensorKind.OPTICAL_DISTANCE -> ReportedSensorKind.OPTICAL_DISTANCE
     SensorKind.NXT_TEMPERATURE -> ReportedSensorKind.NXT_TEMPERATURE
+    SensorKind.INFRARED_SEEKER -> ReportedSensorKind.INFRARED_SEEKER
+    SensorKind.INFRARED_SEEKER_2 -> ReportedSensorKind.INFRARED_SEEKER_2
 }
 
 private fun statusOf(run: RunState): RunStatus = when (run) {

@@ -29,6 +29,12 @@ enum class SensorKind {
 
     /** The temperature sensor of an NXT, which sends numbers; [TEMPERATURE] is that of an RCX. */
     NXT_TEMPERATURE,
+
+    /** The first infrared seeker of HiTechnic. */
+    INFRARED_SEEKER,
+
+    /** The second one, which tells light that is sent from other infrared light. */
+    INFRARED_SEEKER_2,
     ;
 
     /** Whether it sees the light or colour of a surface: of the floor below it, or ahead. */

@@ -122,6 +122,14 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.SENSOR_PORT, "Sensor SensorConstants.SENSOR_TYPE_LIGHT Sensor.S1 Sensor.S2 Sensor.S3 ProximitySensor")
     put(NxjRemedy.NXT_BUTTONS, "Button.RUN Button.VIEW Button.PRGM Button.UP Button.DOWN")
     put(NxjRemedy.BLUETOOTH, "Serial PacketHandler")
+    put(NxjRemedy.MENU_SETTINGS, "Button.loadSettings Button.loadSystemSettings Sound.loadSettings")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.notifyEvent")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.clearEvent NXTEvent.getEventData NXTEvent.setFilter")
+    put(NxjRemedy.BREAKPOINTS, "VM.getVM VM.getImage VM.getVMThreads VM.getVMThread VM.getElements VM.getFields")
+    put(NxjRemedy.BREAKPOINTS, "VM.getClass VM.getVMClass VM.getMethod VM.getClassNumber VM.getThrowableStackTrace")
+    put(NxjRemedy.BREAKPOINTS, "VM.suspendThread VM.resumeThread VM.executeProgram VM.setVMOptions VM.getVMOptions")
+    put(NxjRemedy.BREAKPOINTS, "VM.isArray VM.isAssignable VM.enableRunTimeTypeChecks NXT.boot NXT.getUserPages")
+    put(NxjRemedy.BREAKPOINTS, "NXT.getProgramExecutionsCount")
 }
 
 /** What leJOS NXJ's class `Bluetooth` has beside connections by name: its chip and its list of devices. */

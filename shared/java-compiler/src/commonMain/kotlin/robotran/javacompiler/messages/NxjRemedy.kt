@@ -155,6 +155,15 @@ enum class NxjRemedy {
     /** A port for each sensor. */
     ONE_PORT_EACH,
 
+    /** Leave it out: the settings of the menu hold. */
+    MENU_SETTINGS,
+
+    /** Listeners of buttons and ports instead of events of the machine. */
+    NXT_LISTENERS,
+
+    /** Breakpoints: a program cannot look into the virtual machine. */
+    BREAKPOINTS,
+
     /** `Motor.A`, `Motor.B` and `Motor.C`: there are no other motors. */
     THREE_MOTORS,
 

@@ -46,7 +46,8 @@ internal class CallPerformer(private val hardware: NxtHardware) {
                 done { hardware.isToShutDown = true }
             }
 
-            NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE, NxtNative.OPEN_CABLE, NxtNative.LISTEN_CABLE,
+            NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE, NxtNative.OPEN_CABLE,
+            NxtNative.LISTEN_CABLE,
             -> {
                 performOnRadio(call)
             }

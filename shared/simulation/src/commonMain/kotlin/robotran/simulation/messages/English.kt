@@ -207,8 +207,10 @@ private object EnglishSensorMessages : SensorMessages {
             SensorKind.RCX_LINK -> "RCX link"
             SensorKind.OPTICAL_DISTANCE -> "optical distance sensor"
             SensorKind.NXT_TEMPERATURE -> "NXT temperature sensor"
+            SensorKind.INFRARED_SEEKER -> "infrared seeker"
+            SensorKind.INFRARED_SEEKER_2 -> "infrared seeker V2"
         }
-        val article = if (sensor.first() in "uoRN") "an" else "a"
+        val article = if (sensor.first() in "uoiRN") "an" else "a"
         return if (ports.size == 1) "$article $sensor" else "${sensor}s"
     }
 }

@@ -236,13 +236,15 @@ private object GermanSensorMessages : SensorMessages {
             SensorKind.RCX_LINK -> "RCX-Adapter"
             SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
             SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
+            SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> "Infrarotsucher"
         }
         val maker = when (kind) {
             SensorKind.HITECHNIC_COLOUR, SensorKind.HITECHNIC_ACCELERATION -> " von HiTechnic"
             SensorKind.MINDSENSORS_COMPASS, SensorKind.MINDSENSORS_ACCELERATION -> " von mindsensors"
+            SensorKind.INFRARED_SEEKER_2 -> " V2"
             else -> ""
         }
-        val ending = if (kind == SensorKind.RCX_LINK) "" else "en"
+        val ending = if (sensor.endsWith("er")) "" else "en"
         return if (ports.size == 1) "ein $sensor$maker" else "$sensor$ending$maker"
     }
 }

@@ -228,6 +228,8 @@ private object SpanishSensorMessages : SensorMessages {
             SensorKind.OPTICAL_DISTANCE -> "distancia por infrarrojos"
             SensorKind.NXT_TEMPERATURE -> "temperatura del NXT"
             SensorKind.RCX_LINK -> return "enlace RCX" to "enlaces RCX"
+            SensorKind.INFRARED_SEEKER -> return "buscador de infrarrojos" to "buscadores de infrarrojos"
+            SensorKind.INFRARED_SEEKER_2 -> return "buscador de infrarrojos V2" to "buscadores de infrarrojos V2"
         }
         return "sensor de $measure" to "sensores de $measure"
     }

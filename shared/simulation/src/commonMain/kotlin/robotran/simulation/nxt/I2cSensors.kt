@@ -50,6 +50,14 @@ internal class I2cSensors(
             OpticalDevice(scene, place, streams, nameOf("optical distance sensor"), realism, clock)
         }
 
+        SensorKind.INFRARED_SEEKER -> {
+            FirstSeeker(SeekerEyes(scene, place, streams, nameOf("infrared seeker"), realism), clock)
+        }
+
+        SensorKind.INFRARED_SEEKER_2 -> {
+            SecondSeeker(SeekerEyes(scene, place, streams, nameOf("infrared seeker V2"), realism), clock)
+        }
+
         SensorKind.NXT_TEMPERATURE -> {
             WarmthDevice(thermometer, streams, nameOf("NXT temperature sensor"), realism)
         }

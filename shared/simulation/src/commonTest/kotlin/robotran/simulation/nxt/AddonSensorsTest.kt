@@ -3,11 +3,13 @@ package robotran.simulation.nxt
 import kotlinx.coroutines.test.runTest
 import robotran.brick.program.BrickProgram
 import robotran.brick.sensors.SensorKind
+import robotran.nxt.hardware.SensorType
 import robotran.simulation.MessageProgram
 import robotran.simulation.Session
 import robotran.world.Barrier
 import robotran.world.BumperSide
 import robotran.world.Facing
+import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.ReadyRobots
@@ -17,6 +19,7 @@ import robotran.world.RotationPart
 import robotran.world.SensorPart
 import robotran.world.Shade
 import robotran.world.World
+import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
@@ -131,6 +134,48 @@ class AddonSensorsTest {
         val first = shown(real, "OldSensors", 4_000).first
         assertEquals(first, shown(real, "OldSensors", 4_000).first, "the same again with the same seed")
         assertTrue(first != shown(real.copy(seed = real.seed + 1), "OldSensors", 4_000).first)
+    }
+
+    private val seekers =
+        world(ahead(1, SensorKind.INFRARED_SEEKER), ahead(2, SensorKind.INFRARED_SEEKER_2))
+
+    /** A lamp 50 cm from the seekers, so many degrees to the left. */
+    private fun lamp(degrees: Double, sends: Boolean): Lamp =
+        Lamp(Direction(degrees).from(Point(307.2, 300.0), 50.0, 0.0), infrared = sends)
+
+    @Test
+    fun `infrared seekers tell where lamps are, and one which of them send`() = runTest(timeout = 3.minutes) {
+        val both = seekers.copy(lamps = listOf(lamp(90.0, sends = true), lamp(-60.0, sends = false)))
+        val (first, sent, values, all) = shown(both, "SeekLamp", 500).first
+        assertTrue(first in listOf("2 true", "7 true"), first)
+        assertEquals("2 -90.0", sent)
+        assertEquals(listOf(true, true, false, false, false), values.split(' ').map { it.toInt() > 0 })
+        assertEquals("true", all.substringAfter(' '))
+        val directions = mapOf(120.0 to 1, 60.0 to 3, 30.0 to 4, 0.0 to 5, -30.0 to 6, -60.0 to 7, -120.0 to 9)
+        for ((degrees, direction) in directions) {
+            val one = seekers.copy(lamps = listOf(lamp(degrees, sends = true)))
+            val told = shown(one, "SeekLamp", 500).first
+            assertEquals("$direction", told[0].substringBefore(' '), "$degrees")
+            assertEquals("$direction ${(direction - 5) * 30}.0", told[1])
+        }
+    }
+
+    @Test
+    fun `walls hide lamps that send and other sensors do not see them`() = runTest(timeout = 3.minutes) {
+        val ahead = seekers.copy(lamps = listOf(lamp(0.0, sends = true)))
+        val wall = Barrier(Shape.Rectangle(Point(330.0, 300.0), 4.0, 60.0))
+        assertEquals("0 NaN", shown(ahead.copy(barriers = listOf(wall)), "SeekLamp", 500).first[1])
+        val off = ahead.copy(lamps = ahead.lamps.map { it.copy(on = false) })
+        assertEquals("0 NaN", shown(off, "SeekLamp", 500).first[1])
+        val eye = world(ahead(1, SensorKind.LIGHT)).copy(lamps = ahead.lamps)
+        val lit = ScriptedNxt {
+            sensor(1, SensorType.LIGHT_INACTIVE)
+            pause(100_000)
+        }
+        val values = listOf(eye, eye.copy(lamps = emptyList())).map { world ->
+            nxtSession(world, lit).apply { advance(100) }.state.brick.inputs[0].value
+        }
+        assertEquals(values[1], values[0])
     }
 
     private suspend fun called(away: Double, program: BrickProgram?): Session {

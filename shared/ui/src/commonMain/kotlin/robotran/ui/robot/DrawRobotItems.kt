@@ -119,6 +119,12 @@ internal fun DrawScope.drawRobotItem(item: RobotItem, ink: Color) {
             waves()
         }
 
+        RobotItem.INFRARED_SEEKER, RobotItem.INFRARED_SEEKER_2 -> {
+            disc(RobotColours.CHASSIS, 12f, 13f, 8f, ink)
+            val eyes = if (item == RobotItem.INFRARED_SEEKER) RobotColours.NXT_GREY else RobotColours.NXT_FACE
+            for (x in listOf(7.5f, 12f, 16.5f)) disc(eyes, x, 11f, 1.6f, ink)
+        }
+
         RobotItem.OPTICAL_DISTANCE -> {
             box(RobotColours.CHASSIS, 2f, 9f, 20f, 8f, ink)
             for (x in listOf(7.5f, 16.5f)) disc(RobotColours.NXT_FACE, x, 13f, 2.6f, ink)

@@ -26,6 +26,8 @@ import robotran.ui.resources.robot_item_finger_touch
 import robotran.ui.resources.robot_item_gyro
 import robotran.ui.resources.robot_item_hitechnic_acceleration
 import robotran.ui.resources.robot_item_hitechnic_colour
+import robotran.ui.resources.robot_item_infrared_seeker
+import robotran.ui.resources.robot_item_infrared_seeker_2
 import robotran.ui.resources.robot_item_light
 import robotran.ui.resources.robot_item_mindsensors_acceleration
 import robotran.ui.resources.robot_item_mindsensors_compass
@@ -82,6 +84,8 @@ internal fun itemWord(item: RobotItem): StringResource = when (item) {
     RobotItem.RCX_LIGHT -> Res.string.robot_item_rcx_light
     RobotItem.RCX_LINK -> Res.string.robot_item_rcx_link
     RobotItem.NXT_TEMPERATURE -> Res.string.robot_item_nxt_temperature
+    RobotItem.INFRARED_SEEKER -> Res.string.robot_item_infrared_seeker
+    RobotItem.INFRARED_SEEKER_2 -> Res.string.robot_item_infrared_seeker_2
     RobotItem.OPTICAL_DISTANCE -> Res.string.robot_item_optical_distance
     RobotItem.FINGER_TOUCH -> Res.string.robot_item_finger_touch
     RobotItem.CASTER -> Res.string.robot_caster
@@ -106,6 +110,8 @@ internal fun partWord(part: RobotPart): StringResource = when (part.kind) {
     SensorKind.RCX_LIGHT -> Res.string.robot_item_rcx_light
     SensorKind.RCX_LINK -> Res.string.robot_item_rcx_link
     SensorKind.NXT_TEMPERATURE -> Res.string.robot_item_nxt_temperature
+    SensorKind.INFRARED_SEEKER -> Res.string.robot_item_infrared_seeker
+    SensorKind.INFRARED_SEEKER_2 -> Res.string.robot_item_infrared_seeker_2
     SensorKind.OPTICAL_DISTANCE -> Res.string.robot_item_optical_distance
 }
 

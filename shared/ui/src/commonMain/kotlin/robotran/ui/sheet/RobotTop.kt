@@ -121,6 +121,11 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, brick: BrickKind) {
             for (y in listOf(-1.1f, 1.1f)) disc(Offset(body.right - 0.7f, y), 0.55f, RobotColours.NXT_FACE)
         }
 
+        SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> {
+            disc(Offset.Zero, 1.2f, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE)
+            for (y in listOf(-0.7f, 0f, 0.7f)) disc(Offset(0.5f, y), 0.22f, RobotColours.NXT_FACE)
+        }
+
         SensorKind.RCX_LIGHT -> {
             plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
         }

@@ -26,6 +26,8 @@ internal enum class PartKind(val sensor: SensorKind?) {
     RCX_LINK(SensorKind.RCX_LINK),
     OPTICAL_DISTANCE(SensorKind.OPTICAL_DISTANCE),
     NXT_TEMPERATURE(SensorKind.NXT_TEMPERATURE),
+    INFRARED_SEEKER(SensorKind.INFRARED_SEEKER),
+    INFRARED_SEEKER_2(SensorKind.INFRARED_SEEKER_2),
 }
 
 internal val PART_KINDS: Map<String, PartKind> = PartKind.entries.associateBy { wordFor(it) }

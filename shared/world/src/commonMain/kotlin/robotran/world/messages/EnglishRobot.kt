@@ -102,6 +102,8 @@ internal object EnglishRobotMessages : RobotMessages {
         SensorKind.RCX_LINK -> "RCX link"
         SensorKind.OPTICAL_DISTANCE -> "optical distance sensor"
         SensorKind.NXT_TEMPERATURE -> "NXT temperature sensor"
+        SensorKind.INFRARED_SEEKER -> "infrared seeker"
+        SensorKind.INFRARED_SEEKER_2 -> "infrared seeker V2"
     }
 
     private fun subject(figure: RobotFigure) = when (figure) {

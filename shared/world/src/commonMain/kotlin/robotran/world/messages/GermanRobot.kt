@@ -105,6 +105,8 @@ internal object GermanRobotMessages : RobotMessages {
         SensorKind.RCX_LINK -> "RCX-Adapter"
         SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
         SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
+        SensorKind.INFRARED_SEEKER -> "Infrarotsucher"
+        SensorKind.INFRARED_SEEKER_2 -> "Infrarotsucher V2"
     }
 
     private fun subject(figure: RobotFigure) = when (figure) {

@@ -108,6 +108,8 @@ internal object SpanishRobotMessages : RobotMessages {
         SensorKind.RCX_LINK -> "enlace RCX"
         SensorKind.OPTICAL_DISTANCE -> "sensor óptico de distancia"
         SensorKind.NXT_TEMPERATURE -> "sensor de temperatura del NXT"
+        SensorKind.INFRARED_SEEKER -> "buscador de infrarrojos"
+        SensorKind.INFRARED_SEEKER_2 -> "buscador de infrarrojos V2"
     }
 
     private fun subject(figure: RobotFigure) = when (figure) {

@@ -40,7 +40,9 @@ fun RobotDescription.partFor(kind: SensorKind, port: Int): RobotPart {
             SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Down)
         }
 
-        SensorKind.ULTRASONIC, SensorKind.OPTICAL_DISTANCE, SensorKind.RCX_LINK -> {
+        SensorKind.ULTRASONIC, SensorKind.OPTICAL_DISTANCE, SensorKind.RCX_LINK, SensorKind.INFRARED_SEEKER,
+        SensorKind.INFRARED_SEEKER_2,
+        -> {
             SensorPart(port, kind, Point(front, 0.0), AHEAD_HEIGHT, Facing.Ahead(0.0))
         }
 

@@ -99,6 +99,8 @@ private val SENSORS = mapOf(
     "lejos/nxt/addon/ColorHTSensor" to SensorKind.HITECHNIC_COLOUR,
     "lejos/nxt/addon/CompassHTSensor" to SensorKind.COMPASS,
     "lejos/nxt/addon/CompassMindSensor" to SensorKind.MINDSENSORS_COMPASS,
+    "lejos/nxt/addon/IRSeeker" to SensorKind.INFRARED_SEEKER,
+    "lejos/nxt/addon/IRSeekerV2" to SensorKind.INFRARED_SEEKER_2,
     "lejos/nxt/addon/OpticalDistanceSensor" to SensorKind.OPTICAL_DISTANCE,
     "lejos/nxt/addon/RCXLink" to SensorKind.RCX_LINK,
 )

@@ -19,6 +19,8 @@ import robotran.ui.resources.nxt_compass
 import robotran.ui.resources.nxt_gyro
 import robotran.ui.resources.nxt_hitechnic_acceleration
 import robotran.ui.resources.nxt_hitechnic_colour
+import robotran.ui.resources.nxt_infrared_seeker
+import robotran.ui.resources.nxt_infrared_seeker_2
 import robotran.ui.resources.nxt_mindsensors_acceleration
 import robotran.ui.resources.nxt_mindsensors_compass
 import robotran.ui.resources.nxt_nxt_temperature
@@ -49,6 +51,8 @@ internal val SensorKind.words: StringResource
         SensorKind.RCX_LIGHT -> Res.string.nxt_rcx_light
         SensorKind.RCX_LINK -> Res.string.nxt_rcx_link
         SensorKind.NXT_TEMPERATURE -> Res.string.nxt_nxt_temperature
+        SensorKind.INFRARED_SEEKER -> Res.string.nxt_infrared_seeker
+        SensorKind.INFRARED_SEEKER_2 -> Res.string.nxt_infrared_seeker_2
         SensorKind.OPTICAL_DISTANCE -> Res.string.nxt_optical_distance
     }
 
@@ -125,6 +129,11 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, seen
             SensorKind.RCX_LINK -> {
                 drawRoundRect(colour, Offset(1f, 5f), Size(5f, 6f), CornerRadius(1f))
                 for (radius in listOf(3f, 6f)) arc(colour, Offset(7f, 8f), radius, -45f, 90f)
+            }
+
+            SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> {
+                drawArc(colour, 180f, 180f, true, Offset(1f, 4f), Size(14f, 14f))
+                for (x in listOf(4f, 8f, 12f)) drawCircle(NxtColours.SENSOR_PLUG, 1.4f, Offset(x, 9f))
             }
 
             SensorKind.OPTICAL_DISTANCE -> {
