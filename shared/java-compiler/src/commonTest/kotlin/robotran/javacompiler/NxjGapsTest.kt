@@ -88,7 +88,11 @@ class NxjGapsTest {
             "javax.swing.*" to NxjRemedy.LCD,
             "java.util.stream.Collectors" to NxjRemedy.LOOP,
             "java.text.DecimalFormat" to NxjRemedy.JOIN_TEXTS,
-            "lejos.nxt.addon.IRSeeker" to NxjRemedy.SENSORS,
+            "lejos.nxt.addon.RFIDSensor" to NxjRemedy.SENSORS,
+            "lejos.nxt.addon.PFMate" to NxjRemedy.THREE_MOTORS,
+            "lejos.nxt.addon.tetrix.TetrixMotor" to NxjRemedy.THREE_MOTORS,
+            "lejos.nxt.addon.NothingKnown" to NxjRemedy.SENSORS,
+            "lejos.nxt.comm.LCPBTResponder" to NxjRemedy.BLUETOOTH,
         )
         for ((name, remedy) in imports) {
             val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
@@ -98,6 +102,25 @@ class NxjGapsTest {
         assertTold(NxjRemedy.SENSOR_PORT, "Sensor.S1.activate();")
         assertTold(NxjRemedy.NXT_BUTTONS, "Button.RUN.waitForPress();")
         assertTold(NxjRemedy.MOTOR_OF_PORT, "EV3LargeRegulatedMotor m = null;")
+    }
+
+    @Test
+    fun `add-ons and chips without a place in a world are told with what to use instead`() = runTest {
+        assertTold(NxjRemedy.SENSORS, "NXTCam c = null;", "DGPSSensor g = null;")
+        assertTold(NxjRemedy.COMPASS, "CompassSensor c = null;")
+        assertTold(NxjRemedy.GYRO, "CruizcoreGyro g = null;")
+        assertTold(NxjRemedy.ACCELERATION, "TiltSensor t = null;")
+        assertTold(NxjRemedy.DISTANCE, "EOPD e = null;")
+        assertTold(NxjRemedy.COUNT_TURNS, "AngleSensor a = null;")
+        assertTold(NxjRemedy.THERMOMETER, "RCXTemperatureSensor t = null;")
+        assertTold(NxjRemedy.RCX_LINK, "IRLink i = null;")
+        assertTold(NxjRemedy.ONE_PORT_EACH, "TouchMUX m = null;", "SensorMux m = null;")
+        assertTold(NxjRemedy.THREE_MOTORS, "PFLink p = null;", "MServo s = null;", "RCXMotorMultiplexer m = null;")
+        assertTold(NxjRemedy.MENU_SETTINGS, "Button.loadSettings();", "Sound.loadSettings();")
+        assertTold(NxjRemedy.BREAKPOINTS, "VM.getVM();", "NXT.boot();")
+        val comm = "lejos.nxt.comm"
+        assertTold(NxjRemedy.BLUETOOTH_BY_NAME, "$comm.Bluetooth.btRead(null, 0, 0);", "$comm.Bluetooth.getPin();")
+        assertTold(NxjRemedy.BLUETOOTH, "$comm.USB.usbReset();", "$comm.RS485.hsEnable(0, 0);")
     }
 
     @Test

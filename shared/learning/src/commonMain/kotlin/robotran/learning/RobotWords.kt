@@ -32,6 +32,36 @@ private val SENSOR_WORDS: Map<SensorKind, Map<Language, String>> = mapOf(
     SensorKind.COMPASS to words("compass", "Kompass", "brújula"),
     SensorKind.GYRO to words("gyro sensor", "Gyrosensor Kreisel", "giroscopio"),
     SensorKind.TEMPERATURE to words("temperature", "Temperatur", "temperatura"),
+    SensorKind.HITECHNIC_COLOUR to words(
+        "HiTechnic colour sensor color sensor",
+        "Farbsensor Farbe HiTechnic",
+        "sensor de color HiTechnic",
+    ),
+    SensorKind.MINDSENSORS_COMPASS to words("mindsensors compass", "Kompass mindsensors", "brújula mindsensors"),
+    SensorKind.HITECHNIC_ACCELERATION to words(
+        "HiTechnic acceleration sensor accelerometer",
+        "Beschleunigungssensor HiTechnic",
+        "acelerómetro aceleración HiTechnic",
+    ),
+    SensorKind.MINDSENSORS_ACCELERATION to words(
+        "mindsensors acceleration sensor accelerometer tilt",
+        "Beschleunigungssensor Neigungssensor mindsensors",
+        "acelerómetro aceleración mindsensors",
+    ),
+    SensorKind.RCX_LIGHT to words("RCX light sensor", "Lichtsensor RCX", "sensor de luz RCX"),
+    SensorKind.RCX_LINK to words(
+        "RCX link infrared message",
+        "RCX-Adapter Infrarot Nachricht",
+        "enlace RCX infrarrojos mensaje",
+    ),
+    SensorKind.NXT_TEMPERATURE to words("temperature", "Temperatur", "temperatura"),
+    SensorKind.INFRARED_SEEKER to words("infrared seeker", "Infrarotsucher", "buscador de infrarrojos"),
+    SensorKind.INFRARED_SEEKER_2 to words("infrared seeker", "Infrarotsucher", "buscador de infrarrojos"),
+    SensorKind.OPTICAL_DISTANCE to words(
+        "optical distance sensor infrared",
+        "Abstandssensor Infrarot Entfernung",
+        "sensor de distancia infrarrojos",
+    ),
 )
 
 private fun words(english: String, german: String, spanish: String) =

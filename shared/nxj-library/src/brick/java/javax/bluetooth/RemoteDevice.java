@@ -1,5 +1,9 @@
 package javax.bluetooth;
 
+import java.io.IOException;
+import javax.microedition.io.Connection;
+import lejos.nxt.comm.NXTConnection;
+
 /** Another robot; its address is its name here. */
 public class RemoteDevice {
     private String name;
@@ -17,6 +21,16 @@ public class RemoteDevice {
         this.name = name;
         address = deviceAddr;
         kind = devclass;
+    }
+
+    /**
+     * Gives the robot at the other end of a connection.
+     *
+     * @throws IllegalArgumentException if it is no connection to a robot.
+     */
+    public static RemoteDevice getRemoteDevice(Connection conn) throws IOException {
+        if (!(conn instanceof NXTConnection)) throw new IllegalArgumentException();
+        return new RemoteDevice(((NXTConnection) conn).getAddress());
     }
 
     /** Gives the name of the robot; the value does not matter. */

@@ -5,14 +5,20 @@ import lejos.robotics.LampLightDetector;
 
 /** A sensor that sees colours, about a centimetre away, and measures how bright it is. */
 public class ColorSensor implements LampLightDetector, ColorDetector, SensorConstants {
-    private static final int[] KINDS = {
+    /** The numbers of Color for those that the port gives: none, black, blue, green, yellow, red, white. */
+    protected static final int[] colorMap = {
         lejos.robotics.Color.NONE, lejos.robotics.Color.BLACK, lejos.robotics.Color.BLUE, lejos.robotics.Color.GREEN,
         lejos.robotics.Color.YELLOW, lejos.robotics.Color.RED, lejos.robotics.Color.WHITE};
 
     private static final int HIGHEST = 1023;
     private static final int RESET_TIME = 100;
 
-    private final SensorPort port;
+    /** The port of the sensor. */
+    protected SensorPort port;
+
+    /** What the port is set to: a type of SensorConstants. */
+    protected int type;
+
     private int lamp;
     private int zero;
     private int hundred = HIGHEST;
@@ -36,7 +42,7 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         setType(TYPE_COLORFULL);
         int kind = port.readValue();
         setFloodlight(color);
-        return kind < 0 || kind >= KINDS.length ? lejos.robotics.Color.NONE : KINDS[kind];
+        return kind < 0 || kind >= colorMap.length ? lejos.robotics.Color.NONE : colorMap[kind];
     }
 
     /** Gives the colour as its red, green and blue, 0 to 255 each. */
@@ -47,7 +53,7 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         boolean isThere = port.readValues(values) >= 0;
         int kind = port.readValue();
         setFloodlight(color);
-        return isThere ? new Color(values, kind < 0 || kind >= KINDS.length ? 0 : kind) : null;
+        return isThere ? new Color(values, kind < 0 || kind >= colorMap.length ? 0 : kind) : null;
     }
 
     /** Gives the colour as its red, green and blue, 0 to 1023 each. */
@@ -147,7 +153,9 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         return hundred;
     }
 
-    private void setType(int type) {
+    /** Sets the port to a type of SensorConstants. */
+    protected void setType(int type) {
+        this.type = type;
         if (port.getType() != type) port.setType(type);
     }
 
@@ -155,8 +163,14 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
     public static class Color extends lejos.robotics.Color {
         private final int background;
 
+        /** Makes one of so much red, green, blue and light without lamp, which has a number. */
+        public Color(int red, int green, int blue, int background, int colorId) {
+            super(red, green, blue, colorId);
+            this.background = background;
+        }
+
         Color(int[] values, int kind) {
-            super(values[RED_INDEX], values[GREEN_INDEX], values[BLUE_INDEX], KINDS[kind]);
+            super(values[RED_INDEX], values[GREEN_INDEX], values[BLUE_INDEX], colorMap[kind]);
             background = values[BLANK_INDEX];
         }
 

@@ -35,6 +35,9 @@ public interface I2CPort extends BasicSensorPort {
     /** The lines are busy. */
     int ERR_BUS_BUSY = -5;
 
+    /** The message was given up. */
+    int ERR_ABORT = -6;
+
     /** Gets the port ready. */
     void i2cEnable(int mode);
 

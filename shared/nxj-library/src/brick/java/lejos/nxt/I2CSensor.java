@@ -22,7 +22,7 @@ public class I2CSensor implements SensorConstants {
 
     /** Makes the sensor of a port. */
     public I2CSensor(I2CPort port) {
-        this(port, I2CPort.STANDARD_MODE);
+        this(port, I2CPort.LEGO_MODE);
     }
 
     /** Makes the sensor of a port that works in a mode. */
@@ -62,6 +62,7 @@ public class I2CSensor implements SensorConstants {
 
     /** Writes so many bytes of a part of the array from a place on; gives 0, or below 0 what went wrong. */
     public synchronized int sendData(int register, byte[] buf, int offset, int len) {
+        if (len >= I2CPort.MAX_IO) throw new IllegalArgumentException();
         byte[] message = new byte[len + 1];
         message[0] = (byte) register;
         System.arraycopy(buf, offset, message, 1, len);
@@ -82,6 +83,18 @@ public class I2CSensor implements SensorConstants {
     /** Gives the name of the sensor. */
     public String getProductID() {
         return fetchString(REG_PRODUCT_ID, 8);
+    }
+
+    /**
+     * Asks the sensor at another address from now on, 0x02 to 0xFE and even.
+     *
+     * @deprecated give the address to the constructor of the sensor's class.
+     */
+    @Deprecated
+    public void setAddress(int addr) {
+        // As leJOS NXJ does, it looks at the address before.
+        if ((address & 1) != 0) throw new IllegalArgumentException("Bad address format");
+        address = addr;
     }
 
     /** Gives the address of the sensor. */

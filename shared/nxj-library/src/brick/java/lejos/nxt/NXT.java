@@ -2,7 +2,8 @@ package lejos.nxt;
 
 /** The brick itself. */
 public class NXT {
-    private NXT() {
+    /** Makes one, which nobody needs. */
+    public NXT() {
     }
 
     /** Switches the brick off. */
@@ -28,5 +29,11 @@ public class NXT {
         return getFirmwareRawVersion() & 0xFF;
     }
 
-    private static native int getFirmwareRawVersion();
+    /** Gives the version of the firmware: the last number. */
+    public static int getFirmwarePatchLevel() {
+        return getFirmwareRawVersion() & 0xFF;
+    }
+
+    /** Gives the version of the firmware: three numbers of eight bits each. */
+    public static native int getFirmwareRawVersion();
 }

@@ -62,6 +62,9 @@ public interface SensorConstants {
     /** The highest type. */
     int MAX_TYPE = 17;
 
+    /** The highest value that a port measures. */
+    int MAX_AD_RAW = 1023;
+
     /** Measures from 0 to 1023. */
     int MODE_RAW = 0x00;
 

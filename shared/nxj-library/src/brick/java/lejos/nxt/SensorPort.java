@@ -251,6 +251,21 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         return i2cStatusById(id);
     }
 
+    /** Begins to send bytes to a sensor, which is to answer with so many; gives 0, or below 0 what went wrong. */
+    public int i2cStart(int address, byte[] writeBuffer, int writeOffset, int writeLen, int readLen) {
+        return i2cStartById(id, address, writeBuffer, writeOffset, writeLen, readLen);
+    }
+
+    /** Waits until the sensor has answered. */
+    public void i2cWaitIOComplete() {
+        awaitBytes();
+    }
+
+    /** Takes the answer of the sensor; gives how many bytes it has, or below 0 what went wrong or that it is not there. */
+    public int i2cComplete(byte[] buffer, int offset, int numBytes) {
+        return i2cCompleteById(id, buffer, offset, numBytes);
+    }
+
     /** Sends bytes to a sensor and waits for its answer; gives how many bytes that has, or below 0 what went wrong. */
     public synchronized int i2cTransaction(int deviceAddress, byte[] writeBuf, int writeOffset, int writeLen,
             byte[] readBuf, int readOffset, int readLen) {

@@ -5,6 +5,9 @@ import lejos.util.Delay;
 
 /** The brick's loudspeaker; one sound at a time, a new one takes the place of the one before. */
 public class Sound {
+    /** How high the second C is, in hertz. */
+    public static final int C2 = 523;
+
     // An instrument: milliseconds until it is loud, the part of it that is left then in percent, milliseconds until
     // that is so, and milliseconds in which it fades.
 
@@ -143,7 +146,7 @@ public class Sound {
     }
 
     private static void playStep(int quarters) {
-        playTone(523 * quarters / 4, 100);
+        playTone(C2 * quarters / 4, 100);
         pause(100);
     }
 

@@ -68,9 +68,27 @@ class NeededApiTest {
                 "XYLOPHONE pause getTime setVolume getVolume playSample",
             "lejos.nxt.Battery" to "getVoltageMilliVolt getVoltage isRechargeable",
             "lejos.nxt.NXT" to "shutDown exit getFirmwareRevision",
-            "lejos.nxt.I2CSensor" to "getData sendData getAddress",
-            "lejos.nxt.TemperatureSensor" to "new getTemperature",
+            "lejos.nxt.I2CSensor" to "getData sendData getAddress setAddress",
+            "lejos.nxt.TemperatureSensor" to "new getTemperature getResolution setResolution getSamplingDelay",
+            "lejos.nxt.addon.AccelHTSensor" to "new getXAccel getYAccel getZAccel getAllAccel",
+            "lejos.nxt.addon.AccelMindSensor" to
+                "new getXAccel getYAccel getZAccel getXTilt getYTilt getZTilt getAllAccel getAllTilt",
+            "lejos.nxt.addon.ColorHTSensor" to
+                "new getColorID getColor getRGBComponent getRGBNormalized getRGBRaw getColorIndexNumber " +
+                "getMode initWhiteBalance initBlackLevel",
             "lejos.nxt.addon.CompassHTSensor" to "new getDegrees",
+            "lejos.nxt.addon.CompassMindSensor" to "new getDegrees",
+            "lejos.nxt.addon.GyroSensor" to "new readValue setOffset getAngularVelocity recalibrateOffset " +
+                "recalibrateOffsetAlt",
+            "lejos.nxt.addon.IRSeeker" to "new getDirection getSensorValue",
+            "lejos.nxt.addon.IRSeekerV2" to "new setMode getDirection getAngle hasDirection getSensorValue " +
+                "getSensorValues getAverage",
+            "lejos.nxt.addon.OpticalDistanceSensor" to "new getDistance getRange getRanges powerOn powerOff",
+            "lejos.nxt.addon.RCXLightSensor" to "new getLightValue getNormalizedLightValue setFloodlight",
+            "lejos.nxt.addon.RCXLink" to "new A B C ping sendF7 sendPacket runProgram beep readBytes sendBytes",
+            "lejos.nxt.addon.RCXMotor" to "new setPower forward backward stop flt",
+            "lejos.nxt.addon.RCXRotationSensor" to "new getTachoCount resetTachoCount getRotationSpeed",
+            "lejos.nxt.addon.RCXThermometer" to "new readValue getCelcius getFahrenheit",
             "lejos.util.Delay" to "msDelay usDelay nsDelay",
             "lejos.util.Stopwatch" to "new reset elapsed",
             "lejos.util.TextMenu" to "new select setItems setTitle getItems quit",
@@ -144,6 +162,8 @@ class NeededApiTest {
             "lejos.nxt.comm.NXTConnection" to
                 "openDataInputStream openDataOutputStream openInputStream openOutputStream read " +
                 "write available close LCP RAW PACKET",
+            "lejos.nxt.comm.RS485" to "connect waitForConnection cancelConnect getConnector",
+            "lejos.nxt.comm.USB" to "waitForConnection cancelConnect getConnector",
             "lejos.nxt.comm.RConsole" to "open openUSB openAny print println close",
             "java.lang.System" to
                 "out err setOut exit currentTimeMillis nanoTime arraycopy gc getProperty identityHashCode",

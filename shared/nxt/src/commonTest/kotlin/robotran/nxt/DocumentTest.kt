@@ -33,6 +33,7 @@ class DocumentTest {
             NxtNative.DRAW_STRING,
             NxtNative.PLAY_QUEUED_SAMPLE,
             NxtNative.OPEN,
+            NxtNative.OPEN_CABLE,
             NxtNative.WRITE,
             NxtNative.CONSOLE_LINE,
         )

@@ -89,7 +89,7 @@ class FakeNxt(private val degreesPerSecond: Double = 10.0, override val name: St
             NxtNative.ASYNC_REFRESH -> refreshed = milliseconds + REFRESH_MILLISECONDS
             NxtNative.PLAY_FREQ -> soundEnd = milliseconds + n[1]
             NxtNative.PLAY_QUEUED_SAMPLE -> return call.bytes?.size ?: 0
-            NxtNative.OPEN -> return if (call.text in robots) 0 else -1
+            NxtNative.OPEN, NxtNative.OPEN_CABLE -> return if (call.text in robots) 0 else -1
             NxtNative.WRITE -> return call.bytes?.size ?: 0
             else -> Unit
         }

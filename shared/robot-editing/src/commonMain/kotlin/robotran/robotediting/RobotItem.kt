@@ -33,11 +33,21 @@ enum class RobotItem(val sensor: SensorKind?, val bricks: Set<BrickKind> = Brick
     SOUND(SensorKind.SOUND, setOf(BrickKind.NXT)),
     GYRO(SensorKind.GYRO, setOf(BrickKind.NXT)),
     COMPASS(SensorKind.COMPASS, setOf(BrickKind.NXT)),
-    ROTATION(SensorKind.ROTATION, setOf(BrickKind.RCX)),
-    TEMPERATURE(SensorKind.TEMPERATURE, setOf(BrickKind.RCX)),
+    ROTATION(SensorKind.ROTATION),
+    TEMPERATURE(SensorKind.TEMPERATURE),
     FINGER_TOUCH(SensorKind.TOUCH),
     CASTER(null),
     PEN(null),
+    HITECHNIC_COLOUR(SensorKind.HITECHNIC_COLOUR, setOf(BrickKind.NXT)),
+    MINDSENSORS_COMPASS(SensorKind.MINDSENSORS_COMPASS, setOf(BrickKind.NXT)),
+    HITECHNIC_ACCELERATION(SensorKind.HITECHNIC_ACCELERATION, setOf(BrickKind.NXT)),
+    MINDSENSORS_ACCELERATION(SensorKind.MINDSENSORS_ACCELERATION, setOf(BrickKind.NXT)),
+    RCX_LIGHT(SensorKind.RCX_LIGHT, setOf(BrickKind.NXT)),
+    RCX_LINK(SensorKind.RCX_LINK, setOf(BrickKind.NXT)),
+    OPTICAL_DISTANCE(SensorKind.OPTICAL_DISTANCE, setOf(BrickKind.NXT)),
+    INFRARED_SEEKER(SensorKind.INFRARED_SEEKER, setOf(BrickKind.NXT)),
+    INFRARED_SEEKER_2(SensorKind.INFRARED_SEEKER_2, setOf(BrickKind.NXT)),
+    NXT_TEMPERATURE(SensorKind.NXT_TEMPERATURE, setOf(BrickKind.NXT)),
     ;
 
     companion object {

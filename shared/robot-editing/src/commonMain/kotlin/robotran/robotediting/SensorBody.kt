@@ -26,11 +26,27 @@ data class SensorBody(val back: Double, val front: Double, val half: Double) {
     }
 
     companion object {
+        private val RCX_SENSOR = SensorBody(0.4, 0.8, 0.8)
+
+        /** What looks nowhere, or whose eyes nobody sees. */
+        private val INSIDE = setOf(
+            SensorKind.COMPASS,
+            SensorKind.GYRO,
+            SensorKind.MINDSENSORS_COMPASS,
+            SensorKind.HITECHNIC_ACCELERATION,
+            SensorKind.MINDSENSORS_ACCELERATION,
+            SensorKind.RCX_LINK,
+            SensorKind.INFRARED_SEEKER,
+            SensorKind.INFRARED_SEEKER_2,
+        )
+
         fun of(sensor: SensorKind, brick: BrickKind): SensorBody = when (sensor) {
             SensorKind.ULTRASONIC -> SensorBody(1.8, 0.0, 2.3)
             SensorKind.SOUND -> SensorBody(2.0, 0.0, 1.2)
-            SensorKind.COMPASS, SensorKind.GYRO -> SensorBody(1.2, 1.2, 1.2)
-            else -> if (brick == BrickKind.RCX) SensorBody(0.4, 0.8, 0.8) else SensorBody(0.9, 0.9, 0.7)
+            SensorKind.OPTICAL_DISTANCE -> SensorBody(1.4, 0.0, 2.2)
+            SensorKind.RCX_LIGHT -> RCX_SENSOR
+            in INSIDE -> SensorBody(1.2, 1.2, 1.2)
+            else -> if (brick == BrickKind.RCX) RCX_SENSOR else SensorBody(0.9, 0.9, 0.7)
         }
     }
 }

@@ -3,6 +3,7 @@ package robotran.robotediting
 import robotran.brick.sensors.SensorKind
 import robotran.world.Facing
 import robotran.world.Light
+import robotran.world.OpticalDistance
 import robotran.world.RobotDescription
 import robotran.world.SensorPart
 import robotran.world.Sonar
@@ -55,8 +56,8 @@ sealed interface SensorView {
 fun RobotDescription.views(): List<SensorView> =
     things.mapIndexedNotNull { number, part -> (part as? SensorPart)?.let { viewOf(number, it) } }
 
-private fun viewOf(number: Int, part: SensorPart): SensorView? = when (part.sensor) {
-    SensorKind.LIGHT, SensorKind.COLOUR -> when (val facing = part.facing) {
+private fun viewOf(number: Int, part: SensorPart): SensorView? = when {
+    part.sensor.seesSurfaces -> when (val facing = part.facing) {
         Facing.Down, Facing.Free -> SensorView.Spot(number, part.at, SPOT_RADIUS)
 
         is Facing.Ahead -> SensorView.Cone(
@@ -69,13 +70,22 @@ private fun viewOf(number: Int, part: SensorPart): SensorView? = when (part.sens
         )
     }
 
-    SensorKind.ULTRASONIC -> SensorView.Cone(
+    part.sensor == SensorKind.ULTRASONIC -> SensorView.Cone(
         number,
         part.at,
         (part.facing as? Facing.Ahead)?.direction ?: 0.0,
         2 * Sonar.BEAM,
         Sonar.SURE,
         isSound = true,
+    )
+
+    part.sensor == SensorKind.OPTICAL_DISTANCE -> SensorView.Cone(
+        number,
+        part.at,
+        (part.facing as? Facing.Ahead)?.direction ?: 0.0,
+        OpticalDistance.BEAM,
+        OpticalDistance.FARTHEST,
+        isSound = false,
     )
 
     else -> null

@@ -68,7 +68,8 @@ class BuildingTest :
 
         "the palette has what the brick can read" {
             (RobotItem.ROTATION in RobotItem.of(BrickKind.RCX)) shouldBe true
-            (RobotItem.ROTATION in RobotItem.of(BrickKind.NXT)) shouldBe false
+            (RobotItem.ROTATION in RobotItem.of(BrickKind.NXT)) shouldBe true
+            (RobotItem.RCX_LIGHT in RobotItem.of(BrickKind.RCX)) shouldBe false
             (RobotItem.ULTRASONIC in RobotItem.of(BrickKind.RCX)) shouldBe false
         }
 

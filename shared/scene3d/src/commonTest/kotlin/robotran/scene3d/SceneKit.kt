@@ -50,7 +50,7 @@ internal val TEST_COLOURS: SceneColours = run {
         grey,
         grey,
     )
-    SceneColours(grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, palette)
+    SceneColours(grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, palette)
 }
 
 /** A session at rest. */

@@ -25,6 +25,7 @@ import robotran.simulation.robot.RcxPorts
 import robotran.simulation.state.MissingSensors
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.LightFacing
+import robotran.world.SensorPart
 import robotran.world.World
 
 /** One robot of a session: its brick and its machine. */
@@ -89,14 +90,15 @@ internal class RobotInSession(
         val robot = place.description
         val facing = place.lightFacing ?: load.lightFacing ?: LightFacing.DOWN
         val streams = NoiseStreams(world.seed, number)
+        val lightOf = { part: SensorPart ->
+            simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } }
+        }
         return when (robot.brick) {
             BrickKind.RCX -> RcxPorts(
                 robot,
                 RcxBrick(load.programs.map { it as? RcxProgram }, air, BrickMessages.of(language), load.firstSlot),
                 machine,
-                { part ->
-                    simulation.lightSensor(number, part).let { LightReading { active -> it.raw(facing, active) } }
-                },
+                lightOf,
                 { simulation.temperature },
                 streams,
                 world.realism,
@@ -108,6 +110,9 @@ internal class RobotInSession(
                 simulation.scene,
                 number,
                 facing,
+                lightOf,
+                { simulation.temperature },
+                air,
                 streams,
                 world.realism,
             )

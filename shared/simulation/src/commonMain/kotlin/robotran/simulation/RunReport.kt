@@ -98,6 +98,36 @@ enum class ReportedSensorKind {
 
     @SerialName("gyro")
     GYRO,
+
+    @SerialName("hitechnic colour")
+    HITECHNIC_COLOUR,
+
+    @SerialName("mindsensors compass")
+    MINDSENSORS_COMPASS,
+
+    @SerialName("hitechnic acceleration")
+    HITECHNIC_ACCELERATION,
+
+    @SerialName("mindsensors acceleration")
+    MINDSENSORS_ACCELERATION,
+
+    @SerialName("rcx light")
+    RCX_LIGHT,
+
+    @SerialName("rcx link")
+    RCX_LINK,
+
+    @SerialName("optical distance")
+    OPTICAL_DISTANCE,
+
+    @SerialName("nxt temperature")
+    NXT_TEMPERATURE,
+
+    @SerialName("infrared seeker")
+    INFRARED_SEEKER,
+
+    @SerialName("infrared seeker 2")
+    INFRARED_SEEKER_2,
 }
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
@@ -188,6 +218,16 @@ private fun reported(kind: SensorKind): ReportedSensorKind = when (kind) {
     SensorKind.COLOUR -> ReportedSensorKind.COLOUR
     SensorKind.COMPASS -> ReportedSensorKind.COMPASS
     SensorKind.GYRO -> ReportedSensorKind.GYRO
+    SensorKind.HITECHNIC_COLOUR -> ReportedSensorKind.HITECHNIC_COLOUR
+    SensorKind.MINDSENSORS_COMPASS -> ReportedSensorKind.MINDSENSORS_COMPASS
+    SensorKind.HITECHNIC_ACCELERATION -> ReportedSensorKind.HITECHNIC_ACCELERATION
+    SensorKind.MINDSENSORS_ACCELERATION -> ReportedSensorKind.MINDSENSORS_ACCELERATION
+    SensorKind.RCX_LIGHT -> ReportedSensorKind.RCX_LIGHT
+    SensorKind.RCX_LINK -> ReportedSensorKind.RCX_LINK
+    SensorKind.OPTICAL_DISTANCE -> ReportedSensorKind.OPTICAL_DISTANCE
+    SensorKind.NXT_TEMPERATURE -> ReportedSensorKind.NXT_TEMPERATURE
+    SensorKind.INFRARED_SEEKER -> ReportedSensorKind.INFRARED_SEEKER
+    SensorKind.INFRARED_SEEKER_2 -> ReportedSensorKind.INFRARED_SEEKER_2
 }
 
 private fun statusOf(run: RunState): RunStatus = when (run) {

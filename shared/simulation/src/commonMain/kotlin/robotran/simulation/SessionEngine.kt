@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.rcxrom.infrared.InfraredAir
@@ -17,6 +18,7 @@ import robotran.simulation.robot.BrickPorts
 import robotran.simulation.state.AmbientConditions
 import robotran.simulation.state.LampState
 import robotran.simulation.state.SessionState
+import robotran.world.RobotPart
 import robotran.world.World
 import robotran.world.geometry.length
 
@@ -31,8 +33,11 @@ internal class SessionEngine(
     private val air = InfraredAir(::reaches)
     private val network = BluetoothNetwork()
 
-    /** The indices of the robots in the air, in its order. */
-    private val withInfrared = world.robots.indices.filter { world.robots[it].description.brick == BrickKind.RCX }
+    /** The indices of the robots in the air, in its order: each RCX, and each link to one that an NXT has. */
+    private val withInfrared = world.robots.indices.flatMap { number ->
+        val robot = world.robots[number].description
+        if (robot.brick == BrickKind.RCX) listOf(number) else robot.parts.filter(::isLink).map { number }
+    }
     private val hash = TraceHash()
     private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
     private var nextToTick = 0
@@ -156,6 +161,8 @@ internal class SessionEngine(
         val to = simulation.machines[withInfrared[receiver]].body.motion
         return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
     }
+
+    private fun isLink(part: RobotPart) = part.port != null && part.kind == SensorKind.RCX_LINK
 
     private fun snapshot() = SessionState(
         milliseconds = milliseconds,

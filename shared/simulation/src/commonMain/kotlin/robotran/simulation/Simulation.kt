@@ -64,10 +64,10 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         }
         light = LightField(world.lamps, world.ambientLight, physics, trigonometry)
         val soft = blockBodies.filterIndexed { number, _ -> world.blocks[number].friction >= Sonar.SOFT_FRICTION }
-        scene = NxtScene(physics, surface, light, machines, soft.toSet(), ::beaconsBeside)
+        scene = NxtScene(physics, surface, light, machines, soft.toSet(), ::beaconsBeside, trigonometry)
         lightSensors = world.robots.mapIndexed { number, robot ->
             val parts = robot.description.things.filterIsInstance<SensorPart>()
-            parts.filter { it.sensor == SensorKind.LIGHT }.associate { it.on(null) to LightSensor(number, it, this) }
+            parts.filter { it.sensor in RCX_LIGHTS }.associate { it.on(null) to LightSensor(number, it, this) }
         }
     }
 
@@ -148,5 +148,9 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         add(motion.y.toRawBits())
         add(motion.cosine.toRawBits())
         add(motion.sine.toRawBits())
+    }
+
+    private companion object {
+        val RCX_LIGHTS = setOf(SensorKind.LIGHT, SensorKind.RCX_LIGHT)
     }
 }

@@ -99,6 +99,7 @@ sealed interface Shade {
  * @property direction of the centre of its cone.
  * @property cone the angle of its cone; 360 if it shines all round.
  * @property on whether it is on at the start of a session.
+ * @property infrared whether it sends infrared light, which nobody sees but infrared seekers.
  */
 data class Lamp(
     val place: Point,
@@ -108,6 +109,7 @@ data class Lamp(
     val on: Boolean = true,
     val name: String? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
+    val infrared: Boolean = false,
 ) {
     companion object {
         const val ALL_ROUND = 360.0

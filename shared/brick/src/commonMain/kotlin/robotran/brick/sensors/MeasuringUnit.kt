@@ -10,6 +10,7 @@ enum class MeasuringUnit(val sign: String) {
     NONE(""),
     PERCENT("%"),
     CENTIMETRES("cm"),
+    MILLIMETRES("mm"),
     DEGREES("°"),
     MILLIVOLTS("mV"),
     ;
@@ -24,9 +25,10 @@ enum class MeasuringUnit(val sign: String) {
     companion object {
         /** The unit in which an NXT measures with a sensor of this [kind]; [NONE] if there is no sensor. */
         fun of(kind: SensorKind?): MeasuringUnit = when (kind) {
-            SensorKind.LIGHT, SensorKind.SOUND, SensorKind.COLOUR -> PERCENT
+            SensorKind.LIGHT, SensorKind.SOUND, SensorKind.COLOUR, SensorKind.RCX_LIGHT -> PERCENT
             SensorKind.ULTRASONIC -> CENTIMETRES
-            SensorKind.COMPASS -> DEGREES
+            SensorKind.OPTICAL_DISTANCE -> MILLIMETRES
+            SensorKind.COMPASS, SensorKind.MINDSENSORS_COMPASS, SensorKind.NXT_TEMPERATURE -> DEGREES
             else -> NONE
         }
     }

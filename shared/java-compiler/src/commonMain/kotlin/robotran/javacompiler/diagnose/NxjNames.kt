@@ -65,7 +65,16 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.PIXELS, "Graphics2D LCD.drawLine LCD.drawRect LCD.fillRect LCD.drawArc LCD.drawImage LCD.fillArc")
     put(NxjRemedy.FILE_STREAMS, "FileReader FileWriter PrintWriter RandomAccessFile Files Path.of Paths")
     put(NxjRemedy.DATA_STREAMS, "ObjectOutputStream ObjectInputStream Externalizable StringReader StringWriter")
-    put(NxjRemedy.BLUETOOTH, "Socket ServerSocket URL InetAddress NXTCommand RemoteMotor RemoteNXT RS485 LCP InBox")
+    put(NxjRemedy.BLUETOOTH, "Socket ServerSocket URL InetAddress NXTCommand RemoteMotor RemoteNXT LCP InBox")
+    put(NxjRemedy.BLUETOOTH, "LCPBTResponder LCPResponder LCPMessageListener NXTCommDevice NXTCommRequest")
+    put(NxjRemedy.BLUETOOTH, "RS485.hsEnable RS485.hsDisable RS485.hsRead RS485.hsWrite RS485.hsSend RS485.hsRecv")
+    put(NxjRemedy.BLUETOOTH, "USB.usbEnable USB.usbDisable USB.usbRead USB.usbWrite USB.usbReset USB.usbStatus")
+    put(NxjRemedy.BLUETOOTH, "USB.usbSetName USB.usbSetSerialNo USB.RESET USB.USB_CONFIGURED USB.USB_READABLE")
+    put(NxjRemedy.BLUETOOTH, "USB.USB_UNCONFIGURED USB.USB_WRITEABLE")
+    put(NxjRemedy.BLUETOOTH, "BTConnection.openStream BTConnection.closeStream BTConnection.setActiveMode")
+    put(NxjRemedy.BLUETOOTH, "BTConnection.AM_ALWAYS BTConnection.AM_DISABLE BTConnection.AM_OUTPUT")
+    for (member in CHIP_OF_BLUETOOTH.split(' ')) put("Bluetooth.$member", NxjRemedy.BLUETOOTH_BY_NAME)
+    put(NxjRemedy.BLUETOOTH_BY_NAME, "BTConnection.getSignalStrength")
     put(NxjRemedy.LINE_FEED, "System.lineSeparator System.getenv")
     put(NxjRemedy.NXT_MOTOR, "NXTRegulatedMotor.setPower NXTRegulatedMotor.getPower RegulatedMotor.setPower")
     put(NxjRemedy.ALWAYS_REGULATED, "NXTRegulatedMotor.regulateSpeed NXTRegulatedMotor.smoothAcceleration")
@@ -93,18 +102,49 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.NO_COMPUTER, "PIDTuningProvider LogMessageListener LogMessageTypeHandler LoggerDebugConsole")
     put(NxjRemedy.NO_COMPUTER, "SimpleDrive SimpleDriveProvider")
     put(NxjRemedy.DATA_STREAMS, "EndianTools RingBuffer BitUtils")
-    put(NxjRemedy.SENSORS, "AccelHTSensor AccelMindSensor ColorHTSensor IRSeeker")
-    put(NxjRemedy.SENSORS, "IRSeekerV2 IRLink EOPD TiltSensor NXTCam")
-    put(NxjRemedy.SENSORS, "OpticalDistanceSensor AngleSensor PressureSensor")
-    put(NxjRemedy.SENSORS, "RFIDSensor BarometricSensor TouchMUX PFLink")
+    put(NxjRemedy.SENSORS, "NXTCam NXTLineLeader RFIDSensor PressureSensor BarometricSensor BarometricHTSensor")
+    put(NxjRemedy.SENSORS, "MindSensorPressureSensor MindSensorsPressureSensor DPressure250 DPressure500 DThermalIR")
+    put(NxjRemedy.SENSORS, "DGPSSensor DexterGPSSensor RealTimeClock TouchPanel MindSensorsNumPad PSPNXController")
+    put(NxjRemedy.SENSORS, "HiTechnicPIRSensor LaserSensor DexterLaserSensor LaserBeaconLocator MagneticSensor")
+    put(NxjRemedy.SENSORS, "DLight DLights")
+    put(NxjRemedy.SENSORS, "PowerMeter NXTPowerMeter NXTBee NXT2WIFI NXT2WiFiListener DexterWifiSensor WifiSensor")
+    put(NxjRemedy.COMPASS, "CompassSensor DexterCompassSensor DIMUCompass AbsoluteImuAgcMindSensor")
+    put(NxjRemedy.GYRO, "CruizcoreGyro DIMUGyro")
+    put(NxjRemedy.ACCELERATION, "TiltSensor DIMUAccel AccelSensor")
+    put(NxjRemedy.DISTANCE, "EOPD NXTSumoEyes SumoEyesSensor")
+    put(NxjRemedy.COUNT_TURNS, "AngleSensor")
+    put(NxjRemedy.THERMOMETER, "RCXTemperatureSensor")
+    put(NxjRemedy.RCX_LINK, "IRLink RCXPort LLC LLCHandler LLCReliableHandler RCXAbstractPort")
+    put(NxjRemedy.ONE_PORT_EACH, "TouchMUX SensorMux SensorSelector SensorSelectorException RCXSensorMultiplexer")
+    put(NxjRemedy.THREE_MOTORS, "PFLink PFMate PFMateMotor PFMotorPort RCXMotorMultiplexer RCXPlexedMotorPort NXTMMX")
+    put(NxjRemedy.THREE_MOTORS, "MMXMotor MMXRegulatedMotor NXTe LDCMotor LMotor LServo LSC MServo MSC")
+    put(NxjRemedy.THREE_MOTORS, "LnrActrFirgelliNXT")
+    put(NxjRemedy.THREE_MOTORS, "TetrixControllerFactory TetrixEncoderMotor TetrixMotor TetrixMotorController")
+    put(NxjRemedy.THREE_MOTORS, "TetrixRegulatedMotor TetrixServo TetrixServoController")
     put(NxjRemedy.NOT_EV3, "LocalEV3 BrickFinder EV3 SampleProvider GraphicsLCD TextLCD EV3TouchSensor EV3ColorSensor")
     put(NxjRemedy.NOT_EV3, "EV3UltrasonicSensor EV3GyroSensor EV3IRSensor NXTTouchSensor NXTUltrasonicSensor Keys LED")
     put(NxjRemedy.MOTOR_OF_PORT, "EV3LargeRegulatedMotor EV3MediumRegulatedMotor UnregulatedMotor")
     put(NxjRemedy.DRAW, "LCD.showNumber LCD.setNumber LCD.showProgramNumber LCD.setSegment LCD.print LCD.println")
     put(NxjRemedy.SENSOR_PORT, "Sensor SensorConstants.SENSOR_TYPE_LIGHT Sensor.S1 Sensor.S2 Sensor.S3 ProximitySensor")
     put(NxjRemedy.NXT_BUTTONS, "Button.RUN Button.VIEW Button.PRGM Button.UP Button.DOWN")
-    put(NxjRemedy.BLUETOOTH, "Serial RCXPort PacketHandler DiscoveryAgent DiscoveryListener")
+    put(NxjRemedy.BLUETOOTH, "Serial PacketHandler DiscoveryAgent DiscoveryListener")
+    put(NxjRemedy.MENU_SETTINGS, "Button.loadSettings Button.loadSystemSettings Sound.loadSettings")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.notifyEvent")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.clearEvent NXTEvent.getEventData NXTEvent.setFilter")
+    put(NxjRemedy.BREAKPOINTS, "VM.getVM VM.getImage VM.getVMThreads VM.getVMThread VM.getElements VM.getFields")
+    put(NxjRemedy.BREAKPOINTS, "VM.getClass VM.getVMClass VM.getMethod VM.getClassNumber VM.getThrowableStackTrace")
+    put(NxjRemedy.BREAKPOINTS, "VM.suspendThread VM.resumeThread VM.executeProgram VM.setVMOptions VM.getVMOptions")
+    put(NxjRemedy.BREAKPOINTS, "VM.isArray VM.isAssignable VM.enableRunTimeTypeChecks NXT.boot NXT.getUserPages")
+    put(NxjRemedy.BREAKPOINTS, "NXT.getProgramExecutionsCount")
 }
+
+/** What leJOS NXJ's class `Bluetooth` has beside connections by name: its chip and its list of devices. */
+private const val CHIP_OF_BLUETOOTH =
+    "addDevice removeDevice getKnownDevicesList inquire inquireNotify cancelInquiry lookupName getConnectionStatus " +
+        "getOperatingMode setOperatingMode getPin setPin getPower setPower getPortOpen openPort closePort " +
+        "closeConnection getResetCount getSignalStrength getStatus setStatus getVersion getVisibility setVisibility " +
+        "loadSettings reset setFactorySettings setFriendlyName PIN btDisable btEnable btGetBC4CmdMode btPending " +
+        "btRead btReceive btSend btSetArmCmdMode btSetCmdMode btSetResetHigh btSetResetLow btWrite"
 
 /** Methods that other programs call without a class or an object. */
 private val ABSENT_CALLS = mapOf(

@@ -92,6 +92,9 @@ enum class NxjRemedy {
     /** `Bluetooth`. */
     BLUETOOTH,
 
+    /** `Bluetooth.connect` with a robot's name: there is no chip and no list of devices. */
+    BLUETOOTH_BY_NAME,
+
     /** `"\n"`. */
     LINE_FEED,
 
@@ -136,6 +139,42 @@ enum class NxjRemedy {
 
     /** The sensors that a world can have. */
     SENSORS,
+
+    /** `CompassHTSensor` or `CompassMindSensor`. */
+    COMPASS,
+
+    /** `GyroSensor`. */
+    GYRO,
+
+    /** `AccelHTSensor` or `AccelMindSensor`. */
+    ACCELERATION,
+
+    /** `UltrasonicSensor` or `OpticalDistanceSensor`. */
+    DISTANCE,
+
+    /** `getTachoCount` of a motor, or `RCXRotationSensor`. */
+    COUNT_TURNS,
+
+    /** `RCXThermometer`. */
+    THERMOMETER,
+
+    /** `RCXLink`. */
+    RCX_LINK,
+
+    /** A port for each sensor. */
+    ONE_PORT_EACH,
+
+    /** Leave it out: the settings of the menu hold. */
+    MENU_SETTINGS,
+
+    /** Listeners of buttons and ports instead of events of the machine. */
+    NXT_LISTENERS,
+
+    /** Breakpoints: a program cannot look into the virtual machine. */
+    BREAKPOINTS,
+
+    /** `Motor.A`, `Motor.B` and `Motor.C`: there are no other motors. */
+    THREE_MOTORS,
 
     /** The program is for an EV3: import `lejos.nxt`. */
     NOT_EV3,

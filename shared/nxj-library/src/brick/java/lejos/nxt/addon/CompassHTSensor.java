@@ -15,13 +15,18 @@ public class CompassHTSensor extends I2CSensor implements DirectionFinder {
 
     /** Makes the sensor of a port. */
     public CompassHTSensor(I2CPort port) {
-        super(port, DEFAULT_I2C_ADDRESS, I2CPort.LEGO_MODE, TYPE_LOWSPEED);
+        this(port, DEFAULT_I2C_ADDRESS);
     }
 
-    /** Gives where the robot looks, 0 to 360 degrees to the right of north. */
+    /** Makes the sensor of a port, which has another address. */
+    public CompassHTSensor(I2CPort port, int address) {
+        super(port, address, I2CPort.LEGO_MODE, TYPE_LOWSPEED);
+    }
+
+    /** Gives where the robot looks, 0 to 360 degrees to the right of north; -1 if no sensor answers. */
     public float getDegrees() {
         byte[] bytes = new byte[2];
-        if (getData(REG_HEADING, bytes, 2) < 0) return Float.NaN;
+        if (getData(REG_HEADING, bytes, 2) != 0) return -1;
         return 2 * (bytes[0] & 0xFF) + bytes[1];
     }
 

@@ -19,6 +19,12 @@ final class BTLink {
 
     static native int listen(int mode);
 
+    static native int openCable(String name);
+
+    static native int listenCable(int mode);
+
+    static native int partner(int link, byte[] into);
+
     static native int status(int link);
 
     static native int write(int link, byte[] data, int offset, int length);

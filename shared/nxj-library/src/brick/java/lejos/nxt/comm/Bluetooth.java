@@ -84,7 +84,7 @@ public class Bluetooth {
         }
     }
 
-    private static class Connector implements NXTCommConnector {
+    private static class Connector extends NXTCommConnector {
         Connector() {
         }
 

@@ -1,13 +1,17 @@
 package lejos.nxt.comm;
 
 /** Makes connections to other robots. */
-public interface NXTCommConnector {
+public abstract class NXTCommConnector {
+    /** Makes one. */
+    public NXTCommConnector() {
+    }
+
     /** Connects to the robot with a name; null if that fails. */
-    NXTConnection connect(String target, int mode);
+    public abstract NXTConnection connect(String target, int mode);
 
     /** Waits at most so many milliseconds until another robot connects, 0 for ever; null if none did. */
-    NXTConnection waitForConnection(int timeout, int mode);
+    public abstract NXTConnection waitForConnection(int timeout, int mode);
 
     /** Lets a thread that waits wait no longer. */
-    boolean cancel();
+    public abstract boolean cancel();
 }

@@ -47,8 +47,20 @@ public abstract class NXTConnection implements StreamConnection {
         return write(buf, bufLen, false);
     }
 
-    /** Gives how many bytes can be read at once. */
-    public abstract int available();
+    /** Gives how many bytes can be read at once, or below 0 if there will be none. */
+    public int available() {
+        return available(0);
+    }
+
+    /** Gives how many bytes can be read at once, or below 0 if there will be none; all packets count, whatever is asked. */
+    public abstract int available(int what);
+
+    /** Gives the name of the other robot. */
+    public abstract String getAddress();
+
+    /** Sets how bytes go: PACKET, LCP or RAW. Both robots see the same bytes whichever it is. */
+    public void setIOMode(int mode) {
+    }
 
     /** Ends the connection. */
     public abstract void close();

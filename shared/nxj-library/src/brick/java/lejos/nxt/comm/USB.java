@@ -6,6 +6,7 @@ import lejos.util.Delay;
 public class USB {
     private static final int PERIOD = 20;
 
+    private static final Connector connector = new Connector();
     private static boolean isCancelled;
 
     private USB() {
@@ -28,5 +29,27 @@ public class USB {
     public static boolean cancelConnect() {
         isCancelled = true;
         return true;
+    }
+
+    /** Gives what makes connections; here it waits until its time is over. */
+    public static NXTCommConnector getConnector() {
+        return connector;
+    }
+
+    private static class Connector extends NXTCommConnector {
+        Connector() {
+        }
+
+        public NXTConnection connect(String target, int mode) {
+            return null;
+        }
+
+        public NXTConnection waitForConnection(int timeout, int mode) {
+            return USB.waitForConnection(timeout, mode);
+        }
+
+        public boolean cancel() {
+            return cancelConnect();
+        }
     }
 }

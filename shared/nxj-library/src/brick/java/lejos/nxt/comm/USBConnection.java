@@ -16,8 +16,13 @@ public class USBConnection extends NXTConnection {
     }
 
     /** Gives that nothing can be read. */
-    public int available() {
+    public int available(int what) {
         return -1;
+    }
+
+    /** Gives an empty text. */
+    public String getAddress() {
+        return "";
     }
 
     /** Ends the connection. */

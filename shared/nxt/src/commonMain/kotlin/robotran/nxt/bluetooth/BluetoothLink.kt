@@ -13,12 +13,31 @@ enum class LinkStatus(val code: Int) {
 }
 
 /**
- * One side of a connection between two robots, or the attempt to make one. Bytes arrive in order, [DELAY_MILLISECONDS]
- * later, [BYTES_PER_MILLISECOND] at most.
+ * What connects two robots.
+ *
+ * @property connectMilliseconds how long connecting takes.
+ * @property delayMilliseconds from the moment when a byte has left until it arrives.
+ * @property bytesPerMillisecond how many bytes leave in a millisecond.
+ */
+enum class LinkMedium(val connectMilliseconds: Long, val delayMilliseconds: Long, val bytesPerMillisecond: Long) {
+    BLUETOOTH(1_000, 60, 20),
+
+    /** A cable from port 4 to port 4. */
+    RS485(300, 4, 40),
+}
+
+/**
+ * One side of a connection between two robots, or the attempt to make one. Bytes arrive in order, as late and as many in
+ * a millisecond as the [medium] has it.
  *
  * @property number unique in the run of a program, from 0.
  */
-class BluetoothLink internal constructor(val number: Int, internal val isListening: Boolean, private val clock: Clock) {
+class BluetoothLink internal constructor(
+    val number: Int,
+    internal val isListening: Boolean,
+    val medium: LinkMedium,
+    private val clock: Clock,
+) {
     private var peer: BluetoothLink? = null
     private val arriving = ArrayDeque<Packet>()
     private var isClosed = false
@@ -84,12 +103,13 @@ class BluetoothLink internal constructor(val number: Int, internal val isListeni
         other.partner = own
     }
 
-    private fun byteTime() = clock.milliseconds() * BYTES_PER_MILLISECOND
+    private fun byteTime() = clock.milliseconds() * medium.bytesPerMillisecond
 
     /** When what has been sent until now has arrived. */
     private fun arrivalTime(): Long {
-        val left = (maxOf(byteTime(), lineFreeAt) + BYTES_PER_MILLISECOND - 1) / BYTES_PER_MILLISECOND
-        return left + DELAY_MILLISECONDS
+        val perMillisecond = medium.bytesPerMillisecond
+        val left = (maxOf(byteTime(), lineFreeAt) + perMillisecond - 1) / perMillisecond
+        return left + medium.delayMilliseconds
     }
 
     private class Packet(private val bytes: ByteArray, val arrivesAt: Long) {
@@ -106,11 +126,6 @@ class BluetoothLink internal constructor(val number: Int, internal val isListeni
     }
 
     companion object {
-        /** From the moment when a byte has left until it arrives. */
-        const val DELAY_MILLISECONDS = 60L
-
-        const val BYTES_PER_MILLISECOND = 20L
-
         /** How many bytes can wait to be sent. */
         const val BUFFER = 254L
 

@@ -3,8 +3,8 @@ package robotran.nxt.bluetooth
 import robotran.nxt.hardware.Clock
 
 /**
- * The radio between the NXTs of a world. Nothing gets lost, and every brick can hear every other. All bricks must tick
- * in the same order in each millisecond.
+ * The radio between the NXTs of a world, and the cable from port 4 to port 4. Nothing gets lost, and every brick can hear
+ * every other. All bricks must tick in the same order in each millisecond.
  */
 class BluetoothNetwork {
     private val ports = mutableListOf<BluetoothPort>()

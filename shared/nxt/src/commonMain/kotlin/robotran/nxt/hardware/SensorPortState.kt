@@ -51,10 +51,10 @@ data class SensorPortState(
     /** Of a colour sensor the mean of its three colours; null while no program uses it. */
     override fun measured(kind: SensorKind): Int? = when (kind) {
         SensorKind.TOUCH -> if (isPressed) 1 else 0
-        SensorKind.LIGHT, SensorKind.SOUND -> percent
+        SensorKind.LIGHT, SensorKind.SOUND, SensorKind.RCX_LIGHT -> percent
         SensorKind.COLOUR -> colour?.run { (red + green + blue) * PERCENT / HIGHEST_SUM }
-        SensorKind.ULTRASONIC, SensorKind.COMPASS -> distance.takeIf { hasMeasured }
-        else -> value
+        SensorKind.GYRO, SensorKind.ROTATION, SensorKind.TEMPERATURE -> value
+        else -> distance.takeIf { hasMeasured }
     }
 
     private companion object {

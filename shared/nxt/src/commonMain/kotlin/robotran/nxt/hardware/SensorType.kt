@@ -34,7 +34,8 @@ object SensorType {
     internal fun kindOf(type: Int): SensorKind? = when (type) {
         SWITCH -> SensorKind.TOUCH
         TEMPERATURE -> SensorKind.TEMPERATURE
-        REFLECTION, LIGHT_ACTIVE, LIGHT_INACTIVE -> SensorKind.LIGHT
+        REFLECTION -> SensorKind.RCX_LIGHT
+        LIGHT_ACTIVE, LIGHT_INACTIVE -> SensorKind.LIGHT
         ANGLE -> SensorKind.ROTATION
         SOUND_DB, SOUND_DBA -> SensorKind.SOUND
         in COLOUR_FULL..COLOUR_NONE -> SensorKind.COLOUR

@@ -114,7 +114,7 @@ internal fun NxtMessages.describe(call: NxtCall, result: Int): String {
             shutDown()
         }
 
-        NxtNative.OPEN -> {
+        NxtNative.OPEN, NxtNative.OPEN_CABLE -> {
             if (result <
                 0
             ) {
@@ -124,7 +124,7 @@ internal fun NxtMessages.describe(call: NxtCall, result: Int): String {
             }
         }
 
-        NxtNative.LISTEN -> {
+        NxtNative.LISTEN, NxtNative.LISTEN_CABLE -> {
             awaitConnection()
         }
 

@@ -1,5 +1,6 @@
 package robotran.nxt.natives
 
+import robotran.nxt.bluetooth.LinkMedium
 import robotran.nxt.display.Drawing
 import robotran.nxt.hardware.MotorPorts
 import robotran.nxt.hardware.SensorPort
@@ -45,7 +46,9 @@ internal class CallPerformer(private val hardware: NxtHardware) {
                 done { hardware.isToShutDown = true }
             }
 
-            NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE -> {
+            NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE, NxtNative.OPEN_CABLE,
+            NxtNative.LISTEN_CABLE,
+            -> {
                 performOnRadio(call)
             }
 
@@ -147,6 +150,8 @@ internal class CallPerformer(private val hardware: NxtHardware) {
         return when (call.native) {
             NxtNative.OPEN -> call.text?.let { radio.open(it) }
             NxtNative.LISTEN -> radio.listen()
+            NxtNative.OPEN_CABLE -> call.text?.let { radio.open(it, LinkMedium.RS485) }
+            NxtNative.LISTEN_CABLE -> radio.listen(LinkMedium.RS485)
             NxtNative.WRITE -> call.bytes?.let { radio.links.getOrNull(call.numbers[0])?.write(it) ?: -1 }
             NxtNative.CLOSE -> done { radio.links.getOrNull(call.numbers[0])?.close() }
             else -> null

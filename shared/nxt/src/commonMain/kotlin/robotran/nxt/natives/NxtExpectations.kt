@@ -27,11 +27,15 @@ internal class NxtExpectations {
         SensorType.kindOf(type)?.let { expect(port, it, sourceLine, sourceFile) }
     }
 
-    /** The program has sent bytes to a sensor at [port], 0..3. */
-    fun addressed(port: Int, address: Int, sourceLine: Int, sourceFile: String?) {
-        if (address != SonarDevice.ADDRESS) return
-        // A compass has the same address, but needs no 9 volts.
-        val kind = if (types[port] == SensorType.LOWSPEED) SensorKind.COMPASS else SensorKind.ULTRASONIC
+    /**
+     * The program has sent bytes to a sensor at [port], 0..3.
+     *
+     * @param sensor which one it takes it for; null if it does not say, and then an address with 9 volts may be that of
+     * an ultrasonic sensor.
+     */
+    fun addressed(port: Int, address: Int, sensor: SensorKind?, sourceLine: Int, sourceFile: String?) {
+        val isSonar = address == SonarDevice.ADDRESS && types[port] == SensorType.LOWSPEED_9V
+        val kind = sensor ?: SensorKind.ULTRASONIC.takeIf { isSonar } ?: return
         expect(port, kind, sourceLine, sourceFile)
     }
 

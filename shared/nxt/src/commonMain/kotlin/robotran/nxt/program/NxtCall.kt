@@ -1,5 +1,6 @@
 package robotran.nxt.program
 
+import robotran.brick.sensors.SensorKind
 import robotran.language.quoted
 
 /**
@@ -8,12 +9,14 @@ import robotran.language.quoted
  * @property numbers as many as the call has [parameters][NxtNative.parameters].
  * @property text what to draw or to log, or the name of a robot.
  * @property bytes what to send or to play.
+ * @property sensor which sensor the class library asks; null if it does not say.
  */
 class NxtCall(
     val native: NxtNative,
     val numbers: IntArray = NONE,
     val text: String? = null,
     val bytes: ByteArray? = null,
+    val sensor: SensorKind? = null,
 ) {
     /** The speed, in degrees a second, of a call that has one. */
     val speed: Float get() = Float.fromBits(numbers[native.speed])

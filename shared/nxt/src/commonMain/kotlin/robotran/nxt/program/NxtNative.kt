@@ -3,7 +3,7 @@ package robotran.nxt.program
 import robotran.brick.log.CallGroup
 
 /**
- * The calls by which a program acts on the brick. All but those of the regulators, [OPEN] to [CLOSE], [SET_TYPE] and
+ * The calls by which a program acts on the brick. All but those of the regulators, [OPEN] to [LISTEN_CABLE], [SET_TYPE] and
  * [CONSOLE_LINE] are native methods of leJOS NXJ.
  *
  * @property id never changes, because it identifies a call in the trace of a run.
@@ -109,6 +109,12 @@ enum class NxtNative(
 
     /** Number of the link. */
     CLOSE(53, "close", CallGroup.BLUETOOTH, parameters = 1),
+
+    /** As [OPEN], by the cable of RS485. */
+    OPEN_CABLE(54, "openCable", CallGroup.BLUETOOTH, parameters = 0),
+
+    /** As [LISTEN], by the cable of RS485. */
+    LISTEN_CABLE(55, "listenCable", CallGroup.BLUETOOTH, parameters = 1),
 
     /** Code. Only for the log: the run then ends. */
     EXIT(60, "halt", CallGroup.SYSTEM, parameters = 1),

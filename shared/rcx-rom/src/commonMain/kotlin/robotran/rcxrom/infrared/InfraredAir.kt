@@ -15,6 +15,9 @@ class InfraredAir(private val reach: InfraredReach = InfraredReach.EVERYWHERE) {
      */
     fun placeTower(echoes: Boolean = false): InfraredTower = InfraredTower(open(), echoes)
 
+    /** Adds a device that sends and receives single bytes, such as the one that connects an NXT with RCXs. */
+    fun placeAdapter(): InfraredAdapter = InfraredAdapter(open())
+
     /** Adds a port that sends and receives; ports are numbered from 0. */
     internal fun open(): InfraredPort = InfraredPort(this, ports.size).also { ports += it }
 

@@ -13,6 +13,7 @@ data class SceneColours(
     val blockTop: Int,
     val blockGrain: Int,
     val lampOn: Int,
+    val lampInfrared: Int,
     val lampOff: Int,
     val lampShade: Int,
     val lampEdge: Int,

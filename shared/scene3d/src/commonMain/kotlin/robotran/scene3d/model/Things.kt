@@ -202,12 +202,13 @@ internal class Things(private val world: World, private val colours: SceneColour
 
     /** A lamp at the origin that shines along the x axis, or all round, on its rod: from bottom to top. */
     fun lamp(lamp: Lamp, on: Boolean): List<Body> {
-        val parts = if (lamp.cone < Lamp.ALL_ROUND) listOf(spotlight(on)) else listOf(bulb(on), shade())
+        val shine = if (lamp.infrared) colours.lampInfrared else colours.lampOn
+        val parts = if (lamp.cone < Lamp.ALL_ROUND) listOf(spotlight(on, shine)) else listOf(bulb(on, shine), shade())
         return listOf(rod(Heights.STANDING, parts.first().bottom, colours.lampShade)) + parts
     }
 
-    private fun bulb(on: Boolean): Body {
-        val colour = if (on) colours.lampOn else colours.lampOff
+    private fun bulb(on: Boolean, shine: Int): Body {
+        val colour = if (on) shine else colours.lampOff
         return loft(
             listOf(ring(0.6, BULB_BOTTOM), ring(1.2, BULB_BOTTOM + 0.7), ring(1.2, Heights.LAMP)),
             listOf(colour, colour),
@@ -227,7 +228,7 @@ internal class Things(private val world: World, private val colours: SceneColour
     private fun ring(radius: Double, height: Double) = Ring(round.circle(0.0, 0.0, radius, LAMP_CORNERS), height)
 
     /** A horizontal cone with a bright front that is tilted to the paper; its lowest line is level, on the rod. */
-    private fun spotlight(on: Boolean): Body {
+    private fun spotlight(on: Boolean, shine: Int): Body {
         val faces = mutableListOf<Face>()
 
         fun corner(radius: Double, number: Int, x: Double): List<Double> {
@@ -242,7 +243,7 @@ internal class Things(private val world: World, private val colours: SceneColour
         }
         val lens = (0 until LAMP_CORNERS).flatMap { corner(SPOT_FRONT, it, SPOT_LENGTH) }
         val back = (LAMP_CORNERS - 1 downTo 0).flatMap { corner(SPOT_REAR, it, -SPOT_LENGTH) }
-        faces += Face(lens.toDoubleArray(), if (on) colours.lampOn else colours.lampOff, glows = on)
+        faces += Face(lens.toDoubleArray(), if (on) shine else colours.lampOff, glows = on)
         faces += Face(back.toDoubleArray(), colours.lampShade)
         val front = SPOT_LENGTH + 2 * SPOT_FRONT * SPOT_TILT
         val footprint = ConvexPolygon.rectangle(-SPOT_LENGTH, -SPOT_FRONT, front, SPOT_FRONT)

@@ -45,7 +45,7 @@ internal class LightField(
     fun ahead(place: Point, cosine: Double, sine: Double, body: Int, beacons: List<Pair<Point, Double>>): Double {
         var amount = ambient
         for (number in lamps.indices) {
-            if (!lamps[number].on) continue
+            if (!lamps[number].on || cones[number].isInfrared) continue
             val lamp = lamps[number].place
             amount += arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
         }
@@ -55,6 +55,16 @@ internal class LightField(
         }
         return amount
     }
+
+    /**
+     * The infrared light that reaches an eye at [place] facing in the direction [cosine], [sine]: of lamps that send
+     * some, and, unless only what is [sent] counts, of bulbs.
+     */
+    fun infrared(place: Point, cosine: Double, sine: Double, body: Int, sent: Boolean): Double =
+        lamps.indices.filter { lamps[it].on && (cones[it].isInfrared || !sent) }.sumOf { number ->
+            val lamp = lamps[number].place
+            arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
+        }
 
     /** The part of the sensor's own light that the nearest object ahead reflects. */
     fun echo(place: Point, cosine: Double, sine: Double, body: Int): Double {
@@ -96,6 +106,7 @@ internal class LightField(
         private val cosine = trigonometry.cosine(lamp.direction * RADIANS_PER_DEGREE)
         private val sine = trigonometry.sine(lamp.direction * RADIANS_PER_DEGREE)
         private val edge = trigonometry.cosine(lamp.cone / 2 * RADIANS_PER_DEGREE)
+        val isInfrared: Boolean get() = lamp.infrared
 
         fun brightnessTowards(from: Point, place: Point): Double {
             if (lamp.cone >= Lamp.ALL_ROUND) return lamp.brightness

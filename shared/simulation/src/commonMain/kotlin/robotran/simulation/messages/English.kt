@@ -199,8 +199,18 @@ private object EnglishSensorMessages : SensorMessages {
             SensorKind.COLOUR -> "colour sensor"
             SensorKind.COMPASS -> "compass sensor"
             SensorKind.GYRO -> "gyro sensor"
+            SensorKind.HITECHNIC_COLOUR -> "HiTechnic colour sensor"
+            SensorKind.MINDSENSORS_COMPASS -> "mindsensors compass sensor"
+            SensorKind.HITECHNIC_ACCELERATION -> "HiTechnic acceleration sensor"
+            SensorKind.MINDSENSORS_ACCELERATION -> "mindsensors acceleration sensor"
+            SensorKind.RCX_LIGHT -> "RCX light sensor"
+            SensorKind.RCX_LINK -> "RCX link"
+            SensorKind.OPTICAL_DISTANCE -> "optical distance sensor"
+            SensorKind.NXT_TEMPERATURE -> "NXT temperature sensor"
+            SensorKind.INFRARED_SEEKER -> "infrared seeker"
+            SensorKind.INFRARED_SEEKER_2 -> "infrared seeker V2"
         }
-        val article = if (kind == SensorKind.ULTRASONIC) "an" else "a"
+        val article = if (sensor.first() in "uoiRN") "an" else "a"
         return if (ports.size == 1) "$article $sensor" else "${sensor}s"
     }
 }

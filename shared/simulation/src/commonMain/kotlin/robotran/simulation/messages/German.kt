@@ -228,7 +228,23 @@ private object GermanSensorMessages : SensorMessages {
             SensorKind.COLOUR -> "Farbsensor"
             SensorKind.COMPASS -> "Kompasssensor"
             SensorKind.GYRO -> "Kreiselsensor"
+            SensorKind.HITECHNIC_COLOUR -> "Farbsensor"
+            SensorKind.MINDSENSORS_COMPASS -> "Kompasssensor"
+            SensorKind.HITECHNIC_ACCELERATION -> "Beschleunigungssensor"
+            SensorKind.MINDSENSORS_ACCELERATION -> "Beschleunigungssensor"
+            SensorKind.RCX_LIGHT -> "RCX-Lichtsensor"
+            SensorKind.RCX_LINK -> "RCX-Adapter"
+            SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
+            SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
+            SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> "Infrarotsucher"
         }
-        return if (ports.size == 1) "ein $sensor" else "${sensor}en"
+        val maker = when (kind) {
+            SensorKind.HITECHNIC_COLOUR, SensorKind.HITECHNIC_ACCELERATION -> " von HiTechnic"
+            SensorKind.MINDSENSORS_COMPASS, SensorKind.MINDSENSORS_ACCELERATION -> " von mindsensors"
+            SensorKind.INFRARED_SEEKER_2 -> " V2"
+            else -> ""
+        }
+        val ending = if (sensor.endsWith("er")) "" else "en"
+        return if (ports.size == 1) "ein $sensor$maker" else "$sensor$ending$maker"
     }
 }

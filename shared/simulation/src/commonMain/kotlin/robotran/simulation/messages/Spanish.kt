@@ -204,6 +204,12 @@ private object SpanishSensorMessages : SensorMessages {
     }
 
     private fun sensors(kind: SensorKind, ports: List<Int>): String {
+        val numbers = listed(ports.map { "$it" }, "y")
+        val (one, several) = words(kind)
+        return if (ports.size == 1) "un $one en el puerto $numbers" else "$several en los puertos $numbers"
+    }
+
+    private fun words(kind: SensorKind): Pair<String, String> {
         val measure = when (kind) {
             SensorKind.TOUCH -> "contacto"
             SensorKind.TEMPERATURE -> "temperatura"
@@ -214,12 +220,17 @@ private object SpanishSensorMessages : SensorMessages {
             SensorKind.COLOUR -> "color"
             SensorKind.COMPASS -> "brújula"
             SensorKind.GYRO -> "giroscopio"
+            SensorKind.HITECHNIC_COLOUR -> "color de HiTechnic"
+            SensorKind.MINDSENSORS_COMPASS -> "brújula de mindsensors"
+            SensorKind.HITECHNIC_ACCELERATION -> "aceleración de HiTechnic"
+            SensorKind.MINDSENSORS_ACCELERATION -> "aceleración de mindsensors"
+            SensorKind.RCX_LIGHT -> "luz del RCX"
+            SensorKind.OPTICAL_DISTANCE -> "distancia por infrarrojos"
+            SensorKind.NXT_TEMPERATURE -> "temperatura del NXT"
+            SensorKind.RCX_LINK -> return "enlace RCX" to "enlaces RCX"
+            SensorKind.INFRARED_SEEKER -> return "buscador de infrarrojos" to "buscadores de infrarrojos"
+            SensorKind.INFRARED_SEEKER_2 -> return "buscador de infrarrojos V2" to "buscadores de infrarrojos V2"
         }
-        val numbers = listed(ports.map { "$it" }, "y")
-        return if (ports.size == 1) {
-            "un sensor de $measure en el puerto $numbers"
-        } else {
-            "sensores de $measure en los puertos $numbers"
-        }
+        return "sensor de $measure" to "sensores de $measure"
     }
 }

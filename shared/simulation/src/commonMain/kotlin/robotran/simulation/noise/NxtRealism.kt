@@ -44,4 +44,16 @@ internal object NxtRealism {
     /** Standard deviation of a compass, in degrees, and of a gyro, in degrees a second. */
     const val COMPASS_NOISE = 1.0
     const val GYRO_NOISE = 1.0
+
+    /** The same of an acceleration sensor, in parts of the acceleration of a falling thing. */
+    const val ACCELERATION_NOISE = 0.01
+
+    /** The same of an optical distance sensor, in centimetres. */
+    const val OPTICAL_NOISE = 0.3
+
+    /** The same of the temperature sensor of an NXT, in degrees Celsius. */
+    const val WARMTH_NOISE = 0.05
+
+    /** The same of each eye of an infrared seeker, in the units of light. */
+    const val SEEKER_NOISE = 0.002
 }

@@ -4,16 +4,26 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.NxtBrick
+import robotran.nxt.hardware.SensorPower
+import robotran.rcxrom.infrared.InfraredAir
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.NxtRealism
 import robotran.simulation.robot.BrickPorts
+import robotran.simulation.robot.LightEye
+import robotran.simulation.robot.LightReading
 import robotran.simulation.robot.SensorErrors
 import robotran.simulation.robot.SimulatedRobot
+import robotran.simulation.robot.Thermometer
+import robotran.simulation.robot.WarmthEye
+import robotran.simulation.robot.rotationRaw
+import robotran.simulation.robot.roundedRaw
 import robotran.world.BumperPart
+import robotran.world.BumperSide
 import robotran.world.FingerTouchPart
 import robotran.world.LightFacing
 import robotran.world.RobotDescription
 import robotran.world.RobotPart
+import robotran.world.RotationPart
 import robotran.world.SensorPart
 import robotran.world.robot.things
 import kotlin.math.abs
@@ -24,6 +34,8 @@ import kotlin.math.floor
  *
  * @param number the robot's index in the world.
  * @param facing the direction of light sensors that have none of their own.
+ * @param lightOf what a light sensor of an RCX sees.
+ * @param air where links to RCXs send.
  */
 internal class NxtPorts(
     private val robot: RobotDescription,
@@ -31,6 +43,9 @@ internal class NxtPorts(
     private val scene: NxtScene,
     private val number: Int,
     private val facing: LightFacing,
+    private val lightOf: (SensorPart) -> LightReading,
+    thermometer: Thermometer,
+    air: InfraredAir,
     private val streams: NoiseStreams,
     private val realism: Double,
 ) : BrickPorts {
@@ -40,6 +55,8 @@ internal class NxtPorts(
     private var lights = emptyList<NxtLightEye>()
     private var sonars = emptyList<SonarBeam>()
     private var seesColour = false
+    private val warmth = WarmthEye(thermometer, streams, realism)
+    private val devices = I2cSensors(scene, machine, streams, realism, brick.clock, air, thermometer)
 
     /** What measures on each port; null if nothing at an analog pin does. */
     private val sensors: List<NxtSensor?> = List(BrickKind.NXT.inputPorts) { port ->
@@ -96,14 +113,18 @@ internal class NxtPorts(
             NxtSensor { brick.setAnalog(port, touchRaw(pressed[port])) }
         }
 
+        is RotationPart -> {
+            val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
+            NxtSensor { brick.setAnalog(port, rotationRaw(machine, wheel, isPowered(port))) }
+        }
+
         is SensorPart -> {
             plugIn(part, port, SensorPlace(machine, part, facing))
         }
-
-        else -> {
-            null
-        }
     }
+
+    /** Whether a sensor of an RCX gets its 9 volts. */
+    private fun isPowered(port: Int) = brick.sensorPort(port).power == SensorPower.RCX
 
     private fun plugIn(part: SensorPart, port: Int, place: SensorPlace): NxtSensor? = when (part.sensor) {
         SensorKind.LIGHT -> {
@@ -142,12 +163,17 @@ internal class NxtPorts(
             null
         }
 
-        SensorKind.COMPASS -> {
-            brick.connect(port, CompassDevice(machine, streams, nameOf(part, "compass"), realism))
-            null
+        SensorKind.RCX_LIGHT -> {
+            val eye = LightEye(lightOf(part), streams, nameOf(part, "RCX light sensor"), realism)
+            NxtSensor { brick.setAnalog(port, roundedRaw(eye.raw(isPowered(port)))) }
+        }
+
+        SensorKind.TEMPERATURE -> {
+            NxtSensor { brick.setAnalog(port, warmth.raw()) }
         }
 
         else -> {
+            brick.connect(port, devices.of(part, place) { nameOf(part, it) })
             null
         }
     }

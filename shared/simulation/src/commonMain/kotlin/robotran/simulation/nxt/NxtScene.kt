@@ -5,6 +5,7 @@ import robotran.simulation.light.PaperSurface
 import robotran.simulation.physics.PhysicsWorld
 import robotran.simulation.robot.SimulatedRobot
 import robotran.world.geometry.Point
+import robotran.world.geometry.Trigonometry
 
 /**
  * What the sensors of NXTs see and hear of the world.
@@ -19,6 +20,7 @@ internal class NxtScene(
     val machines: List<SimulatedRobot>,
     val softBodies: Set<Int>,
     val beaconsBeside: (robot: Int) -> List<Pair<Point, Double>>,
+    val trigonometry: Trigonometry,
 ) {
     /** All ultrasonic sensors that are plugged in, which can disturb one another. */
     val sonars = mutableListOf<SonarBeam>()

@@ -3,9 +3,7 @@ package robotran.simulation.robot
 import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.RcxBrick
-import robotran.rcxrom.sensors.RotationSensor
 import robotran.rcxrom.sensors.SensorCode
-import robotran.rcxrom.sensors.TemperatureSensor
 import robotran.rcxrom.sensors.TouchSensor
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.Realism
@@ -26,7 +24,7 @@ internal class RcxPorts(
     override val brick: RcxBrick,
     private val machine: SimulatedRobot,
     lightOf: (SensorPart) -> LightReading,
-    private val thermometer: Thermometer,
+    thermometer: Thermometer,
     streams: NoiseStreams,
     private val realism: Double,
 ) : BrickPorts {
@@ -37,7 +35,7 @@ internal class RcxPorts(
         val name = if (number == 0) "light sensor" else "light sensor ${number + 1}"
         lightParts[number].on(null) to LightEye(lightOf(lightParts[number]), streams, name, realism)
     }
-    private val temperatureNoise = streams.named("temperature sensor: noise")
+    private val warmth = WarmthEye(thermometer, streams, realism)
 
     /** What measures on each port. */
     private val sensors: List<List<RawSensor>> = List(SensorCode.PORTS) { port ->
@@ -51,8 +49,6 @@ internal class RcxPorts(
 
     /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)
-    private var temperature = Double.NaN
-    private var temperatureRaw = SensorCode.OPEN_RAW
     private var millivolts = 0
 
     override fun touch(port: Int, pressed: Boolean) {
@@ -94,43 +90,23 @@ internal class RcxPorts(
 
         is RotationPart -> {
             val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
-            RawSensor { rotation(wheel, port) }
+            RawSensor { rotationRaw(machine, wheel, brick.sensorIsActive(port)) }
         }
 
         is SensorPart -> {
             when (part.sensor) {
                 SensorKind.LIGHT -> lightEyes.getValue(part.on(null)).let { eye ->
-                    RawSensor { rounded(eye.raw(brick.sensorIsActive(port))) }
+                    RawSensor { roundedRaw(eye.raw(brick.sensorIsActive(port))) }
                 }
 
-                SensorKind.TEMPERATURE -> RawSensor { temperature(thermometer.celsius()) }
+                SensorKind.TEMPERATURE -> RawSensor { warmth.raw() }
 
                 else -> null
             }
         }
     }
 
-    private fun rotation(wheel: Wheel, port: Int): Int {
-        val turns = wheel.turned / machine.figures.wheelCircumference
-        return RotationSensor.raw(floor(turns * RotationSensor.COUNTS_PER_TURN).toInt(), brick.sensorIsActive(port))
-    }
-
-    private fun temperature(celsius: Double): Int {
-        if (celsius != temperature) {
-            temperature = celsius
-            temperatureRaw = TemperatureSensor.raw(celsius)
-        }
-        return if (realism == 0.0) {
-            temperatureRaw
-        } else {
-            rounded(temperatureRaw + realism * Realism.TEMPERATURE_NOISE * temperatureNoise.normal())
-        }
-    }
-
-    private fun rounded(raw: Double): Int = floor(raw + HALF).toInt().coerceIn(0, SensorCode.OPEN_RAW)
-
     private companion object {
-        const val HALF = 0.5
         const val MILLIVOLTS_PER_VOLT = 1000
 
         /** Half of the resolution of the brick's converter. */
@@ -142,21 +118,4 @@ internal class RcxPorts(
 private fun interface RawSensor {
     /** Its raw value, alone on the port. */
     fun raw(): Int
-}
-
-/** A light sensor with its errors; one object for all ports that it is plugged into. */
-private class LightEye(
-    private val light: LightReading,
-    streams: NoiseStreams,
-    name: String,
-    private val realism: Double,
-) {
-    private val noise = streams.named("$name: noise")
-
-    /** The constant error of this light sensor, in raw units. */
-    val bias = realism * Realism.LIGHT_BIAS * streams.named("$name: bias").normal()
-
-    fun raw(active: Boolean): Double = light.raw(active) + error()
-
-    private fun error() = if (realism == 0.0) 0.0 else bias + realism * Realism.LIGHT_NOISE * noise.normal()
 }

@@ -188,6 +188,19 @@ class NxtRunTest {
     }
 
     @Test
+    fun `robots of a world talk by cable`() = runTest(timeout = 3.minutes) {
+        val other = RobotPlacement(Pose(360.0, 300.0, 90.0), name = "red", description = ReadyRobots.NXT_PENBOT)
+        val pair: World = openWorld().let { it.copy(robots = it.robots + other) }
+        val session = nxtSession(pair, nxj("CableCaller"), nxj("CableAnswerer"))
+        session.advance(3_000)
+        val (caller, answerer) = session.state.robots.map { robot ->
+            robot.brick.screen.lines.map { it.trimEnd() }.filter { it.isNotEmpty() }
+        }
+        assertEquals(listOf("true", "true", "red true", "1", "4", "9", "-1"), caller)
+        assertEquals(listOf("true", "end"), answerer)
+    }
+
+    @Test
     fun `an RCX and an NXT drive in one world`() = runTest {
         val rcx = RobotPlacement(Pose(300.0, 200.0, 0.0), name = "red")
         val mixed = openWorld().let { it.copy(robots = it.robots + rcx) }

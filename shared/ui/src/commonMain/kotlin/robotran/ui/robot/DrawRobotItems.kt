@@ -81,10 +81,53 @@ internal fun DrawScope.drawRobotItem(item: RobotItem, ink: Color) {
             drawLine(RobotColours.CHASSIS, Offset(12f, 12f), Offset(12f, 8f), 1.8f, StrokeCap.Round)
         }
 
-        RobotItem.TEMPERATURE -> {
+        RobotItem.TEMPERATURE, RobotItem.NXT_TEMPERATURE -> {
             box(RobotColours.NXT_FACE, 9.5f, 2f, 5f, 14f, ink)
             disc(RobotColours.PEN_TIP_DOWN, 12f, 18f, 4f, ink)
             drawLine(RobotColours.PEN_TIP_DOWN, Offset(12f, 16f), Offset(12f, 9f), 2f, StrokeCap.Round)
+        }
+
+        RobotItem.HITECHNIC_COLOUR -> {
+            box(RobotColours.CHASSIS, 5f, 4f, 14f, 12f, ink)
+            disc(RobotColours.NXT_FACE, 9f, 10f, 2.2f, ink)
+            disc(RobotColours.LIGHT_SENSOR, 15f, 10f, 2.2f, ink)
+            spot()
+        }
+
+        RobotItem.MINDSENSORS_COMPASS -> {
+            box(RobotColours.CLIP, 4f, 4f, 16f, 16f, ink)
+            disc(RobotColours.NXT_FACE, 12f, 12f, 6f, ink)
+            drawLine(RobotColours.PEN_TIP_DOWN, Offset(12f, 12f), Offset(12f, 7.5f), 2f, StrokeCap.Round)
+        }
+
+        RobotItem.HITECHNIC_ACCELERATION, RobotItem.MINDSENSORS_ACCELERATION -> {
+            val isOfHitechnic = item == RobotItem.HITECHNIC_ACCELERATION
+            box(if (isOfHitechnic) RobotColours.CHASSIS else RobotColours.CLIP, 4f, 4f, 16f, 16f, ink)
+            drawLine(RobotColours.NXT_FACE, Offset(8f, 16f), Offset(8f, 7f), 2f, StrokeCap.Round)
+            drawLine(RobotColours.NXT_FACE, Offset(8f, 16f), Offset(17f, 16f), 2f, StrokeCap.Round)
+        }
+
+        RobotItem.RCX_LIGHT -> {
+            box(RobotColours.LIGHT_SENSOR, 5f, 6f, 14f, 10f, ink)
+            disc(RobotColours.PEN_TIP_DOWN, 12f, 11f, 2.2f, ink)
+            spot()
+        }
+
+        RobotItem.RCX_LINK -> {
+            box(RobotColours.CLIP, 5f, 10f, 14f, 10f, ink)
+            disc(RobotColours.CHASSIS, 12f, 15f, 2.5f, ink)
+            waves()
+        }
+
+        RobotItem.INFRARED_SEEKER, RobotItem.INFRARED_SEEKER_2 -> {
+            disc(RobotColours.CHASSIS, 12f, 13f, 8f, ink)
+            val eyes = if (item == RobotItem.INFRARED_SEEKER) RobotColours.NXT_GREY else RobotColours.NXT_FACE
+            for (x in listOf(7.5f, 12f, 16.5f)) disc(eyes, x, 11f, 1.6f, ink)
+        }
+
+        RobotItem.OPTICAL_DISTANCE -> {
+            box(RobotColours.CHASSIS, 2f, 9f, 20f, 8f, ink)
+            for (x in listOf(7.5f, 16.5f)) disc(RobotColours.NXT_FACE, x, 13f, 2.6f, ink)
         }
 
         RobotItem.CASTER -> {

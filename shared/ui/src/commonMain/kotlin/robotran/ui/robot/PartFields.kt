@@ -112,7 +112,7 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
     val change = { what: String?, changed: (SensorPart) -> SensorPart ->
         scope.changePart(number, what) { old -> changed(old as SensorPart) }
     }
-    if (part.sensor in LOOKING) {
+    if (part.sensor.seesSurfaces) {
         val words = listOfNotNull(
             Facing.Down to stringResource(Res.string.robot_looks_down),
             Facing.Ahead((part.facing as? Facing.Ahead)?.direction ?: 0.0) to
@@ -172,9 +172,6 @@ private fun sideWords(): List<Pair<BumperSide, String>> = listOf(
     BumperSide.LEFT to stringResource(Res.string.robot_side_left),
     BumperSide.RIGHT to stringResource(Res.string.robot_side_right),
 )
-
-/** What can look down or ahead. */
-private val LOOKING = setOf(SensorKind.LIGHT, SensorKind.COLOUR)
 
 /** In centimetres, where a sensor looks over the floor, and into it. */
 private const val AHEAD_HEIGHT = 6.0

@@ -24,7 +24,17 @@ import robotran.ui.resources.robot_item_colour
 import robotran.ui.resources.robot_item_compass
 import robotran.ui.resources.robot_item_finger_touch
 import robotran.ui.resources.robot_item_gyro
+import robotran.ui.resources.robot_item_hitechnic_acceleration
+import robotran.ui.resources.robot_item_hitechnic_colour
+import robotran.ui.resources.robot_item_infrared_seeker
+import robotran.ui.resources.robot_item_infrared_seeker_2
 import robotran.ui.resources.robot_item_light
+import robotran.ui.resources.robot_item_mindsensors_acceleration
+import robotran.ui.resources.robot_item_mindsensors_compass
+import robotran.ui.resources.robot_item_nxt_temperature
+import robotran.ui.resources.robot_item_optical_distance
+import robotran.ui.resources.robot_item_rcx_light
+import robotran.ui.resources.robot_item_rcx_link
 import robotran.ui.resources.robot_item_rotation
 import robotran.ui.resources.robot_item_sound
 import robotran.ui.resources.robot_item_temperature
@@ -67,6 +77,16 @@ internal fun itemWord(item: RobotItem): StringResource = when (item) {
     RobotItem.COMPASS -> Res.string.robot_item_compass
     RobotItem.ROTATION -> Res.string.robot_item_rotation
     RobotItem.TEMPERATURE -> Res.string.robot_item_temperature
+    RobotItem.HITECHNIC_COLOUR -> Res.string.robot_item_hitechnic_colour
+    RobotItem.MINDSENSORS_COMPASS -> Res.string.robot_item_mindsensors_compass
+    RobotItem.HITECHNIC_ACCELERATION -> Res.string.robot_item_hitechnic_acceleration
+    RobotItem.MINDSENSORS_ACCELERATION -> Res.string.robot_item_mindsensors_acceleration
+    RobotItem.RCX_LIGHT -> Res.string.robot_item_rcx_light
+    RobotItem.RCX_LINK -> Res.string.robot_item_rcx_link
+    RobotItem.NXT_TEMPERATURE -> Res.string.robot_item_nxt_temperature
+    RobotItem.INFRARED_SEEKER -> Res.string.robot_item_infrared_seeker
+    RobotItem.INFRARED_SEEKER_2 -> Res.string.robot_item_infrared_seeker_2
+    RobotItem.OPTICAL_DISTANCE -> Res.string.robot_item_optical_distance
     RobotItem.FINGER_TOUCH -> Res.string.robot_item_finger_touch
     RobotItem.CASTER -> Res.string.robot_caster
     RobotItem.PEN -> Res.string.robot_pen
@@ -83,6 +103,16 @@ internal fun partWord(part: RobotPart): StringResource = when (part.kind) {
     SensorKind.COMPASS -> Res.string.robot_item_compass
     SensorKind.ROTATION -> Res.string.robot_item_rotation
     SensorKind.TEMPERATURE -> Res.string.robot_item_temperature
+    SensorKind.HITECHNIC_COLOUR -> Res.string.robot_item_hitechnic_colour
+    SensorKind.MINDSENSORS_COMPASS -> Res.string.robot_item_mindsensors_compass
+    SensorKind.HITECHNIC_ACCELERATION -> Res.string.robot_item_hitechnic_acceleration
+    SensorKind.MINDSENSORS_ACCELERATION -> Res.string.robot_item_mindsensors_acceleration
+    SensorKind.RCX_LIGHT -> Res.string.robot_item_rcx_light
+    SensorKind.RCX_LINK -> Res.string.robot_item_rcx_link
+    SensorKind.NXT_TEMPERATURE -> Res.string.robot_item_nxt_temperature
+    SensorKind.INFRARED_SEEKER -> Res.string.robot_item_infrared_seeker
+    SensorKind.INFRARED_SEEKER_2 -> Res.string.robot_item_infrared_seeker_2
+    SensorKind.OPTICAL_DISTANCE -> Res.string.robot_item_optical_distance
 }
 
 /** An element, with its port. */

@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Brush
 import androidx.compose.ui.graphics.ClipOp
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
@@ -35,7 +36,7 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
                 world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
         }
         return world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
-            if (!now.on || lamp.brightness <= 0) return@mapIndexedNotNull null
+            if (!now.on || lamp.infrared || lamp.brightness <= 0) return@mapIndexedNotNull null
             val reach = reachOf(lamp.brightness)
             Glow(now.place, reach, area(number, lamp, now.place), shadows(now.place, reach, things))
         }
@@ -137,9 +138,16 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
             drawLine(colour, place + way * (radius * 1.35f), place + way * (radius * 1.8f), radius / 5, StrokeCap.Round)
         }
     }
-    drawCircle(if (on) SheetColours.LAMP else SheetColours.LAMP_OFF, radius, place)
+    drawCircle(bulbColour(lamp, on), radius, place)
     if (on) drawCircle(SheetColours.LAMP_CORE, radius * CORE, place)
     drawCircle(if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE, radius, place, style = edge)
+}
+
+/** The bulb of a lamp: grey while it is off, violet if it sends infrared light. */
+internal fun bulbColour(lamp: Lamp, on: Boolean): Color = when {
+    !on -> SheetColours.LAMP_OFF
+    lamp.infrared -> SheetColours.LAMP_INFRARED
+    else -> SheetColours.LAMP
 }
 
 private fun Size.center() = Offset(width / 2, height / 2)

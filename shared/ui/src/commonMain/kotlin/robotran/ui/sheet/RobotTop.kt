@@ -103,6 +103,33 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, brick: BrickKind) {
             for ((x, part) in COLOUR_PARTS) disc(Offset(x, 0f), 0.26f, part)
         }
 
+        SensorKind.HITECHNIC_COLOUR -> {
+            plate(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)
+            for (x in listOf(-0.4f, 0.4f)) disc(Offset(x, 0f), 0.3f, RobotColours.NXT_FACE)
+        }
+
+        SensorKind.MINDSENSORS_COMPASS, SensorKind.HITECHNIC_ACCELERATION, SensorKind.MINDSENSORS_ACCELERATION,
+        SensorKind.RCX_LINK,
+        -> {
+            val isOfHitechnic = sensor.kind == SensorKind.HITECHNIC_ACCELERATION
+            plate(body, if (isOfHitechnic) RobotColours.CHASSIS else RobotColours.CLIP, 0.3f, RobotColours.CHASSIS_EDGE)
+            plate(Rect(-0.1f, -0.1f, 0.65f, 0.1f), RobotColours.NXT_FACE, 0.05f)
+        }
+
+        SensorKind.OPTICAL_DISTANCE -> {
+            plate(body, RobotColours.CHASSIS, 0.2f, RobotColours.CHASSIS_EDGE)
+            for (y in listOf(-1.1f, 1.1f)) disc(Offset(body.right - 0.7f, y), 0.55f, RobotColours.NXT_FACE)
+        }
+
+        SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> {
+            disc(Offset.Zero, 1.2f, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE)
+            for (y in listOf(-0.7f, 0f, 0.7f)) disc(Offset(0.5f, y), 0.22f, RobotColours.NXT_FACE)
+        }
+
+        SensorKind.RCX_LIGHT -> {
+            plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
+        }
+
         SensorKind.COMPASS, SensorKind.GYRO -> {
             plate(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)
             disc(Offset.Zero, 0.75f, RobotColours.NXT_FACE)

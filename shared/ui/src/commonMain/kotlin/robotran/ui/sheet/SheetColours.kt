@@ -34,6 +34,7 @@ data class SheetColours(
 
         /** The middle of a light, which outshines its colour. */
         val LAMP_CORE = Color(0xFFFFF3C9)
+        val LAMP_INFRARED = Color(0xFFA97BD6)
         val LAMP_EDGE = Color(0xFF9A6A00)
         val LAMP_SHADE = Color(0xFF6F7478)
         val LAMP_OFF = Color(0xFFC4C8CB)

@@ -7,6 +7,7 @@ import robotran.simulation.state.RobotSnapshot
 import robotran.world.Facing
 import robotran.world.Light
 import robotran.world.LightFacing
+import robotran.world.OpticalDistance
 import robotran.world.RobotPlacement
 import robotran.world.SensorPart
 import robotran.world.geometry.Point
@@ -48,8 +49,8 @@ internal fun sightsOf(place: RobotPlacement, snapshot: RobotSnapshot): List<Sigh
 private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnapshot): Sight? {
     val robot = snapshot.robot
     val eye = robot.ahead(part.at.x, part.at.y)
-    return when (part.sensor) {
-        SensorKind.LIGHT, SensorKind.COLOUR -> {
+    return when {
+        part.sensor.seesSurfaces -> {
             when (part.facing) {
                 Facing.Down -> {
                     Sight.Spot(eye)
@@ -72,11 +73,16 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
             }
         }
 
-        SensorKind.ULTRASONIC -> {
+        part.sensor == SensorKind.ULTRASONIC -> {
             val heard = heard(part, snapshot)
             val reach = heard?.plus(BEHIND_ECHO) ?: FARTHEST
             val direction = robot.pose.heading + robot.direction(part)
             Sight.Cone(eye, direction, SOUND_DEGREES, reach, isSound = true, heard)
+        }
+
+        part.sensor == SensorKind.OPTICAL_DISTANCE -> {
+            val direction = robot.pose.heading + robot.direction(part)
+            Sight.Cone(eye, direction, OpticalDistance.BEAM, OpticalDistance.FARTHEST)
         }
 
         else -> {

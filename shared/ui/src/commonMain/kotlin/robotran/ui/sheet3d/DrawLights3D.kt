@@ -27,7 +27,7 @@ internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projec
     val things = robotOutlines(world, state) +
         world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
-        if (!now.on || lamp.brightness <= 0) continue
+        if (!now.on || lamp.infrared || lamp.brightness <= 0) continue
         val reach = reachOf(lamp.brightness)
         for (part in LIT_PARTS) {
             val lit = litCorners(lamp, now.place, reach * part)

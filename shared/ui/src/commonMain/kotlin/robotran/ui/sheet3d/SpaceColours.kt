@@ -37,6 +37,7 @@ internal data class SpaceColours(
         blockTop = lerp(SheetColours.BLOCK, Color.White, BLOCK_TOP_LIGHTER).toArgb(),
         blockGrain = SheetColours.BLOCK_GRAIN.toArgb(),
         lampOn = lerp(SheetColours.LAMP, Color.White, LAMP_LIGHTER).toArgb(),
+        lampInfrared = lerp(SheetColours.LAMP_INFRARED, Color.White, LAMP_LIGHTER).toArgb(),
         lampOff = SheetColours.LAMP_OFF.toArgb(),
         lampShade = SheetColours.LAMP_SHADE.toArgb(),
         lampEdge = SheetColours.LAMP_EDGE.toArgb(),

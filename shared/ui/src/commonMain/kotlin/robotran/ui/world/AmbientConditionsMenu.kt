@@ -45,9 +45,11 @@ import kotlin.math.roundToInt
 /** Whether any element of [world] reacts to light or temperature. */
 internal fun noticesSurroundings(world: World): Boolean = noticesLight(world) || noticesWarmth(world)
 
-private fun noticesLight(world: World) = world.lamps.isNotEmpty() || world.robots.any { it.has(SensorKind.LIGHT) }
+private fun noticesLight(world: World) =
+    world.lamps.isNotEmpty() || world.robots.any { it.has(SensorKind.LIGHT) || it.has(SensorKind.RCX_LIGHT) }
 
-private fun noticesWarmth(world: World) = world.robots.any { it.has(SensorKind.TEMPERATURE) }
+private fun noticesWarmth(world: World) =
+    world.robots.any { it.has(SensorKind.TEMPERATURE) || it.has(SensorKind.NXT_TEMPERATURE) }
 
 /** A button that opens sliders for ambient light and temperature, if any element of the world reacts to them. */
 @Composable

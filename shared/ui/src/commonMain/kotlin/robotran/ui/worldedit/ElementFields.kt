@@ -11,6 +11,7 @@ import robotran.ui.resources.worldedit_direction
 import robotran.ui.resources.worldedit_friction
 import robotran.ui.resources.worldedit_friction_help
 import robotran.ui.resources.worldedit_grey_map_help
+import robotran.ui.resources.worldedit_lamp_infrared
 import robotran.ui.resources.worldedit_lamp_on
 import robotran.ui.resources.worldedit_mass
 import robotran.ui.resources.worldedit_name
@@ -161,6 +162,9 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
     NameField(making, thing, piece)
     SwitchRow(stringResource(Res.string.worldedit_lamp_on), lamp.on, "field-on") {
         making.changeAtOnce(thing, Element.OfLamp(lamp.copy(on = it)))
+    }
+    SwitchRow(stringResource(Res.string.worldedit_lamp_infrared), lamp.infrared, "field-infrared") {
+        making.changeAtOnce(thing, Element.OfLamp(lamp.copy(infrared = it)))
     }
     NumberRow(
         stringResource(Res.string.worldedit_brightness),

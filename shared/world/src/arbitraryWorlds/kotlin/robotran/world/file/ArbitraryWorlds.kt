@@ -130,6 +130,7 @@ private class ArbitraryWorld(private val random: Random) {
         random.nextBoolean(),
         maybe(::name),
         unknown(),
+        random.nextBoolean(),
     )
 
     private inner class Goals(

@@ -40,6 +40,7 @@ internal class ElementReader(private val shapes: ShapeReader) {
         direction = place.optional("direction")?.number(WorldLimits.ANGLES) ?: 0.0,
         cone = place.optional("cone")?.number(WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND) ?: Lamp.ALL_ROUND,
         on = place.optional("on")?.flag() ?: true,
+        infrared = place.optional("infrared")?.flag() ?: false,
         name = nameOf(place),
         unknown = unknownOf(place),
     )

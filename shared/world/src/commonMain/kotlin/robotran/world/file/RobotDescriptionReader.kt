@@ -138,7 +138,7 @@ private fun readFacing(place: JsonCursor): Facing = if (place.textOrNull() != nu
 
 internal fun defaultFacing(sensor: SensorKind): Facing = when (sensor) {
     SensorKind.LIGHT -> Facing.Free
-    SensorKind.COLOUR -> Facing.Down
+    SensorKind.COLOUR, SensorKind.HITECHNIC_COLOUR, SensorKind.RCX_LIGHT -> Facing.Down
     else -> Facing.Ahead(0.0)
 }
 

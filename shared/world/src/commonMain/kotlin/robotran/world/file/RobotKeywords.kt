@@ -18,6 +18,16 @@ internal enum class PartKind(val sensor: SensorKind?) {
     COLOUR(SensorKind.COLOUR),
     COMPASS(SensorKind.COMPASS),
     GYRO(SensorKind.GYRO),
+    HITECHNIC_COLOUR(SensorKind.HITECHNIC_COLOUR),
+    MINDSENSORS_COMPASS(SensorKind.MINDSENSORS_COMPASS),
+    HITECHNIC_ACCELERATION(SensorKind.HITECHNIC_ACCELERATION),
+    MINDSENSORS_ACCELERATION(SensorKind.MINDSENSORS_ACCELERATION),
+    RCX_LIGHT(SensorKind.RCX_LIGHT),
+    RCX_LINK(SensorKind.RCX_LINK),
+    OPTICAL_DISTANCE(SensorKind.OPTICAL_DISTANCE),
+    NXT_TEMPERATURE(SensorKind.NXT_TEMPERATURE),
+    INFRARED_SEEKER(SensorKind.INFRARED_SEEKER),
+    INFRARED_SEEKER_2(SensorKind.INFRARED_SEEKER_2),
 }
 
 internal val PART_KINDS: Map<String, PartKind> = PartKind.entries.associateBy { wordFor(it) }

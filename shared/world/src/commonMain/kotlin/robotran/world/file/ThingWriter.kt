@@ -56,6 +56,7 @@ internal fun elementOf(lamp: Lamp) = jsonObject(lamp.unknown.members) {
     number("direction", lamp.direction, default = 0.0)
     number("cone", lamp.cone, default = Lamp.ALL_ROUND)
     flag("on", lamp.on, default = true)
+    flag("infrared", lamp.infrared, default = false)
 }
 
 internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {

@@ -25,10 +25,9 @@ internal object EnglishRobotMessages : RobotMessages {
 
     override fun noSuchPort(brick: BrickKind, port: Int) = "An ${brick.name} has no port $port."
 
-    override fun unreadable(brick: BrickKind, kind: SensorKind) = when (kind) {
-        SensorKind.ROTATION -> "An ${brick.name} has no rotation sensor: its motors count for themselves."
-        SensorKind.COMPASS -> "An ${brick.name} cannot read a compass."
-        else -> "An ${brick.name} cannot read ${if (kind == SensorKind.ULTRASONIC) "an" else "a"} ${name(kind)}."
+    override fun unreadable(brick: BrickKind, kind: SensorKind): String {
+        val article = if (name(kind).first() in "aeiouRN") "an" else "a"
+        return "An ${brick.name} cannot read $article ${name(kind)}."
     }
 
     override fun oneDriveMotor(motor: MotorPort) =
@@ -95,6 +94,16 @@ internal object EnglishRobotMessages : RobotMessages {
         SensorKind.COLOUR -> "colour sensor"
         SensorKind.COMPASS -> "compass"
         SensorKind.GYRO -> "gyro sensor"
+        SensorKind.HITECHNIC_COLOUR -> "HiTechnic colour sensor"
+        SensorKind.MINDSENSORS_COMPASS -> "mindsensors compass"
+        SensorKind.HITECHNIC_ACCELERATION -> "HiTechnic acceleration sensor"
+        SensorKind.MINDSENSORS_ACCELERATION -> "mindsensors acceleration sensor"
+        SensorKind.RCX_LIGHT -> "RCX light sensor"
+        SensorKind.RCX_LINK -> "RCX link"
+        SensorKind.OPTICAL_DISTANCE -> "optical distance sensor"
+        SensorKind.NXT_TEMPERATURE -> "NXT temperature sensor"
+        SensorKind.INFRARED_SEEKER -> "infrared seeker"
+        SensorKind.INFRARED_SEEKER_2 -> "infrared seeker V2"
     }
 
     private fun subject(figure: RobotFigure) = when (figure) {

@@ -27,10 +27,7 @@ internal object GermanRobotMessages : RobotMessages {
 
     override fun noSuchPort(brick: BrickKind, port: Int) = "Ein ${brick.name} hat keinen Anschluss $port."
 
-    override fun unreadable(brick: BrickKind, kind: SensorKind) = when (kind) {
-        SensorKind.ROTATION -> "Ein ${brick.name} hat keinen Drehsensor: Seine Motoren zählen selbst."
-        else -> "Ein ${brick.name} kann keinen ${name(kind)} lesen."
-    }
+    override fun unreadable(brick: BrickKind, kind: SensorKind) = "Ein ${brick.name} kann keinen ${name(kind)} lesen."
 
     override fun oneDriveMotor(motor: MotorPort) =
         "Zum Fahren braucht man zwei Motoren, aber links und rechts ist beides Motor ${motor.name}."
@@ -100,6 +97,16 @@ internal object GermanRobotMessages : RobotMessages {
         SensorKind.COLOUR -> "Farbsensor"
         SensorKind.COMPASS -> "Kompass"
         SensorKind.GYRO -> "Kreiselsensor"
+        SensorKind.HITECHNIC_COLOUR -> "Farbsensor von HiTechnic"
+        SensorKind.MINDSENSORS_COMPASS -> "Kompass von mindsensors"
+        SensorKind.HITECHNIC_ACCELERATION -> "Beschleunigungssensor von HiTechnic"
+        SensorKind.MINDSENSORS_ACCELERATION -> "Beschleunigungssensor von mindsensors"
+        SensorKind.RCX_LIGHT -> "RCX-Lichtsensor"
+        SensorKind.RCX_LINK -> "RCX-Adapter"
+        SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
+        SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
+        SensorKind.INFRARED_SEEKER -> "Infrarotsucher"
+        SensorKind.INFRARED_SEEKER_2 -> "Infrarotsucher V2"
     }
 
     private fun subject(figure: RobotFigure) = when (figure) {

@@ -26,10 +26,8 @@ internal object SpanishRobotMessages : RobotMessages {
 
     override fun noSuchPort(brick: BrickKind, port: Int) = "Un ${brick.name} no tiene puerto $port."
 
-    override fun unreadable(brick: BrickKind, kind: SensorKind) = when (kind) {
-        SensorKind.ROTATION -> "Un ${brick.name} no tiene sensor de giro: sus motores cuentan por sí mismos."
-        else -> "Un ${brick.name} no puede leer ${if (kind == SensorKind.COMPASS) "una" else "un"} ${name(kind)}."
-    }
+    override fun unreadable(brick: BrickKind, kind: SensorKind) =
+        "Un ${brick.name} no puede leer ${if (kind in FEMININE) "una" else "un"} ${name(kind)}."
 
     override fun oneDriveMotor(motor: MotorPort) =
         "Para conducir hacen falta dos motores, pero el izquierdo y el derecho son los dos el motor ${motor.name}."
@@ -90,7 +88,7 @@ internal object SpanishRobotMessages : RobotMessages {
 
     override fun noTurret(brick: BrickKind) = "Los motores de un ${brick.name} no pueden girar un sensor: no cuentan."
 
-    private fun the(kind: SensorKind) = "${if (kind == SensorKind.COMPASS) "La" else "El"} ${name(kind)}"
+    private fun the(kind: SensorKind) = "${if (kind in FEMININE) "La" else "El"} ${name(kind)}"
 
     private fun name(kind: SensorKind) = when (kind) {
         SensorKind.TOUCH -> "parachoques"
@@ -102,6 +100,16 @@ internal object SpanishRobotMessages : RobotMessages {
         SensorKind.COLOUR -> "sensor de color"
         SensorKind.COMPASS -> "brújula"
         SensorKind.GYRO -> "giroscopio"
+        SensorKind.HITECHNIC_COLOUR -> "sensor de color de HiTechnic"
+        SensorKind.MINDSENSORS_COMPASS -> "brújula de mindsensors"
+        SensorKind.HITECHNIC_ACCELERATION -> "acelerómetro de HiTechnic"
+        SensorKind.MINDSENSORS_ACCELERATION -> "acelerómetro de mindsensors"
+        SensorKind.RCX_LIGHT -> "sensor de luz del RCX"
+        SensorKind.RCX_LINK -> "enlace RCX"
+        SensorKind.OPTICAL_DISTANCE -> "sensor óptico de distancia"
+        SensorKind.NXT_TEMPERATURE -> "sensor de temperatura del NXT"
+        SensorKind.INFRARED_SEEKER -> "buscador de infrarrojos"
+        SensorKind.INFRARED_SEEKER_2 -> "buscador de infrarrojos V2"
     }
 
     private fun subject(figure: RobotFigure) = when (figure) {
@@ -122,4 +130,6 @@ internal object SpanishRobotMessages : RobotMessages {
     }
 
     private fun comma(number: String) = number.replace('.', ',')
+
+    private val FEMININE = setOf(SensorKind.COMPASS, SensorKind.MINDSENSORS_COMPASS)
 }

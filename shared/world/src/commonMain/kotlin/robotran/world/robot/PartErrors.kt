@@ -17,7 +17,7 @@ import kotlin.math.floor
 /** What a brick can read. */
 internal fun readable(brick: BrickKind): Set<SensorKind> = when (brick) {
     BrickKind.RCX -> setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION)
-    BrickKind.NXT -> SensorKind.entries.toSet() - SensorKind.TEMPERATURE - SensorKind.ROTATION
+    BrickKind.NXT -> SensorKind.entries.toSet()
 }
 
 /** Where a sensor looks, as a direction on the robot; 0 if it looks down or may be turned. */
@@ -50,11 +50,11 @@ internal fun partErrors(robot: RobotDescription): List<RobotError> {
 }
 
 private fun heightErrors(number: Int, part: SensorPart): List<RobotError> {
-    val mayLookDown = part.facing != Facing.Down || part.sensor in LOOKING_DOWN
+    val mayLookDown = part.facing != Facing.Down || part.sensor.seesSurfaces
     val isFree = part.facing == Facing.Free
     val looksDown = part.facing == Facing.Down || isFree
     val lowest = when (part.sensor) {
-        SensorKind.COLOUR -> LOWEST_COLOUR
+        SensorKind.COLOUR, SensorKind.HITECHNIC_COLOUR -> LOWEST_COLOUR
         SensorKind.ULTRASONIC -> LOWEST_SONAR
         else -> LOWEST
     }
@@ -89,7 +89,8 @@ private fun farAway(robot: RobotDescription, chassis: Outline, number: Int, part
  * edge out of it.
  */
 private fun looksInto(robot: RobotDescription, chassis: Outline.Angular, part: SensorPart): Boolean {
-    if (part.facing !is Facing.Ahead || part.sensor !in LOOKING_AHEAD || part.turret != null) return false
+    val looks = part.sensor.seesSurfaces || part.sensor in MEASURING_DISTANCES
+    if (part.facing !is Facing.Ahead || !looks || part.turret != null) return false
     if (part.height >= robot.chassis.height) return false
     val direction = Direction(part.towards)
     val isInside = chassis.contains(part.at.x, part.at.y)
@@ -99,8 +100,7 @@ private fun looksInto(robot: RobotDescription, chassis: Outline.Angular, part: S
     return if (isInside) seen.all { chassis.contains(it.x, it.y) } else seen.any { chassis.contains(it.x, it.y) }
 }
 
-private val LOOKING_DOWN = setOf(SensorKind.LIGHT, SensorKind.COLOUR)
-private val LOOKING_AHEAD = setOf(SensorKind.LIGHT, SensorKind.COLOUR, SensorKind.ULTRASONIC)
+private val MEASURING_DISTANCES = setOf(SensorKind.ULTRASONIC, SensorKind.OPTICAL_DISTANCE)
 private const val LOWEST = 0.3
 private const val LOWEST_COLOUR = 0.5
 private const val LOWEST_SONAR = 2.0

@@ -1,6 +1,5 @@
 package robotran.world.robot
 
-import robotran.brick.sensors.SensorKind
 import robotran.world.BumperPart
 import robotran.world.Penbot
 import robotran.world.RobotDescription
@@ -70,7 +69,7 @@ val RobotDescription.supportingCaster: Point?
  * has it.
  */
 val RobotDescription.lineSensor: Point
-    get() = parts.firstOrNull { it is SensorPart && it.sensor in FOLLOWING }?.let { (it as SensorPart).at }
+    get() = parts.firstOrNull { it is SensorPart && it.sensor.seesSurfaces }?.let { (it as SensorPart).at }
         ?: Point(minOf(Penbot.LIGHT_SENSOR_POSITION, chassis.outline.maxOf { it.x }), 0.0)
 
 private val RobotDescription.wheelHalf: Double get() = drive.track / 2 + drive.wheelWidth / 2
@@ -94,5 +93,3 @@ private fun half(points: List<Point>): List<Point> {
     }
     return edge
 }
-
-private val FOLLOWING = setOf(SensorKind.LIGHT, SensorKind.COLOUR)

@@ -36,15 +36,19 @@ fun RobotDescription.partFor(kind: SensorKind, port: Int): RobotPart {
             SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Free)
         }
 
-        SensorKind.COLOUR -> {
+        SensorKind.COLOUR, SensorKind.HITECHNIC_COLOUR, SensorKind.RCX_LIGHT -> {
             SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Down)
         }
 
-        SensorKind.ULTRASONIC -> {
+        SensorKind.ULTRASONIC, SensorKind.OPTICAL_DISTANCE, SensorKind.RCX_LINK, SensorKind.INFRARED_SEEKER,
+        SensorKind.INFRARED_SEEKER_2,
+        -> {
             SensorPart(port, kind, Point(front, 0.0), AHEAD_HEIGHT, Facing.Ahead(0.0))
         }
 
-        SensorKind.TEMPERATURE, SensorKind.SOUND, SensorKind.COMPASS, SensorKind.GYRO -> {
+        SensorKind.TEMPERATURE, SensorKind.SOUND, SensorKind.COMPASS, SensorKind.GYRO, SensorKind.MINDSENSORS_COMPASS,
+        SensorKind.HITECHNIC_ACCELERATION, SensorKind.MINDSENSORS_ACCELERATION, SensorKind.NXT_TEMPERATURE,
+        -> {
             SensorPart(port, kind, Point(0.0, 0.0), height, Facing.Ahead(0.0))
         }
     }
@@ -94,7 +98,7 @@ private fun penbotSensors(kind: SensorKind, port: Int): List<PortSensor> = when 
         listOf(if (port == BrickKind.RCX.inputPorts) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
     }
 
-    SensorKind.ULTRASONIC, SensorKind.SOUND, SensorKind.COLOUR, SensorKind.COMPASS, SensorKind.GYRO -> {
+    else -> {
         emptyList()
     }
 }

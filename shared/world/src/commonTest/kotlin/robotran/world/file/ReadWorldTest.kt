@@ -109,7 +109,7 @@ class ReadWorldTest {
             ),
             full.marks,
         )
-        assertEquals(listOf(Lamp(Point(1.0, 2.0), 2.0, 90.0, 60.0, false, "window")), full.lamps)
+        assertEquals(listOf(Lamp(Point(1.0, 2.0), 2.0, 90.0, 60.0, false, "window", infrared = true)), full.lamps)
         assertEquals(
             Template(
                 listOf(

@@ -196,7 +196,7 @@ class RejectedElementsTest {
         )
         assertEquals(
             "goals[4] needs a template, and this world has none.",
-            complaint("\"template\"", "\"pattern\"", line = 55),
+            complaint("\"template\"", "\"pattern\"", line = 57),
         )
     }
 

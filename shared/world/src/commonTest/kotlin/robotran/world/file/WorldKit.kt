@@ -52,7 +52,9 @@ internal val FULL_WORLD = """
         { "colour": "#1133AA", "rectangle": { "x": 150, "y": 50, "width": 10, "height": 10 } },
         { "greyMap": { "x": 1, "y": 1, "cell": 1, "rows": ["0F.", ".8f"] } }
       ],
-      "lamps": [{ "name": "window", "x": 1, "y": 2, "brightness": 2, "direction": 90, "cone": 60, "on": false }],
+      "lamps": [
+        { "name": "window", "x": 1, "y": 2, "brightness": 2, "direction": 90, "cone": 60, "on": false, "infrared": true }
+      ],
       "light": 0.5,
       "temperature": 25,
       "template": { "strokes": [[[0, 0], [10, 0]], [[0, 5], [10, 5], [12, 7]]] },

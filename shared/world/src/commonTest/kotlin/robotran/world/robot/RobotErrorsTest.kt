@@ -60,12 +60,11 @@ class RobotErrorsTest {
         assertEquals("An RCX has no port 4.", told(rcx.with(FingerTouchPart(4))))
         val sonar = sensor(SensorKind.ULTRASONIC, Facing.Ahead(0.0))
         assertEquals("An RCX cannot read an ultrasonic sensor.", told(rcx.with(sonar)))
-        assertEquals(
-            "An NXT has no rotation sensor: its motors count for themselves.",
-            told(nxt.with(RotationPart(1, BumperSide.LEFT))),
-        )
+        val foreign = sensor(SensorKind.MINDSENSORS_COMPASS, Facing.Ahead(0.0))
+        assertEquals("An RCX cannot read a mindsensors compass.", told(rcx.with(foreign)))
+        assertEquals("An RCX cannot read an RCX link.", told(rcx.with(foreign.copy(sensor = SensorKind.RCX_LINK))))
         val warm = sensor(SensorKind.TEMPERATURE, Facing.Ahead(0.0))
-        assertEquals(RobotError.UnreadableSensor(0, BrickKind.NXT, SensorKind.TEMPERATURE), error(nxt.with(warm)))
+        assertEquals(emptyList(), robotErrors(nxt.with(RotationPart(1, BumperSide.LEFT), warm.on(2))))
         assertEquals(emptyList(), robotErrors(rcx.with(sonar.copy(port = null))))
     }
 

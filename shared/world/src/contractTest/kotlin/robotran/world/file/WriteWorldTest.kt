@@ -172,7 +172,7 @@ class WriteWorldTest {
                 }
               ],
               "lamps": [
-                { "name": "window", "x": 1, "y": 2, "brightness": 2, "direction": 90, "cone": 60, "on": false }
+                { "name": "window", "x": 1, "y": 2, "brightness": 2, "direction": 90, "cone": 60, "on": false, "infrared": true }
               ],
               "light": 0.5,
               "temperature": 25,

@@ -28,10 +28,21 @@ internal val radioMethods: Map<String, NativeMethod> = mapOf(
     "$LINK.isKnown(Ljava/lang/String;)Z" to NativeMethod { machine, thread, first ->
         textAt(machine, thread, first)?.let { wordOf(machine.brick.nxt.knowsRobot(it)) } ?: 0
     },
-    "$LINK.open(Ljava/lang/String;)I" to NativeMethod { machine, thread, first ->
-        textAt(machine, thread, first)?.let { machine.brick.call(thread, NxtCall(NxtNative.OPEN, text = it)) } ?: 0
+    "$LINK.partner(I[B)I" to NativeMethod { machine, thread, first ->
+        val name = machine.brick.nxt.link(thread.stack[first])?.partner.orEmpty().encodeToByteArray()
+        val into = thread.stack[first + 1]
+        if (into == 0) {
+            nullPointer(machine, thread)
+        } else {
+            val count = minOf(name.size, NAME_BYTES, machine.heap.length(into))
+            putBytes(machine, into, 0, name, count)
+            count
+        }
     },
+    "$LINK.open(Ljava/lang/String;)I" to opens(NxtNative.OPEN),
+    "$LINK.openCable(Ljava/lang/String;)I" to opens(NxtNative.OPEN_CABLE),
     "$LINK.listen(I)I" to calls(NxtNative.LISTEN),
+    "$LINK.listenCable(I)I" to calls(NxtNative.LISTEN_CABLE),
     "$LINK.status(I)I" to reads { nxt, arguments -> (nxt.link(arguments(0))?.status ?: LinkStatus.CLOSED).code },
     "$LINK.write(I[BII)I" to NativeMethod { machine, thread, first ->
         val stack = thread.stack
@@ -65,3 +76,8 @@ internal val radioMethods: Map<String, NativeMethod> = mapOf(
         textAt(machine, thread, first)?.let { machine.brick.call(thread, NxtCall(NxtNative.CONSOLE_LINE, text = it)) }
     },
 )
+
+/** Begins to connect to the robot whose name is the argument. */
+private fun opens(native: NxtNative) = NativeMethod { machine, thread, first ->
+    textAt(machine, thread, first)?.let { machine.brick.call(thread, NxtCall(native, text = it)) } ?: 0
+}

@@ -1,10 +1,13 @@
 package robotran.tinyvm.natives.nxj
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.I2cStatus
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.tinyvm.config.NxtCosts
+import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
@@ -74,8 +77,33 @@ private fun startI2c(machine: VirtualMachine, thread: VmThread, first: Int): Int
     machine.charge(NxtCosts.I2C_START)
     val numbers = intArrayOf(stack[first], stack[first + 1], stack[first + 5])
     if (numbers[0] !in PORTS) return I2cStatus.INVALID_PORT
-    return machine.brick.call(thread, NxtCall(NxtNative.I2C_START, numbers, bytes = bytes))
+    val sensor = thread.callStack.firstNotNullOfOrNull { sensorOf(machine, thread, it) }
+    return machine.brick.call(thread, NxtCall(NxtNative.I2C_START, numbers, bytes = bytes, sensor = sensor))
 }
+
+/** Which sensor the object is whose method runs in [frame]; null if it is none that the library knows. */
+private fun sensorOf(machine: VirtualMachine, thread: VmThread, frame: Frame): SensorKind? {
+    if (frame.method.owner.name != I2C_SENSOR) return SENSORS[frame.method.owner.name]
+    val type = machine.heap.typeOf(thread.stack[frame.base]) as? LinkedClass
+    return generateSequence(type) { it.superclass }.firstNotNullOfOrNull { SENSORS[it.name] }
+}
+
+private const val I2C_SENSOR = "lejos/nxt/I2CSensor"
+
+/** The classes of the library that ask sensors that send bytes. */
+private val SENSORS = mapOf(
+    "lejos/nxt/UltrasonicSensor" to SensorKind.ULTRASONIC,
+    "lejos/nxt/TemperatureSensor" to SensorKind.NXT_TEMPERATURE,
+    "lejos/nxt/addon/AccelHTSensor" to SensorKind.HITECHNIC_ACCELERATION,
+    "lejos/nxt/addon/AccelMindSensor" to SensorKind.MINDSENSORS_ACCELERATION,
+    "lejos/nxt/addon/ColorHTSensor" to SensorKind.HITECHNIC_COLOUR,
+    "lejos/nxt/addon/CompassHTSensor" to SensorKind.COMPASS,
+    "lejos/nxt/addon/CompassMindSensor" to SensorKind.MINDSENSORS_COMPASS,
+    "lejos/nxt/addon/IRSeeker" to SensorKind.INFRARED_SEEKER,
+    "lejos/nxt/addon/IRSeekerV2" to SensorKind.INFRARED_SEEKER_2,
+    "lejos/nxt/addon/OpticalDistanceSensor" to SensorKind.OPTICAL_DISTANCE,
+    "lejos/nxt/addon/RCXLink" to SensorKind.RCX_LINK,
+)
 
 private fun completeI2c(machine: VirtualMachine, thread: VmThread, first: Int): Int {
     val stack = thread.stack

@@ -17,6 +17,16 @@ import robotran.ui.resources.nxt_bumper
 import robotran.ui.resources.nxt_colour_sensor
 import robotran.ui.resources.nxt_compass
 import robotran.ui.resources.nxt_gyro
+import robotran.ui.resources.nxt_hitechnic_acceleration
+import robotran.ui.resources.nxt_hitechnic_colour
+import robotran.ui.resources.nxt_infrared_seeker
+import robotran.ui.resources.nxt_infrared_seeker_2
+import robotran.ui.resources.nxt_mindsensors_acceleration
+import robotran.ui.resources.nxt_mindsensors_compass
+import robotran.ui.resources.nxt_nxt_temperature
+import robotran.ui.resources.nxt_optical_distance
+import robotran.ui.resources.nxt_rcx_light
+import robotran.ui.resources.nxt_rcx_link
 import robotran.ui.resources.nxt_sound_sensor
 import robotran.ui.resources.nxt_ultrasonic_sensor
 import robotran.ui.resources.run_sensor_rotation
@@ -34,6 +44,16 @@ internal val SensorKind.words: StringResource
         SensorKind.COLOUR -> Res.string.nxt_colour_sensor
         SensorKind.COMPASS -> Res.string.nxt_compass
         SensorKind.GYRO -> Res.string.nxt_gyro
+        SensorKind.HITECHNIC_COLOUR -> Res.string.nxt_hitechnic_colour
+        SensorKind.MINDSENSORS_COMPASS -> Res.string.nxt_mindsensors_compass
+        SensorKind.HITECHNIC_ACCELERATION -> Res.string.nxt_hitechnic_acceleration
+        SensorKind.MINDSENSORS_ACCELERATION -> Res.string.nxt_mindsensors_acceleration
+        SensorKind.RCX_LIGHT -> Res.string.nxt_rcx_light
+        SensorKind.RCX_LINK -> Res.string.nxt_rcx_link
+        SensorKind.NXT_TEMPERATURE -> Res.string.nxt_nxt_temperature
+        SensorKind.INFRARED_SEEKER -> Res.string.nxt_infrared_seeker
+        SensorKind.INFRARED_SEEKER_2 -> Res.string.nxt_infrared_seeker_2
+        SensorKind.OPTICAL_DISTANCE -> Res.string.nxt_optical_distance
     }
 
 /**
@@ -50,7 +70,7 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, seen
                 drawRoundRect(colour, Offset(5f, if (isPressed) 7f else 3f), Size(6f, 7f), CornerRadius(1.5f))
             }
 
-            SensorKind.LIGHT -> {
+            SensorKind.LIGHT, SensorKind.RCX_LIGHT -> {
                 drawCircle(colour, 3.5f, Offset(8f, 9f))
                 for ((from, to) in RAYS) drawLine(colour, from, to, LINE)
             }
@@ -78,7 +98,7 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, seen
                 for (radius in listOf(3f, 6f)) arc(colour, Offset(8.5f, 8f), radius, -45f, 90f)
             }
 
-            SensorKind.COLOUR -> {
+            SensorKind.COLOUR, SensorKind.HITECHNIC_COLOUR -> {
                 drawCircle(colour, 7f, Offset(8f, 8f))
                 if (seen != null) {
                     drawCircle(seen, 5.4f, Offset(8f, 8f))
@@ -87,7 +107,7 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, seen
                 }
             }
 
-            SensorKind.COMPASS -> {
+            SensorKind.COMPASS, SensorKind.MINDSENSORS_COMPASS -> {
                 drawCircle(colour, 6.8f, Offset(8f, 8f), style = Stroke(LINE))
                 drawPath(triangle(Offset(8f, 1.8f), Offset(10.3f, 8f), Offset(5.7f, 8f)), NxtColours.ENTER)
                 drawPath(triangle(Offset(8f, 14.2f), Offset(5.7f, 8f), Offset(10.3f, 8f)), colour)
@@ -99,7 +119,29 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, seen
                 if (kind == SensorKind.GYRO) drawCircle(colour, 1.6f, Offset(8f, 8f))
             }
 
-            SensorKind.TEMPERATURE -> {
+            SensorKind.HITECHNIC_ACCELERATION, SensorKind.MINDSENSORS_ACCELERATION -> {
+                drawLine(colour, Offset(2f, 14f), Offset(13f, 14f), LINE)
+                drawLine(colour, Offset(2f, 14f), Offset(2f, 3f), LINE)
+                drawPath(triangle(Offset(2f, 0.5f), Offset(4.5f, 4f), Offset(0f, 4f)), colour)
+                drawPath(triangle(Offset(15.5f, 14f), Offset(12f, 16f), Offset(12f, 11.5f)), colour)
+            }
+
+            SensorKind.RCX_LINK -> {
+                drawRoundRect(colour, Offset(1f, 5f), Size(5f, 6f), CornerRadius(1f))
+                for (radius in listOf(3f, 6f)) arc(colour, Offset(7f, 8f), radius, -45f, 90f)
+            }
+
+            SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> {
+                drawArc(colour, 180f, 180f, true, Offset(1f, 4f), Size(14f, 14f))
+                for (x in listOf(4f, 8f, 12f)) drawCircle(NxtColours.SENSOR_PLUG, 1.4f, Offset(x, 9f))
+            }
+
+            SensorKind.OPTICAL_DISTANCE -> {
+                drawRoundRect(colour, Offset(0.5f, 4f), Size(15f, 8f), CornerRadius(1f))
+                for (x in listOf(4.4f, 11.6f)) drawCircle(NxtColours.SENSOR_PLUG, 2.4f, Offset(x, 8f))
+            }
+
+            SensorKind.TEMPERATURE, SensorKind.NXT_TEMPERATURE -> {
                 drawRoundRect(colour, Offset(6.5f, 1f), Size(3f, 10f), CornerRadius(1.5f))
                 drawCircle(colour, 3.2f, Offset(8f, 12f))
             }

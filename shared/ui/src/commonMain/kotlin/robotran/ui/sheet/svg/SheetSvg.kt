@@ -108,7 +108,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
 
     private fun glows() {
         for ((lamp, now) in world.lamps.zip(state.lamps)) {
-            if (now.on) lamps.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
+            if (now.on && !lamp.infrared) lamps.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
         }
         for ((place, now) in world.robots.zip(state.robots)) {
             lamps.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)

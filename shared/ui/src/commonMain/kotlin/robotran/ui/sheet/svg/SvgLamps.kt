@@ -2,6 +2,7 @@ package robotran.ui.sheet.svg
 
 import robotran.simulation.state.LampState
 import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.bulbColour
 import robotran.world.Lamp
 import robotran.world.geometry.Point
 import kotlin.math.PI
@@ -58,7 +59,7 @@ internal class SvgLamps(private val svg: SvgWriter, private val shapes: SvgShape
             "cy" to y,
             "r" to BULB_RADIUS,
             "stroke-width" to 0.22,
-            "fill" to hex(if (now.on) SheetColours.LAMP else SheetColours.LAMP_OFF),
+            "fill" to hex(bulbColour(lamp, now.on)),
             "stroke" to hex(if (now.on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE),
         )
     }
