@@ -68,7 +68,11 @@ public class File {
         return true;
     }
 
-    /** Says that it is no folder. */
+    /**
+     * Says that it is no folder.
+     *
+     * @hidden
+     */
     public boolean isDirectory() {
         return false;
     }

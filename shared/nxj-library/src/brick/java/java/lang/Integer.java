@@ -218,7 +218,11 @@ public final class Integer extends Number implements Comparable<Integer> {
         return result;
     }
 
-    /** Gives -1 for a number below 0, 1 for one above 0, and 0 for 0. */
+    /**
+     * Gives -1 for a number below 0, 1 for one above 0, and 0 for 0.
+     *
+     * @hidden
+     */
     public static int signum(int value) {
         return value < 0 ? -1 : value > 0 ? 1 : 0;
     }

@@ -18,7 +18,11 @@ public class Runtime {
     /** Gives the bytes of memory that a program has for its objects. */
     public native long totalMemory();
 
-    /** Frees the memory of objects that nobody needs any more. */
+    /**
+     * Frees the memory of objects that nobody needs any more.
+     *
+     * @hidden
+     */
     public void gc() {
         System.gc();
     }

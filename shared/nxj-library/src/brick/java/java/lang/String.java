@@ -235,7 +235,11 @@ public final class String implements CharSequence, Comparable<String> {
         return from >= 0 && from <= characters.length - count && isAt(from, start.characters, from + count);
     }
 
-    /** Says whether the text ends like this. */
+    /**
+     * Says whether the text ends like this.
+     *
+     * @hidden
+     */
     public boolean endsWith(String end) {
         return startsWith(end, characters.length - end.characters.length);
     }
@@ -263,17 +267,35 @@ public final class String implements CharSequence, Comparable<String> {
         return indexIn(characters, characters.length, text.characters, from);
     }
 
-    /** Gives the last place of a character, or -1 if it is not there. */
+    /**
+     * Gives the last place of a character, or -1 if it is not there.
+     *
+     * @hidden
+     */
     public int lastIndexOf(int character) {
         return lastIndexOf(character, characters.length - 1);
     }
 
-    /** Gives the last place of a character up to a place, or -1 if it is not there. */
+    /**
+     * Gives the last place of a character up to a place, or -1 if it is not there.
+     *
+     * @hidden
+     */
     public int lastIndexOf(int character, int from) {
         for (int index = from < characters.length ? from : characters.length - 1; index >= 0; index--) {
             if (characters[index] == character) return index;
         }
         return -1;
+    }
+
+    /** Gives the last place of a character, or -1 if it is not there. */
+    public int lastIndexOf(char character) {
+        return lastIndexOf((int) character);
+    }
+
+    /** Gives the last place of a character up to a place, or -1 if it is not there. */
+    public int lastIndexOf(char character, int from) {
+        return lastIndexOf((int) character, from);
     }
 
     /** Gives the last place of a text, or -1 if it is not there. */

@@ -9,17 +9,29 @@ public class Date {
         this(System.currentTimeMillis());
     }
 
-    /** Makes one of a moment. */
+    /**
+     * Makes one of a moment.
+     *
+     * @hidden
+     */
     public Date(long time) {
         this.time = time;
     }
 
-    /** Gives the moment. */
+    /**
+     * Gives the moment.
+     *
+     * @hidden
+     */
     public long getTime() {
         return time;
     }
 
-    /** Sets the moment. */
+    /**
+     * Sets the moment.
+     *
+     * @hidden
+     */
     public void setTime(long time) {
         this.time = time;
     }

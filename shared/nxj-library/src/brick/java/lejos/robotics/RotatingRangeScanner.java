@@ -20,7 +20,11 @@ public class RotatingRangeScanner implements RangeScanner {
         this(head, rangeFinder, 1f);
     }
 
-    /** Makes one whose motor turns so many degrees for one of the sensor. */
+    /**
+     * Makes one whose motor turns so many degrees for one of the sensor.
+     *
+     * @hidden
+     */
     public RotatingRangeScanner(RegulatedMotor head, RangeFinder rangeFinder, float gearRatio) {
         this.head = head;
         this.rangeFinder = rangeFinder;

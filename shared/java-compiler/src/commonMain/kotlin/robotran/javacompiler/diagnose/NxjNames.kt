@@ -11,11 +11,8 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.HASH_MAP, "EnumMap ConcurrentHashMap WeakHashMap Dictionary")
     put(NxjRemedy.HASH_SET, "TreeSet LinkedHashSet SortedSet NavigableSet EnumSet")
     put(NxjRemedy.LINKED_LIST, "Deque ArrayDeque PriorityQueue BlockingQueue ConcurrentLinkedQueue LinkedBlockingQueue")
-    put(NxjRemedy.LINKED_LIST, "LinkedList.push LinkedList.pop")
-    put(NxjRemedy.LINKED_LIST, "LinkedList.pollFirst LinkedList.pollLast LinkedList.peekFirst")
-    put(NxjRemedy.LINKED_LIST, "LinkedList.peekLast LinkedList.offerFirst LinkedList.offerLast")
     put(NxjRemedy.FILL_LIST, "List.of Set.of Map.of Arrays.asList")
-    for (collection in listOf("ArrayList", "LinkedList", "List", "Set", "HashSet", "Collection", "Vector")) {
+    for (collection in listOf("ArrayList", "LinkedList", "List", "Set", "HashSet", "Collection")) {
         put(NxjRemedy.LOOP, "$collection.forEach $collection.stream $collection.removeIf $collection.replaceAll")
     }
     put(NxjRemedy.LOOP, "Stream IntStream Collectors HashMap.forEach Map.forEach HashMap.getOrDefault Map.getOrDefault")
@@ -55,6 +52,12 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.THREADS, "AtomicLong AtomicReference TimeUnit ThreadLocal")
     put(NxjRemedy.THREADS, "ThreadGroup CyclicBarrier ConcurrentMap")
     put(NxjRemedy.END_THREAD, "Thread.stop Thread.suspend Thread.resume Thread.destroy")
+    put(NxjRemedy.STOPWATCH, "Date.getTime Date.setTime")
+    put(NxjRemedy.BITS, "BitSet.and BitSet.andNot BitSet.or BitSet.xor BitSet.intersects")
+    put(NxjRemedy.NO_FOLDERS, "File.isDirectory File.mkdir File.mkdirs File.getParent File.list")
+    put(NxjRemedy.OWN_VARIABLE, "RegulatedMotor.getAcceleration MirrorMotor.getAcceleration")
+    put(NxjRemedy.CALCULATE, "Math.nextUp")
+    put(NxjRemedy.BITS, "BitSet.nextSetBit BitSet.nextClearBit")
     put(NxjRemedy.STOPWATCH, "Calendar GregorianCalendar LocalDate LocalTime LocalDateTime Instant Duration")
     put(NxjRemedy.LONG_OR_DOUBLE, "BigInteger BigDecimal")
     put(NxjRemedy.RANDOM, "SecureRandom ThreadLocalRandom UUID SplittableRandom")

@@ -75,7 +75,11 @@ public class Move {
         arcRadius = angle == 0 ? Float.POSITIVE_INFINITY : (float) (distance * 180 / (Math.PI * angle));
     }
 
-    /** Changes the speeds. */
+    /**
+     * Changes the speeds.
+     *
+     * @hidden
+     */
     public void setDynamics(float travelSpeed, float rotateSpeed) {
         this.travelSpeed = travelSpeed;
         this.rotateSpeed = rotateSpeed;
