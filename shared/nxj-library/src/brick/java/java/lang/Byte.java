@@ -11,6 +11,10 @@ public final class Byte extends Number {
     /** The number of bits. */
     public static final int SIZE = 8;
 
+    /** The class of the plain values, byte.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Byte> TYPE = (Class<Byte>) byte[].class.getComponentType();
+
     private final byte value;
 
     /** Makes an object of the number. */

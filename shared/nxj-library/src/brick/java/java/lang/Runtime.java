@@ -41,4 +41,9 @@ public class Runtime {
     public void addShutdownHook(Thread hook) {
         Shutdown.add(hook);
     }
+
+    /** Does not let a thread run when the program ends, and says whether it would have. */
+    public boolean removeShutdownHook(Thread hook) {
+        return Shutdown.remove(hook);
+    }
 }

@@ -11,6 +11,10 @@ public final class Short extends Number {
     /** The number of bits. */
     public static final int SIZE = 16;
 
+    /** The class of the plain values, short.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Short> TYPE = (Class<Short>) short[].class.getComponentType();
+
     private final short value;
 
     /** Makes an object of the number. */

@@ -15,7 +15,7 @@ public class KeysOfAHashtable {
             int key = all.nextElement();
             order.append(key).append(table.get(key) == null ? "! " : " ");
         }
-        System.out.println(order); // expect 3 35 100 40 8! 72 -1
+        System.out.println(order.toString().trim()); // expect 3 35 100 40 8! 72 -1
         System.out.println(all.nextElement()); // expect null
         try {
             table.put(null, "x");

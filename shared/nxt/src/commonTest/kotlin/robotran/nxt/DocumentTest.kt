@@ -35,6 +35,7 @@ class DocumentTest {
             NxtNative.OPEN,
             NxtNative.WRITE,
             NxtNative.CONSOLE_LINE,
+            NxtNative.FLASH_WRITE_PAGE,
         )
     }
 }

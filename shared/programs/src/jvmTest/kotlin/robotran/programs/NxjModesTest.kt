@@ -72,10 +72,11 @@ class NxjModesTest {
         }
     }
 
-    private fun mainClassOf(program: ProgramSource.Java) =
-        checkNotNull(MAIN_CLASS.find(program.files.single().text)) { program.name }.groupValues[1]
+    private fun mainClassOf(program: ProgramSource.Java) = checkNotNull(MAIN_CLASS.find(program.files.single().text)) {
+        program.name
+    }.groupValues.drop(1).first { it.isNotEmpty() }
 
     private companion object {
-        val MAIN_CLASS = Regex("public class (\\w+)")
+        val MAIN_CLASS = Regex("public (?:final )?class (\\w+)|class (\\w+)")
     }
 }

@@ -44,7 +44,7 @@ class NxjCompletionTest {
 
     @Test
     fun `members that leJOS NXJ lacks are not offered`() {
-        val ofList = labels("import java.util.*;\nimport lejos.nxt.*;\nLinkedList<String> list;\nlist.|", BrickKind.NXT)
+        val ofList = labels("import java.util.*;\nimport lejos.nxt.*;\nLinkedList list;\nlist.|", BrickKind.NXT)
         assertTrue("add(E element)" in ofList && "remove(int index)" in ofList, "$ofList")
         assertEquals(emptyList(), ofList.filter { it.startsWith("addLast") || it.startsWith("removeFirst") })
     }

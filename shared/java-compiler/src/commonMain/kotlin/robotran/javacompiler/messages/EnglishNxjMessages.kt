@@ -10,6 +10,7 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.HASH_SET -> "Use a HashSet, or an ArrayList: on an NXT, no loop can go through a HashSet."
         NxjRemedy.LINKED_LIST -> "Use a LinkedList with add(element), get(0) and remove(0)."
         NxjRemedy.BITS -> "Go through the bits in a loop, with bits.get(i), bits.set(i) and bits.clear(i)."
+        NxjRemedy.OTHER_PROGRAM -> "Start the other program on the brick, in the menu \"Files\"."
         NxjRemedy.NO_FOLDERS -> "An NXT has no folders. File.listFiles() gives all files."
         NxjRemedy.OWN_VARIABLE -> "Keep what you set in a variable of your own."
         NxjRemedy.FILL_LIST -> "Make an empty one, such as new ArrayList<String>(), and add() each element."

@@ -10,6 +10,7 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.HASH_SET -> "Nimm ein HashSet oder eine ArrayList: Keine Schleife geht auf dem NXT ein HashSet durch."
         NxjRemedy.LINKED_LIST -> "Nimm eine LinkedList mit add(element), get(0) und remove(0)."
         NxjRemedy.BITS -> "Geh die Bits in einer Schleife durch: bits.get(i), bits.set(i) und bits.clear(i)."
+        NxjRemedy.OTHER_PROGRAM -> "Starte das andere Programm auf dem Stein, im Menü \"Files\"."
         NxjRemedy.NO_FOLDERS -> "Ein NXT hat keine Ordner. File.listFiles() gibt alle Dateien."
         NxjRemedy.OWN_VARIABLE -> "Merk dir in einer eigenen Variable, was du eingestellt hast."
         NxjRemedy.FILL_LIST -> "Mach eine leere, zum Beispiel new ArrayList<String>(), und füg mit add() alles ein."

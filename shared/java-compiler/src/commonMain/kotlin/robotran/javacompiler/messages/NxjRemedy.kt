@@ -28,6 +28,7 @@ enum class NxjRemedy {
 
     /** Files only: there are no folders. */
     NO_FOLDERS,
+    OTHER_PROGRAM,
 
     /** A variable that keeps what was set. */
     OWN_VARIABLE,

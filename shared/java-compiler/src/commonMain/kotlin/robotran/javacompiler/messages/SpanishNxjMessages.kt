@@ -10,6 +10,7 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.HASH_SET -> "Usa un HashSet o un ArrayList: en el NXT ningún bucle recorre un HashSet."
         NxjRemedy.LINKED_LIST -> "Usa una LinkedList con add(elemento), get(0) y remove(0)."
         NxjRemedy.BITS -> "Recorre los bits con un bucle: bits.get(i), bits.set(i) y bits.clear(i)."
+        NxjRemedy.OTHER_PROGRAM -> "Arranca el otro programa en el ladrillo, en el menú \"Files\"."
         NxjRemedy.NO_FOLDERS -> "Un NXT no tiene carpetas. File.listFiles() da todos los archivos."
         NxjRemedy.OWN_VARIABLE -> "Guarda en una variable tuya lo que has puesto."
         NxjRemedy.FILL_LIST -> "Crea una vacía, como new ArrayList<String>(), y añade cada elemento con add()."
