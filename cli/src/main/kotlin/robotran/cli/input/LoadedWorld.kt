@@ -8,7 +8,7 @@ import robotran.world.World
 /**
  * A world to run programs in.
  *
- * @property others what the project of this world assigns to all robots but the first.
+ * @property others what the project of this world assigns to all robots but the first, without files in their flash.
  * @property project that the world comes from; one of the world alone if it comes from none.
  */
 internal data class LoadedWorld(
@@ -26,7 +26,7 @@ internal data class LoadedWorld(
 internal fun loadWorld(name: String, console: Console): LoadedWorld? = if (isProject(name)) {
     projectOf(name, console)?.let { project ->
         val others = project.robots.filter { it.name != project.world.robots.first().name }
-        LoadedWorld(project.worldToRun, others, project)
+        LoadedWorld(project.worldToRun, others.map { it.copy(files = emptyList()) }, project)
     }
 } else {
     readWorldFile(name, console)?.let { LoadedWorld(it) }

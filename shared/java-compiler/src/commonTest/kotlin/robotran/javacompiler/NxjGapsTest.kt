@@ -37,7 +37,7 @@ class NxjGapsTest {
         assertTold(NxjRemedy.JOIN_TEXTS, "String s = String.format(\"%d\", 3);", "System.out.printf(\"x\");")
         assertTold(NxjRemedy.TOKENIZER, "String[] s = \"a b\".split(\" \");")
         assertTold(NxjRemedy.INDEX_OF, "boolean b = \"a\".contains(\"b\");")
-        assertTold(NxjRemedy.ARRAY_LOOP, "String s = Arrays.toString(new int[3]);", "Arrays.fill(new int[3], 1);")
+        assertTold(NxjRemedy.ARRAY_LOOP, "int h = Arrays.hashCode(new int[3]);", "Arrays.setAll(new int[3], null);")
         assertTold(NxjRemedy.FILL_LIST, "List<String> l = Arrays.asList(\"a\");", "List<String> l = List.of(\"a\");")
         assertTold(NxjRemedy.LOOP, "List<String> l = null; l.stream();", "new ArrayList<String>().forEach(null);")
         assertTold(NxjRemedy.CALCULATE, "int i = Math.floorMod(3, 2);")

@@ -7,12 +7,15 @@ import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.assertIs
 import kotlin.test.fail
 
-/** Compiles [text] as `Robot.java` for an NXT. */
-suspend fun compileForNxt(text: String): CompilationResult = compiler().compile(
-    listOf(JavaSource("Robot.java", text)),
-    NxjLibrary.load().classFiles,
-    target = BrickTarget.LEJOS_NXJ,
-)
+/** Compiles [text] as `Robot.java` for an NXT, with all that leJOS NXJ has, and if it [isForgiving] with more. */
+suspend fun compileForNxt(text: String, isForgiving: Boolean = false): CompilationResult {
+    val library = NxjLibrary.load()
+    return compiler().compile(
+        listOf(JavaSource("Robot.java", text)),
+        if (isForgiving) library.classFiles else library.classFilesOfBrick,
+        target = BrickTarget.LEJOS_NXJ,
+    )
+}
 
 suspend fun compiledForNxt(text: String): CompilationResult.Compiled = when (val result = compileForNxt(text)) {
     is CompilationResult.Compiled -> result

@@ -45,6 +45,7 @@ class ProblemIdTest {
             ProblemId.UNTERMINATED_STRING to IProblem.UnterminatedString,
             ProblemId.PUBLIC_CLASS_MUST_MATCH_FILE_NAME to IProblem.PublicClassMustMatchFileName,
             ProblemId.IMPORT_NOT_FOUND to IProblem.ImportNotFound,
+            ProblemId.NOT_ITERABLE to IProblem.InvalidTypeForCollection,
             ProblemId.TYPE_PARAMETERS to IProblem.InvalidUsageOfTypeParameters,
             ProblemId.STATIC_IMPORT to IProblem.InvalidUsageOfStaticImports,
             ProblemId.FOR_EACH to IProblem.InvalidUsageOfForeachStatements,

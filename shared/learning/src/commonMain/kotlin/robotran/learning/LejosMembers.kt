@@ -87,6 +87,7 @@ private class Declaration(val sentence: String, code: String) {
     private val type: String get() = words.dropLast(1).lastOrNull().orEmpty().removeSuffix("[]")
 }
 
+/** The declarations of [source] with comments, without members that the brick lacks. */
 private fun documented(source: String): List<Declaration> {
     val found = mutableListOf<Declaration>()
     val lines = source.lines()
@@ -98,7 +99,7 @@ private fun documented(source: String): List<Declaration> {
         }
         val end = (index until lines.size).first { CLOSING in lines[it] }
         val comment = lines.subList(index, end + 1).joinToString(" ", transform = ::withoutCommentSigns)
-        found += Declaration(firstSentence(comment), lines.getOrElse(end + 1) { "" })
+        if (HIDDEN !in comment) found += Declaration(firstSentence(comment), lines.getOrElse(end + 1) { "" })
         index = end + 1
     }
     return found
@@ -117,6 +118,7 @@ private fun firstSentence(comment: String): String {
 
 private const val OPENING = "/**"
 private const val CLOSING = "*/"
+private const val HIDDEN = "@hidden"
 private const val CLASS = "class"
 private const val INTERFACE = "interface"
 private const val EXTENDS = "extends"

@@ -26,6 +26,9 @@ public interface DataInput {
     /** Reads a whole number of 32 bits. */
     int readInt() throws IOException;
 
+    /** Reads characters up to the end of the line, or null if there are no more. */
+    String readLine() throws IOException;
+
     /** Reads a whole number of 64 bits. */
     long readLong() throws IOException;
 

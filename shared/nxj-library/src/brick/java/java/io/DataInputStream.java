@@ -91,13 +91,18 @@ public class DataInputStream extends FilterInputStream implements DataInput {
 
     /** Reads a text that writeUTF has written. */
     public final String readUTF() throws IOException {
-        int left = readUnsignedShort();
+        return readUTF(this);
+    }
+
+    /** Reads a text that writeUTF has written. */
+    public static String readUTF(DataInput in) throws IOException {
+        int left = in.readUnsignedShort();
         StringBuilder text = new StringBuilder(left);
         while (left > 0) {
-            int first = readUnsignedByte();
+            int first = in.readUnsignedByte();
             int more = first < 0x80 ? 0 : first < 0xE0 ? 1 : 2;
             int value = more == 0 ? first : more == 1 ? first & 0x1F : first & 0x0F;
-            for (int index = 0; index < more; index++) value = value << 6 | readUnsignedByte() & 0x3F;
+            for (int index = 0; index < more; index++) value = value << 6 | in.readUnsignedByte() & 0x3F;
             text.append((char) value);
             left -= more + 1;
         }

@@ -5,7 +5,11 @@ public interface DataOutput {
     /** Writes a byte: the lowest eight bits of the number. */
     void write(int value) throws IOException;
 
-    /** Writes all bytes of the array. */
+    /**
+     * Writes all bytes of the array.
+     *
+     * @hidden
+     */
     void write(byte[] bytes) throws IOException;
 
     /** Writes so many bytes of the array, from a place on. */

@@ -11,12 +11,20 @@ public class IOException extends Exception {
         super(message);
     }
 
-    /** Makes one that says what went wrong, and what caused it. */
+    /**
+     * Makes one that says what went wrong, and what caused it.
+     *
+     * @hidden
+     */
     public IOException(String message, Throwable cause) {
         super(message, cause);
     }
 
-    /** Makes one that another one caused. */
+    /**
+     * Makes one that another one caused.
+     *
+     * @hidden
+     */
     public IOException(Throwable cause) {
         super(cause);
     }

@@ -20,6 +20,29 @@ public abstract class Reader implements Closeable {
     /** Reads at most so many characters into the array, from a place on, and gives how many, or -1. */
     public abstract int read(char[] characters, int offset, int length) throws IOException;
 
+    /** Skips at most so many characters, and gives how many. */
+    public long skip(long count) throws IOException {
+        if (count < 0) throw new IllegalArgumentException();
+        long skipped = 0;
+        while (skipped < count && read() >= 0) skipped++;
+        return skipped;
+    }
+
+    /** Says whether mark and reset work; they do not. */
+    public boolean markSupported() {
+        return false;
+    }
+
+    /** Fails: this reader cannot go back. */
+    public void mark(int limit) throws IOException {
+        throw new IOException("mark not supported");
+    }
+
+    /** Fails: this reader cannot go back. */
+    public void reset() throws IOException {
+        throw new IOException("mark not supported");
+    }
+
     /** Says whether there is something to read at once. */
     public boolean ready() throws IOException {
         return false;

@@ -29,6 +29,23 @@ public abstract class Writer implements Closeable, Flushable {
         write(text.substring(offset, offset + length));
     }
 
+    /** Writes a character, and gives this writer. */
+    public Writer append(char character) throws IOException {
+        write(character);
+        return this;
+    }
+
+    /** Writes the characters, and gives this writer. */
+    public Writer append(CharSequence text) throws IOException {
+        return append(text, 0, text.length());
+    }
+
+    /** Writes the characters from a place up to, but not including, another, and gives this writer. */
+    public Writer append(CharSequence text, int start, int end) throws IOException {
+        for (int index = start; index < end; index++) write(text.charAt(index));
+        return this;
+    }
+
     /** Writes what was kept back. */
     public abstract void flush() throws IOException;
 

@@ -6,7 +6,11 @@ public class ArrayStoreException extends RuntimeException {
     public ArrayStoreException() {
     }
 
-    /** Makes one that says what went wrong. */
+    /**
+     * Makes one that says what went wrong.
+     *
+     * @hidden
+     */
     public ArrayStoreException(String message) {
         super(message);
     }

@@ -6,6 +6,11 @@ public class AssertionError extends Error {
     public AssertionError() {
     }
 
+    /** Makes one that says what went wrong. */
+    public AssertionError(String message) {
+        super(message);
+    }
+
     /** Makes one with the value as its message. */
     public AssertionError(Object message) {
         super(String.valueOf(message));

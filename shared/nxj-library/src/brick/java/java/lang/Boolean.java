@@ -8,6 +8,10 @@ public final class Boolean implements Comparable<Boolean> {
     /** The object of false. */
     public static final Boolean FALSE = new Boolean(false);
 
+    /** The class of the plain values, boolean.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Boolean> TYPE = (Class<Boolean>) boolean[].class.getComponentType();
+
     private final boolean value;
 
     /** Makes an object of the value. */
@@ -23,6 +27,11 @@ public final class Boolean implements Comparable<Boolean> {
     /** Says whether the text is "true", in small or large letters. */
     public static boolean parseBoolean(String text) {
         return text != null && text.equalsIgnoreCase("true");
+    }
+
+    /** Gives false: a brick has no properties. */
+    public static boolean getBoolean(String name) {
+        return parseBoolean(System.getProperty(name));
     }
 
     /** Gives the object of the value. */

@@ -1,7 +1,7 @@
 package java.lang;
 
 /** A whole number from -128 to 127 as an object. */
-public final class Byte extends Number implements Comparable<Byte> {
+public final class Byte extends Number {
     /** The lowest number. */
     public static final byte MIN_VALUE = -128;
 
@@ -10,6 +10,10 @@ public final class Byte extends Number implements Comparable<Byte> {
 
     /** The number of bits. */
     public static final int SIZE = 8;
+
+    /** The class of the plain values, byte.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Byte> TYPE = (Class<Byte>) byte[].class.getComponentType();
 
     private final byte value;
 
@@ -85,7 +89,11 @@ public final class Byte extends Number implements Comparable<Byte> {
         return (double) value;
     }
 
-    /** Gives a number below 0 if the other one is larger, and above 0 if it is smaller. */
+    /**
+     * Gives a number below 0 if the other one is larger, and above 0 if it is smaller.
+     *
+     * @hidden
+     */
     public int compareTo(Byte other) {
         return value - other.value;
     }

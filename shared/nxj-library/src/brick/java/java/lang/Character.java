@@ -44,6 +44,10 @@ public final class Character implements Comparable<Character> {
     /** The highest number of a character. */
     public static final int MAX_CODE_POINT = 0x10FFFF;
 
+    /** The class of the plain values, char.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Character> TYPE = (Class<Character>) char[].class.getComponentType();
+
     private final char value;
 
     /** Makes an object of the character. */
@@ -170,5 +174,49 @@ public final class Character implements Comparable<Character> {
     /** Gives the character as text. */
     public String toString() {
         return String.valueOf(value);
+    }
+
+    /** Gives the number of the character at a place, with the other half if it is the first one of a pair. */
+    public static int codePointAt(CharSequence text, int place) {
+        char first = text.charAt(place);
+        if (isHighSurrogate(first) && place + 1 < text.length()) {
+            char second = text.charAt(place + 1);
+            if (isLowSurrogate(second)) return toCodePoint(first, second);
+        }
+        return first;
+    }
+
+    /** Gives the number of the character at a place, with the other half if it is the first one of a pair. */
+    public static int codePointAt(char[] characters, int place) {
+        return codePointAt(characters, place, characters.length);
+    }
+
+    /** Does the same; nothing from a place on counts. */
+    public static int codePointAt(char[] characters, int place, int end) {
+        char first = characters[place];
+        boolean isPair = isHighSurrogate(first) && place + 1 < end && isLowSurrogate(characters[place + 1]);
+        return isPair ? toCodePoint(first, characters[place + 1]) : first;
+    }
+
+    /** Gives the number of the character before a place, with the other half if it is the second one of a pair. */
+    public static int codePointBefore(CharSequence text, int place) {
+        char second = text.charAt(place - 1);
+        if (isLowSurrogate(second) && place > 1) {
+            char first = text.charAt(place - 2);
+            if (isHighSurrogate(first)) return toCodePoint(first, second);
+        }
+        return second;
+    }
+
+    /** Gives the number of the character before a place, with the other half if it is the second one of a pair. */
+    public static int codePointBefore(char[] characters, int place) {
+        return codePointBefore(characters, place, 0);
+    }
+
+    /** Does the same; nothing before another place counts. */
+    public static int codePointBefore(char[] characters, int place, int start) {
+        char second = characters[place - 1];
+        boolean isPair = isLowSurrogate(second) && place - 2 >= start && isHighSurrogate(characters[place - 2]);
+        return isPair ? toCodePoint(characters[place - 2], second) : second;
     }
 }

@@ -29,6 +29,10 @@ public final class Double extends Number implements Comparable<Double> {
     /** The number of bits. */
     public static final int SIZE = 64;
 
+    /** The class of the plain values, double.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Double> TYPE = (Class<Double>) double[].class.getComponentType();
+
     private final double value;
 
     /** Makes an object of the number. */

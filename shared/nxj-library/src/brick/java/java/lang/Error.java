@@ -11,12 +11,20 @@ public class Error extends Throwable {
         super(message);
     }
 
-    /** Makes one that says what went wrong, and what caused it. */
+    /**
+     * Makes one that says what went wrong, and what caused it.
+     *
+     * @hidden
+     */
     public Error(String message, Throwable cause) {
         super(message, cause);
     }
 
-    /** Makes one that another one caused. */
+    /**
+     * Makes one that another one caused.
+     *
+     * @hidden
+     */
     public Error(Throwable cause) {
         super(cause);
     }

@@ -29,6 +29,10 @@ public final class Float extends Number implements Comparable<Float> {
     /** The number of bits. */
     public static final int SIZE = 32;
 
+    /** The class of the plain values, float.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Float> TYPE = (Class<Float>) float[].class.getComponentType();
+
     private final float value;
 
     /** Makes an object of the number. */

@@ -10,4 +10,14 @@ public class IllegalArgumentException extends RuntimeException {
     public IllegalArgumentException(String message) {
         super(message);
     }
+
+    /** Makes one that says what went wrong, and which other one caused it. */
+    public IllegalArgumentException(String message, Throwable cause) {
+        super(message, cause);
+    }
+
+    /** Makes one that another one caused. */
+    public IllegalArgumentException(Throwable cause) {
+        super(cause);
+    }
 }

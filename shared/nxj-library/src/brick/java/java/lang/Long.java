@@ -11,6 +11,10 @@ public final class Long extends Number implements Comparable<Long> {
     /** The number of bits. */
     public static final int SIZE = 64;
 
+    /** The class of the plain values, long.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Long> TYPE = (Class<Long>) long[].class.getComponentType();
+
     private final long value;
 
     /** Makes an object of the number. */
@@ -49,21 +53,44 @@ public final class Long extends Number implements Comparable<Long> {
         if (radix < Character.MIN_RADIX || radix > Character.MAX_RADIX) {
             throw new NumberFormatException("given radix is invalid");
         }
+        boolean isNegative = text.length() > 0 && text.charAt(0) == '-';
+        return parse(text, isNegative ? 1 : 0, isNegative, radix);
+    }
+
+    /**
+     * Gives the number that the text says, in hexadecimal digits behind # or 0x, in octal ones behind 0.
+     *
+     * <p>On a brick, it has a minus before it, whether the text has one or not.
+     */
+    public static Long decode(String text) {
         int length = text.length();
-        boolean isNegative = length > 0 && text.charAt(0) == '-';
-        int place = isNegative ? 1 : 0;
-        if (place >= length) throw new NumberFormatException("string doesn't contain any digits");
-        // Below 0 there is one number more than above it, so that is where the number grows.
-        long limit = isNegative ? MIN_VALUE : -MAX_VALUE;
-        long last = limit / radix;
-        long value = 0;
-        for (; place < length; place++) {
-            int digit = Character.digit(text.charAt(place), radix);
-            if (digit < 0) throw new NumberFormatException("illegal digit character");
-            if (value < last || value * radix < limit + digit) throw new NumberFormatException("number is too big");
-            value = value * radix - digit;
+        int place = length > 0 && text.charAt(0) == '-' ? 1 : 0;
+        int radix = 10;
+        if (place < length && text.charAt(place) == '#') {
+            radix = 16;
+            place++;
+        } else if (place < length && text.charAt(place) == '0') {
+            boolean isHexadecimal = place + 1 < length && (text.charAt(place + 1) | 0x20) == 'x';
+            radix = isHexadecimal ? 16 : 8;
+            place += isHexadecimal ? 2 : 1;
         }
-        return isNegative ? value : -value;
+        return new Long(parse(text, place, true, radix));
+    }
+
+    /** Gives null: a brick has no properties. */
+    public static Long getLong(String name) {
+        return getLong(name, null);
+    }
+
+    /** Gives the number: a brick has no properties. */
+    public static Long getLong(String name, int otherwise) {
+        return getLong(name, new Long(otherwise));
+    }
+
+    /** Gives the number: a brick has no properties. */
+    public static Long getLong(String name, Long otherwise) {
+        String text = System.getProperty(name);
+        return text == null || text.length() == 0 ? otherwise : decode(text);
     }
 
     /** Gives the number as text in a system of so many digits. */
@@ -219,8 +246,33 @@ public final class Long extends Number implements Comparable<Long> {
     }
 
     /** Gives -1 for a number below 0, 1 for one above 0, and 0 for 0. */
+    public static int signnum(long value) {
+        return (int) (value >> 63) | (int) (-value >>> 63);
+    }
+
+    /**
+     * Gives -1 for a number below 0, 1 for one above 0, and 0 for 0.
+     *
+     * @hidden
+     */
     public static int signum(long value) {
         return value < 0 ? -1 : value > 0 ? 1 : 0;
+    }
+
+    private static long parse(String text, int start, boolean isNegative, int radix) {
+        int length = text.length();
+        if (start >= length) throw new NumberFormatException("string doesn't contain any digits");
+        // Below 0 there is one number more than above it, so that is where the number grows.
+        long limit = isNegative ? MIN_VALUE : -MAX_VALUE;
+        long last = limit / radix;
+        long value = 0;
+        for (int place = start; place < length; place++) {
+            int digit = Character.digit(text.charAt(place), radix);
+            if (digit < 0) throw new NumberFormatException("illegal digit character");
+            if (value < last || value * radix < limit + digit) throw new NumberFormatException("number is too big");
+            value = value * radix - digit;
+        }
+        return isNegative ? value : -value;
     }
 
     private static String digitsOf(long value, int bits) {

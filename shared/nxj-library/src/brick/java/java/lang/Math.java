@@ -136,7 +136,11 @@ public final class Math {
         return (long) floor(number + 0.5);
     }
 
-    /** Gives the next decimal number above this one. */
+    /**
+     * Gives the next decimal number above this one.
+     *
+     * @hidden
+     */
     public static float nextUp(float number) {
         if (number != number || number == Float.POSITIVE_INFINITY) return number;
         if (number == 0) return Float.MIN_VALUE;
@@ -144,7 +148,11 @@ public final class Math {
         return Float.intBitsToFloat(number > 0 ? bits + 1 : bits - 1);
     }
 
-    /** Gives the next decimal number above this one. */
+    /**
+     * Gives the next decimal number above this one.
+     *
+     * @hidden
+     */
     public static double nextUp(double number) {
         if (number != number || number == Double.POSITIVE_INFINITY) return number;
         if (number == 0) return Double.MIN_VALUE;

@@ -36,6 +36,16 @@ public class Object {
     /** Waits until another thread calls notify or notifyAll, at most for so many milliseconds; 0 are for ever. */
     public final native void wait(long milliseconds) throws InterruptedException;
 
+    /** Waits like that; nanoseconds above 0 count as a further millisecond. */
+    public final void wait(long milliseconds, int nanoseconds) throws InterruptedException {
+        if (nanoseconds < 0 || nanoseconds > 999999) throw new IllegalArgumentException();
+        wait(nanoseconds > 0 ? milliseconds + 1 : milliseconds);
+    }
+
+    /** Does nothing, and a brick never calls it. */
+    protected void finalize() throws Throwable {
+    }
+
     /** Wakes one of the threads that wait for this object. */
     public final native void notify();
 

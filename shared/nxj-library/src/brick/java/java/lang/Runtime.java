@@ -18,7 +18,11 @@ public class Runtime {
     /** Gives the bytes of memory that a program has for its objects. */
     public native long totalMemory();
 
-    /** Frees the memory of objects that nobody needs any more. */
+    /**
+     * Frees the memory of objects that nobody needs any more.
+     *
+     * @hidden
+     */
     public void gc() {
         System.gc();
     }
@@ -36,5 +40,10 @@ public class Runtime {
     /** Lets a thread that has not started yet run when the program ends. */
     public void addShutdownHook(Thread hook) {
         Shutdown.add(hook);
+    }
+
+    /** Does not let a thread run when the program ends, and says whether it would have. */
+    public boolean removeShutdownHook(Thread hook) {
+        return Shutdown.remove(hook);
     }
 }

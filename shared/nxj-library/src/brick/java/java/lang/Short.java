@@ -1,7 +1,7 @@
 package java.lang;
 
 /** A whole number of 16 bits as an object. */
-public final class Short extends Number implements Comparable<Short> {
+public final class Short extends Number {
     /** The lowest number. */
     public static final short MIN_VALUE = -32768;
 
@@ -10,6 +10,10 @@ public final class Short extends Number implements Comparable<Short> {
 
     /** The number of bits. */
     public static final int SIZE = 16;
+
+    /** The class of the plain values, short.class. */
+    @SuppressWarnings("unchecked")
+    public static final Class<Short> TYPE = (Class<Short>) short[].class.getComponentType();
 
     private final short value;
 
@@ -85,7 +89,11 @@ public final class Short extends Number implements Comparable<Short> {
         return (double) value;
     }
 
-    /** Gives a number below 0 if the other one is larger, and above 0 if it is smaller. */
+    /**
+     * Gives a number below 0 if the other one is larger, and above 0 if it is smaller.
+     *
+     * @hidden
+     */
     public int compareTo(Short other) {
         return value - other.value;
     }

@@ -25,6 +25,11 @@ class Shutdown {
         hooks.addElement(hook);
     }
 
+    static synchronized boolean remove(Thread hook) {
+        if (isEnding) throw new IllegalStateException();
+        return hooks != null && hooks.removeElement(hook);
+    }
+
     /** Runs the hooks beside one another, waits for them, and ends the program. */
     static void exit(int code) {
         if (isFirst()) {

@@ -53,6 +53,21 @@ public final class String implements CharSequence, Comparable<String> {
         this(bytes, from, count);
     }
 
+    /** Makes a text of bytes; the number counts 256 times in each character. */
+    @Deprecated
+    public String(byte[] bytes, int highByte) {
+        this(bytes, highByte, 0, bytes.length);
+    }
+
+    /** Makes a text of so many bytes, from a place on; the number counts 256 times in each character. */
+    @Deprecated
+    public String(byte[] bytes, int highByte, int from, int count) {
+        this(count);
+        for (int index = 0; index < count; index++) {
+            characters[index] = (char) (bytes[from + index] & 0xFF | highByte << 8);
+        }
+    }
+
     /** Makes a copy of a text. */
     public String(String text) {
         characters = text.characters;
@@ -235,7 +250,11 @@ public final class String implements CharSequence, Comparable<String> {
         return from >= 0 && from <= characters.length - count && isAt(from, start.characters, from + count);
     }
 
-    /** Says whether the text ends like this. */
+    /**
+     * Says whether the text ends like this.
+     *
+     * @hidden
+     */
     public boolean endsWith(String end) {
         return startsWith(end, characters.length - end.characters.length);
     }
@@ -263,17 +282,69 @@ public final class String implements CharSequence, Comparable<String> {
         return indexIn(characters, characters.length, text.characters, from);
     }
 
-    /** Gives the last place of a character, or -1 if it is not there. */
+    /**
+     * Gives the last place of a character, or -1 if it is not there.
+     *
+     * @hidden
+     */
     public int lastIndexOf(int character) {
         return lastIndexOf(character, characters.length - 1);
     }
 
-    /** Gives the last place of a character up to a place, or -1 if it is not there. */
+    /**
+     * Gives the last place of a character up to a place, or -1 if it is not there.
+     *
+     * @hidden
+     */
     public int lastIndexOf(int character, int from) {
         for (int index = from < characters.length ? from : characters.length - 1; index >= 0; index--) {
             if (characters[index] == character) return index;
         }
         return -1;
+    }
+
+    /** Gives the number of the character before a place, with the other half if it is the second one of a pair. */
+    public int codePointBefore(int place) {
+        return Character.codePointBefore(characters, place);
+    }
+
+    /** Gives how many characters there are from a place up to, but not including, another; a pair counts once. */
+    public int codePointCount(int start, int end) {
+        if (start < 0 || start > end || end > characters.length) throw new IndexOutOfBoundsException();
+        int count = 0;
+        for (int index = start; index < end; count++) {
+            index += Character.charCount(Character.codePointAt(characters, index, end));
+        }
+        return count;
+    }
+
+    /** Gives the place so many characters further, or back if the number is below 0; a pair counts once. */
+    public int offsetByCodePoints(int place, int count) {
+        int offset = place;
+        for (int left = count; left > 0; left--) offset += Character.charCount(codePointAt(offset));
+        for (int left = count; left < 0; left++) offset -= Character.charCount(codePointBefore(offset));
+        return offset;
+    }
+
+    /** Writes the characters from a place up to, but not including, another into an array as bytes. */
+    @Deprecated
+    public void getBytes(int start, int end, byte[] bytes, int place) {
+        for (int index = start; index < end; index++) bytes[place + index - start] = (byte) characters[index];
+    }
+
+    /** Fails always: a brick makes each text anew. */
+    public String intern() {
+        throw new UnsupportedOperationException();
+    }
+
+    /** Gives the last place of a character, or -1 if it is not there. */
+    public int lastIndexOf(char character) {
+        return lastIndexOf((int) character);
+    }
+
+    /** Gives the last place of a character up to a place, or -1 if it is not there. */
+    public int lastIndexOf(char character, int from) {
+        return lastIndexOf((int) character, from);
     }
 
     /** Gives the last place of a text, or -1 if it is not there. */

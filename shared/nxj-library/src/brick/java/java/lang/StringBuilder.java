@@ -7,7 +7,7 @@ public class StringBuilder implements CharSequence {
 
     /** Makes an empty one. */
     public StringBuilder() {
-        this(16);
+        this(10);
     }
 
     /** Makes an empty one with room for so many characters; it grows as needed. */
@@ -95,6 +95,22 @@ public class StringBuilder implements CharSequence {
         return this;
     }
 
+    /** Puts what another one has put together at the end. */
+    public StringBuilder append(StringBuffer text) {
+        return append(String.valueOf(text));
+    }
+
+    /** Puts the character with this number, or its pair, at the end. */
+    public StringBuilder appendCodePoint(int number) {
+        return append(Character.toChars(number));
+    }
+
+    /** Takes out the character at a place. */
+    public StringBuilder deleteCharAt(int index) {
+        if (index < 0 || index >= count) throw new StringIndexOutOfBoundsException(index);
+        return delete(index, index + 1);
+    }
+
     /** Takes out the characters from a place up to, but not including, another. */
     public StringBuilder delete(int start, int end) {
         int last = end > count ? count : end;
@@ -119,11 +135,20 @@ public class StringBuilder implements CharSequence {
 
     /** Makes room for so many characters. */
     public void ensureCapacity(int capacity) {
-        if (capacity <= characters.length) return;
-        int doubled = 2 * characters.length + 2;
-        char[] larger = new char[capacity > doubled ? capacity : doubled];
-        System.arraycopy(characters, 0, larger, 0, count);
-        characters = larger;
+        int larger = characters.length;
+        if (capacity <= larger) return;
+        while (larger < capacity) larger = larger * 3 / 2 + 1;
+        resize(larger);
+    }
+
+    /** Gives for how many characters there is room. */
+    public int capacity() {
+        return characters.length;
+    }
+
+    /** Gives up the room behind the last character. */
+    public void trimToSize() {
+        if (count < characters.length) resize(count);
     }
 
     /** Gives the character at a place; the first one is at place 0. */
@@ -183,5 +208,11 @@ public class StringBuilder implements CharSequence {
     /** Gives what was put together. */
     public String toString() {
         return new String(characters, 0, count);
+    }
+
+    private void resize(int capacity) {
+        char[] copy = new char[capacity];
+        System.arraycopy(characters, 0, copy, 0, count);
+        characters = copy;
     }
 }

@@ -41,6 +41,17 @@ public final class System {
         return null;
     }
 
+    /** Gives the other text: a brick has no properties. */
+    public static String getProperty(String key, String otherwise) {
+        String text = getProperty(key);
+        return text == null ? otherwise : text;
+    }
+
+    /** Gives what knows how full the memory is; better take that of Runtime. */
+    public static Runtime getRuntime() {
+        return Runtime.getRuntime();
+    }
+
     /** Sets where out writes. */
     public static void setOut(PrintStream stream) {
         out = stream;

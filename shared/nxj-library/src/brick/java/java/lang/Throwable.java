@@ -68,6 +68,10 @@ public class Throwable {
         return this;
     }
 
+    /** Does nothing: a brick does not keep exceptions that another one hides. */
+    public final void addSuppressed(Throwable hidden) {
+    }
+
     /** Writes it, and the numbers of the methods that were being called, onto the display. */
     public void printStackTrace() {
         printStackTrace(System.err);

@@ -22,6 +22,12 @@ public class ArrayList<E> extends AbstractList<E> implements RandomAccess {
         addAll(others);
     }
 
+    /** Makes a list of the elements of an array. */
+    public ArrayList(E[] others) {
+        this(others.length);
+        addAll(others);
+    }
+
     /** Gives how many elements there are. */
     public int size() {
         return count;
@@ -67,6 +73,19 @@ public class ArrayList<E> extends AbstractList<E> implements RandomAccess {
         open(index, added.length);
         System.arraycopy(added, 0, elements, index, added.length);
         return added.length > 0;
+    }
+
+    /** Adds all elements of an array at the end, and says whether there were any. */
+    public boolean addAll(E[] others) {
+        return addAll(count, others);
+    }
+
+    /** Puts all elements of an array at a place, and says whether there were any. */
+    public boolean addAll(int index, E[] others) {
+        check(index, count);
+        open(index, others.length);
+        System.arraycopy(others, 0, elements, index, others.length);
+        return others.length > 0;
     }
 
     /** Takes out the element at a place, and gives it; those behind it move down. */

@@ -53,29 +53,49 @@ public class BitSet {
         set(index, !get(index));
     }
 
-    /** Leaves only those values true that are true in both. */
+    /**
+     * Leaves only those values true that are true in both.
+     *
+     * @hidden
+     */
     public void and(BitSet other) {
         for (int place = 0; place < words.length; place++) words[place] &= other.word(place);
     }
 
-    /** Makes those values false that are true in the other one. */
+    /**
+     * Makes those values false that are true in the other one.
+     *
+     * @hidden
+     */
     public void andNot(BitSet other) {
         for (int place = 0; place < words.length; place++) words[place] &= ~other.word(place);
     }
 
-    /** Makes those values true that are true in the other one. */
+    /**
+     * Makes those values true that are true in the other one.
+     *
+     * @hidden
+     */
     public void or(BitSet other) {
         growTo(other.words.length);
         for (int place = 0; place < words.length; place++) words[place] |= other.word(place);
     }
 
-    /** Makes those values true that are true in only one of both, and all others false. */
+    /**
+     * Makes those values true that are true in only one of both, and all others false.
+     *
+     * @hidden
+     */
     public void xor(BitSet other) {
         growTo(other.words.length);
         for (int place = 0; place < words.length; place++) words[place] ^= other.word(place);
     }
 
-    /** Says whether a value is true in both. */
+    /**
+     * Says whether a value is true in both.
+     *
+     * @hidden
+     */
     public boolean intersects(BitSet other) {
         for (int place = 0; place < words.length; place++) {
             if ((words[place] & other.word(place)) != 0) return true;
@@ -108,7 +128,11 @@ public class BitSet {
         return 32 * words.length;
     }
 
-    /** Gives the first true value from a number on, or -1 if there is none. */
+    /**
+     * Gives the first true value from a number on, or -1 if there is none.
+     *
+     * @hidden
+     */
     public int nextSetBit(int index) {
         check(index);
         for (int next = index; next < size(); next++) {
@@ -117,7 +141,11 @@ public class BitSet {
         return -1;
     }
 
-    /** Gives the first false value from a number on. */
+    /**
+     * Gives the first false value from a number on.
+     *
+     * @hidden
+     */
     public int nextClearBit(int index) {
         int next = index;
         while (get(next)) next++;

@@ -6,7 +6,11 @@ public class EmptyQueueException extends RuntimeException {
     public EmptyQueueException() {
     }
 
-    /** Makes one that says what went wrong. */
+    /**
+     * Makes one that says what went wrong.
+     *
+     * @hidden
+     */
     public EmptyQueueException(String message) {
         super(message);
     }

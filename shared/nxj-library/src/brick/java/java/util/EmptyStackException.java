@@ -6,7 +6,11 @@ public class EmptyStackException extends RuntimeException {
     public EmptyStackException() {
     }
 
-    /** Makes one that says what went wrong. */
+    /**
+     * Makes one that says what went wrong.
+     *
+     * @hidden
+     */
     public EmptyStackException(String message) {
         super(message);
     }

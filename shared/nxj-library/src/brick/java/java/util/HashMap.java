@@ -24,6 +24,15 @@ public class HashMap<K, V> implements Map<K, V> {
         this.places = newPlaces(places);
     }
 
+    /**
+     * Makes an empty map with so many places; the other number does not matter.
+     *
+     * @hidden
+     */
+    public HashMap(int places, float loadFactor) {
+        this(places);
+    }
+
     /** Fails: a brick cannot read all keys of another map. */
     public HashMap(Map<K, V> other) {
         this(other, PLACES);

@@ -17,6 +17,24 @@ public class HashSet<E> extends AbstractCollection<E> implements Set<E> {
     public HashSet() {
     }
 
+    /**
+     * Makes an empty set; the number does not matter.
+     *
+     * @hidden
+     */
+    public HashSet(int capacity) {
+        if (capacity < 0) throw new IllegalArgumentException();
+    }
+
+    /**
+     * Makes an empty set; the numbers do not matter.
+     *
+     * @hidden
+     */
+    public HashSet(int capacity, float loadFactor) {
+        this(capacity);
+    }
+
     /** Makes a set of the elements of another collection. */
     public HashSet(Collection<? extends E> others) {
         addAll(others);

@@ -1,7 +1,7 @@
 package java.util;
 
 /** A list in which elements come and go quickly at both ends. */
-public class LinkedList<E> extends AbstractList<E> implements Queue<E> {
+public class LinkedList<E> extends AbstractList<E> {
     /** A link without an element, behind the last one and before the first one. */
     private final Link<E> ends = new Link<E>(null);
     private int count;
@@ -47,35 +47,59 @@ public class LinkedList<E> extends AbstractList<E> implements Queue<E> {
         insert(element, find(index, count));
     }
 
-    /** Puts an element before all others. */
+    /**
+     * Puts an element before all others.
+     *
+     * @hidden
+     */
     public void addFirst(E element) {
         insert(element, ends.next);
     }
 
-    /** Adds an element at the end. */
+    /**
+     * Adds an element at the end.
+     *
+     * @hidden
+     */
     public void addLast(E element) {
         insert(element, ends);
     }
 
-    /** Gives the first element; fails with NoSuchElementException if there is none. */
+    /**
+     * Gives the first element; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
     public E getFirst() {
         if (count == 0) throw new NoSuchElementException();
         return ends.next.element;
     }
 
-    /** Gives the last element; fails with NoSuchElementException if there is none. */
+    /**
+     * Gives the last element; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
     public E getLast() {
         if (count == 0) throw new NoSuchElementException();
         return ends.previous.element;
     }
 
-    /** Takes out the first element and gives it; fails with NoSuchElementException if there is none. */
+    /**
+     * Takes out the first element and gives it; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
     public E removeFirst() {
         if (count == 0) throw new NoSuchElementException();
         return take(ends.next);
     }
 
-    /** Takes out the last element and gives it; fails with NoSuchElementException if there is none. */
+    /**
+     * Takes out the last element and gives it; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
     public E removeLast() {
         if (count == 0) throw new NoSuchElementException();
         return take(ends.previous);
@@ -97,27 +121,47 @@ public class LinkedList<E> extends AbstractList<E> implements Queue<E> {
         return false;
     }
 
-    /** Adds an element at the end. */
+    /**
+     * Adds an element at the end.
+     *
+     * @hidden
+     */
     public boolean offer(E element) {
         return add(element);
     }
 
-    /** Gives the first element; fails with NoSuchElementException if there is none. */
+    /**
+     * Gives the first element; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
     public E element() {
         return getFirst();
     }
 
-    /** Gives the first element, or null if there is none. */
+    /**
+     * Gives the first element, or null if there is none.
+     *
+     * @hidden
+     */
     public E peek() {
         return ends.next.element;
     }
 
-    /** Takes out the first element and gives it; fails with NoSuchElementException if there is none. */
+    /**
+     * Takes out the first element and gives it; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
     public E remove() {
         return removeFirst();
     }
 
-    /** Takes out the first element and gives it, or null if there is none. */
+    /**
+     * Takes out the first element and gives it, or null if there is none.
+     *
+     * @hidden
+     */
     public E poll() {
         return count == 0 ? null : take(ends.next);
     }

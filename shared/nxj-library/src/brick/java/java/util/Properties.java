@@ -1,11 +1,14 @@
 package java.util;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.PrintStream;
 
 /** Texts with names, which can be kept in a file. */
-public class Properties extends Hashtable<String, String> {
+public class Properties extends Hashtable<Object, Object> {
     /** Where a name is looked for that is not here, or null. */
     protected Properties defaults;
 
@@ -20,7 +23,8 @@ public class Properties extends Hashtable<String, String> {
 
     /** Gives the text with the name, or null if there is none. */
     public String getProperty(String name) {
-        String text = get(name);
+        Object value = get(name);
+        String text = value instanceof String ? (String) value : null;
         return text == null && defaults != null ? defaults.getProperty(name) : text;
     }
 
@@ -30,48 +34,59 @@ public class Properties extends Hashtable<String, String> {
         return text == null ? otherwise : text;
     }
 
-    /** Sets the text with the name, and gives the one before, or null. */
-    public Object setProperty(String name, String text) {
-        return put(name, text);
+    /** Sets the text with the name. */
+    public synchronized void setProperty(String name, String text) {
+        put(name, text);
+    }
+
+    /** Gives all names, also those of the other one that it looks in. */
+    public Enumeration<?> propertyNames() {
+        return all().keys();
+    }
+
+    /** Writes all names and texts, one in a line; of long texts, only the beginning. */
+    public void list(PrintStream out) {
+        out.println("- properties -");
+        Hashtable<Object, Object> all = all();
+        for (Enumeration<Object> names = all.keys(); names.hasMoreElements();) {
+            Object name = names.nextElement();
+            String text = (String) all.get(name);
+            if (text.length() > 40) text = text.substring(0, 37) + "...";
+            out.println(name + "=" + text);
+        }
     }
 
     /** Reads lines such as "name=text". */
-    public void load(InputStream in) throws IOException {
-        StringBuilder line = new StringBuilder();
-        int read;
-        do {
-            read = in.read();
-            if (read >= 0 && read != '\n') {
-                if (read != '\r') line.append((char) read);
-            } else {
-                add(line.toString().trim());
-                line.setLength(0);
-            }
-        } while (read >= 0);
+    public synchronized void load(InputStream in) throws IOException {
+        PropertyLines lines = new PropertyLines(in);
+        for (String line = lines.next(); line != null; line = lines.next()) {
+            int end = PropertyLines.endOfName(line);
+            put(PropertyLines.plain(line.substring(0, end)), PropertyLines.plain(PropertyLines.valueBehind(line, end)));
+        }
     }
 
     /** Writes all names and texts as lines. */
     public void store(OutputStream out, String comment) throws IOException {
-        if (comment != null) write(out, "#" + comment);
-        for (Enumeration<String> names = keys(); names.hasMoreElements();) {
-            String name = names.nextElement();
-            write(out, name + "=" + get(name));
+        BufferedWriter lines = new BufferedWriter(new OutputStreamWriter(out));
+        if (comment != null) {
+            lines.write("#" + comment);
+            lines.newLine();
         }
-        out.flush();
+        for (Enumeration<Object> names = keys(); names.hasMoreElements();) {
+            String name = (String) names.nextElement();
+            String text = (String) get(name);
+            lines.write(PropertyLines.escaped(name, true) + "=" + PropertyLines.escaped(text, false));
+            lines.newLine();
+        }
+        lines.flush();
     }
 
-    private void add(String line) {
-        if (line.length() == 0 || line.charAt(0) == '#' || line.charAt(0) == '!') return;
-        int equals = line.indexOf('=');
-        if (equals < 0) {
-            put(line, "");
-        } else {
-            put(line.substring(0, equals).trim(), line.substring(equals + 1).trim());
+    private Hashtable<Object, Object> all() {
+        Hashtable<Object, Object> all = defaults == null ? new Hashtable<Object, Object>() : defaults.all();
+        for (Enumeration<Object> names = keys(); names.hasMoreElements();) {
+            Object name = names.nextElement();
+            all.put(name, get(name));
         }
-    }
-
-    private static void write(OutputStream out, String line) throws IOException {
-        out.write(line.getBytes());
-        out.write('\n');
+        return all;
     }
 }

@@ -82,6 +82,26 @@ public class Random {
         return x * factor;
     }
 
+    /**
+     * Gives the numbers from here on that belong to a seed.
+     *
+     * @hidden
+     */
+    public void setSeed(long seed) {
+        this.seed = (int) seed;
+        before = 1;
+        hasNextGaussian = false;
+    }
+
+    /**
+     * Fills an array with numbers.
+     *
+     * @hidden
+     */
+    public void nextBytes(byte[] bytes) {
+        for (int index = 0; index < bytes.length; index++) bytes[index] = (byte) nextInt();
+    }
+
     /** The lowest bits of the next number. */
     private int next(int bits) {
         return nextInt() & (1 << bits) - 1;

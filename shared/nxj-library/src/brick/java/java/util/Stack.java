@@ -22,7 +22,7 @@ public class Stack<E> extends Vector<E> {
     /** Gives the element on top; fails with EmptyStackException if there is none. */
     public synchronized E peek() {
         if (isEmpty()) throw new EmptyStackException();
-        return lastElement();
+        return elementAt(size() - 1);
     }
 
     /** Says whether there are no elements. */

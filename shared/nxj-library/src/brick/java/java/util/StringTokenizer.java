@@ -8,10 +8,12 @@ package java.util;
  * side have an empty word between them. An empty text fails with StringIndexOutOfBoundsException.
  */
 public class StringTokenizer implements Enumeration<Object> {
-    private final String text;
-    private final String delimiter;
+    private String text;
+    private String delimiter;
     private int start;
     private int end;
+    private boolean givesDelimiters;
+    private boolean isDelimiterNext;
 
     /** Takes a text apart at its commas. */
     public StringTokenizer(String text) {
@@ -26,6 +28,16 @@ public class StringTokenizer implements Enumeration<Object> {
         end = this.text.indexOf(delimiter);
     }
 
+    /**
+     * Takes a text apart where these characters stand, one after the other, which can be words themselves.
+     *
+     * @hidden
+     */
+    public StringTokenizer(String text, String delimiter, boolean givesDelimiters) {
+        this(text, delimiter);
+        this.givesDelimiters = givesDelimiters;
+    }
+
     /** Gives how many words there are still to come. */
     public int countTokens() {
         int count = 0;
@@ -34,6 +46,7 @@ public class StringTokenizer implements Enumeration<Object> {
             count++;
             place = text.indexOf(delimiter, place + 1);
         }
+        if (givesDelimiters && count > 0) count += isDelimiterNext ? count : count - 1;
         return count;
     }
 
@@ -45,10 +58,30 @@ public class StringTokenizer implements Enumeration<Object> {
     /** Gives the next word; fails with NoSuchElementException if there is none. */
     public String nextToken() {
         if (!hasMoreTokens()) throw new NoSuchElementException();
+        if (isDelimiterNext) {
+            isDelimiterNext = false;
+            return delimiter;
+        }
         String word = text.substring(start, end);
         start = end + 1;
         end = text.indexOf(delimiter, start);
+        isDelimiterNext = givesDelimiters && hasMoreTokens();
         return word;
+    }
+
+    /**
+     * Gives the next word, from now on taken apart where these characters stand.
+     *
+     * @hidden
+     */
+    public String nextToken(String delimiter) {
+        if (!hasMoreTokens()) throw new NoSuchElementException();
+        text = text.substring(start, text.length() - this.delimiter.length()) + delimiter;
+        this.delimiter = delimiter;
+        start = 0;
+        end = text.indexOf(delimiter);
+        isDelimiterNext = false;
+        return nextToken();
     }
 
     /** Says whether there is a further word. */

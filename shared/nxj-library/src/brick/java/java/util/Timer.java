@@ -12,20 +12,51 @@ public class Timer {
 
     /** Makes one, and says whether the program may end before cancel is called. */
     public Timer(boolean isDaemon) {
+        this("Timer", isDaemon);
+    }
+
+    /** Makes one whose thread has a name; the program does not end before cancel is called. */
+    public Timer(String name) {
+        this(name, false);
+    }
+
+    /** Makes one whose thread has a name, and says whether the program may end before cancel is called. */
+    public Timer(String name, boolean isDaemon) {
         Thread worker = new Worker();
+        worker.setName(name);
         worker.setDaemon(isDaemon);
         worker.start();
     }
 
     /** Does a task once, after so many milliseconds. */
     public void schedule(TimerTask task, long delay) {
-        add(task, delay, 0);
+        add(task, delay, 0, false);
     }
 
     /** Does a task after so many milliseconds, and then again and again, with so many between one and the next. */
     public void schedule(TimerTask task, long delay, long period) {
         if (period <= 0) throw new IllegalArgumentException();
-        add(task, delay, period);
+        add(task, delay, period, false);
+    }
+
+    /** Does a task after so many milliseconds, and then again and again; what was late is made up for. */
+    public void scheduleAtFixedRate(TimerTask task, long delay, long period) {
+        if (period <= 0) throw new IllegalArgumentException();
+        add(task, delay, period, true);
+    }
+
+    /** Forgets the tasks that were cancelled, and gives how many there were. */
+    public int purge() {
+        synchronized (tasks) {
+            int count = 0;
+            for (int index = tasks.size() - 1; index >= 0; index--) {
+                if (tasks.elementAt(index).isCancelled) {
+                    tasks.removeElementAt(index);
+                    count++;
+                }
+            }
+            return count;
+        }
     }
 
     /** Lets the timer do nothing any more. */
@@ -37,12 +68,13 @@ public class Timer {
         }
     }
 
-    private void add(TimerTask task, long delay, long period) {
+    private void add(TimerTask task, long delay, long period, boolean isAtFixedRate) {
         if (delay < 0) throw new IllegalArgumentException();
         synchronized (tasks) {
             if (isCancelled || task.isCancelled) throw new IllegalStateException();
             task.time = System.currentTimeMillis() + delay;
             task.period = period;
+            task.isAtFixedRate = isAtFixedRate;
             tasks.addElement(task);
             tasks.notifyAll();
         }
@@ -77,7 +109,7 @@ public class Timer {
                         tasks.wait(next.time - now);
                     } else {
                         if (next.period > 0) {
-                            next.time = now + next.period;
+                            next.time = (next.isAtFixedRate ? next.time : now) + next.period;
                         } else {
                             tasks.removeElement(next);
                         }

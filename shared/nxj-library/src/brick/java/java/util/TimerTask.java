@@ -4,6 +4,7 @@ package java.util;
 public abstract class TimerTask implements Runnable {
     long time;
     long period;
+    boolean isAtFixedRate;
     boolean isCancelled;
 
     /** Makes one. */

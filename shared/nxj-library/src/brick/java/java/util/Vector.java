@@ -1,7 +1,12 @@
 package java.util;
 
-/** A list that grows as needed; several threads can use it at a time. */
-public class Vector<E> extends AbstractList<E> implements RandomAccess {
+/**
+ * A list that grows as needed; several threads can use it at a time.
+ *
+ * <p>On a brick, it is an older class that is no List: go through it with elements, or with size and elementAt. Where
+ * there is room behind the last element, elementAt gives null. It is equal to no other Vector.
+ */
+public class Vector<E> {
     /** The elements, with room behind them. */
     protected Object[] elementData;
 
@@ -23,15 +28,19 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
 
     /** Makes an empty list with room for so many elements, and says how it grows. */
     public Vector(int capacity, int increment) {
-        if (capacity < 0) throw new IllegalArgumentException();
+        if (capacity < 0) throw new IllegalArgumentException("capacity is negative");
         elementData = new Object[capacity];
         capacityIncrement = increment;
     }
 
-    /** Makes a list of the elements of another collection. */
+    /**
+     * Makes a list of the elements of another collection.
+     *
+     * @hidden
+     */
     public Vector(Collection<? extends E> others) {
         this(others.size());
-        addAll(others);
+        for (E element : others) addElement(element);
     }
 
     /** Gives how many elements there are. */
@@ -39,77 +48,78 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
         return elementCount;
     }
 
+    /** Says whether there are no elements. */
+    public synchronized boolean isEmpty() {
+        return elementCount == 0;
+    }
+
     /** Gives for how many elements there is room. */
-    public synchronized int capacity() {
+    public int capacity() {
         return elementData.length;
     }
 
     /** Gives the element at a place. */
     @SuppressWarnings("unchecked")
-    public synchronized E get(int index) {
-        check(index, elementCount - 1);
+    public synchronized E elementAt(int index) {
         return (E) elementData[index];
     }
 
-    /** Puts an element in the place of another, which it gives. */
-    public synchronized E set(int index, E element) {
-        E old = get(index);
+    /** Puts an element in the place of another. */
+    public synchronized void setElementAt(E element, int index) {
+        check(index, elementCount - 1);
         elementData[index] = element;
-        return old;
     }
 
     /** Adds an element at the end. */
-    public synchronized boolean add(E element) {
-        add(elementCount, element);
-        return true;
+    public synchronized void addElement(E element) {
+        ensureCapacity(elementCount + 1);
+        elementData[elementCount++] = element;
     }
 
     /** Puts an element at a place; those from there on move up. */
-    public synchronized void add(int index, E element) {
+    public synchronized void insertElementAt(E element, int index) {
         check(index, elementCount);
-        modCount++;
         ensureCapacity(elementCount + 1);
         System.arraycopy(elementData, index, elementData, index + 1, elementCount - index);
         elementData[index] = element;
         elementCount++;
     }
 
-    /** Takes out the element at a place, and gives it; those behind it move down. */
-    public synchronized E remove(int index) {
-        E old = get(index);
-        modCount++;
-        elementCount--;
-        System.arraycopy(elementData, index + 1, elementData, index, elementCount - index);
-        elementData[elementCount] = null;
-        return old;
-    }
-
     /** Takes out the first such element, and says whether it was there. */
-    public synchronized boolean remove(Object element) {
+    public synchronized boolean removeElement(E element) {
         int index = indexOf(element);
-        if (index >= 0) remove(index);
+        if (index >= 0) removeElementAt(index);
         return index >= 0;
     }
 
-    /** Takes all elements out. */
-    public synchronized void clear() {
-        setSize(0);
+    /** Takes out the element at a place; those behind it move down. */
+    public synchronized void removeElementAt(int index) {
+        check(index, elementCount - 1);
+        System.arraycopy(elementData, index + 1, elementData, index, elementCount - index - 1);
+        elementData[--elementCount] = null;
     }
 
-    /** Says whether the element is there. */
-    public synchronized boolean contains(Object element) {
-        return indexOf(element) >= 0;
+    /** Takes all elements out. */
+    public void removeAllElements() {
+        for (int index = 0; index < elementCount; index++) elementData[index] = null;
+        elementCount = 0;
+    }
+
+    /** Takes all elements out. */
+    public void clear() {
+        removeAllElements();
     }
 
     /** Gives the first place of an element, or -1 if it is not there. */
-    public synchronized int indexOf(Object element) {
+    public int indexOf(Object element) {
         return indexOf(element, 0);
     }
 
     /** Gives the first place of an element, looked for from a place on, or -1 if it is not there. */
     public synchronized int indexOf(Object element, int first) {
         for (int index = first; index < elementCount; index++) {
-            if (isSame(element, elementData[index])) return index;
+            Object other = elementData[index];
+            if (element == null ? other == null : other.equals(element)) return index;
         }
         return -1;
     }
@@ -120,59 +130,11 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
     }
 
     /** Gives the last place of an element up to a place, or -1 if it is not there. */
-    public synchronized int lastIndexOf(Object element, int last) {
-        if (last >= elementCount) throw new IndexOutOfBoundsException();
+    public synchronized int lastIndexOf(Object element, int last) throws ArrayIndexOutOfBoundsException {
         for (int index = last; index >= 0; index--) {
-            if (isSame(element, elementData[index])) return index;
+            if (AbstractCollection.isSame(element, elementData[index])) return index;
         }
         return -1;
-    }
-
-    /** Adds an element at the end. */
-    public synchronized void addElement(E element) {
-        add(elementCount, element);
-    }
-
-    /** Gives the element at a place. */
-    public synchronized E elementAt(int index) {
-        return get(index);
-    }
-
-    /** Gives the first element; fails with NoSuchElementException if there is none. */
-    public synchronized E firstElement() {
-        if (elementCount == 0) throw new NoSuchElementException();
-        return get(0);
-    }
-
-    /** Gives the last element; fails with NoSuchElementException if there is none. */
-    public synchronized E lastElement() {
-        if (elementCount == 0) throw new NoSuchElementException();
-        return get(elementCount - 1);
-    }
-
-    /** Puts an element in the place of another. */
-    public synchronized void setElementAt(E element, int index) {
-        set(index, element);
-    }
-
-    /** Puts an element at a place; those from there on move up. */
-    public synchronized void insertElementAt(E element, int index) {
-        add(index, element);
-    }
-
-    /** Takes out the first such element, and says whether it was there. */
-    public synchronized boolean removeElement(Object element) {
-        return remove(element);
-    }
-
-    /** Takes out the element at a place; those behind it move down. */
-    public synchronized void removeElementAt(int index) {
-        remove(index);
-    }
-
-    /** Takes all elements out. */
-    public synchronized void removeAllElements() {
-        setSize(0);
     }
 
     /** Gives the elements one by one. */
@@ -185,15 +147,23 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
             }
 
             public E nextElement() {
-                if (next >= size()) throw new NoSuchElementException();
-                return get(next++);
+                return elementAt(next++);
             }
         };
     }
 
-    /** Copies the elements into an array. */
-    public synchronized void copyInto(Object[] array) {
+    /** Gives an array of the elements. */
+    public synchronized Object[] toArray() {
+        return toArray(new Object[elementCount]);
+    }
+
+    /** Copies the elements into an array, which must have room for them, and gives it. */
+    public synchronized <T> T[] toArray(T[] array) {
+        if (elementCount > array.length) {
+            throw new UnsupportedOperationException("Array is too small and expanding is not supported.");
+        }
         System.arraycopy(elementData, 0, array, 0, elementCount);
+        return array;
     }
 
     /** Makes room for so many elements. */
@@ -205,7 +175,6 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
 
     /** Makes the list so long, with null for what is added. */
     public synchronized void setSize(int size) {
-        modCount++;
         ensureCapacity(size);
         for (int index = size; index < elementCount; index++) elementData[index] = null;
         elementCount = size;
@@ -216,6 +185,121 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
         if (elementCount < elementData.length) resize(elementCount);
     }
 
+    /** Says false to any Vector, as a brick does; fails with ClassCastException for anything else but null. */
+    public boolean equals(Object other) {
+        if (other instanceof Vector) return false;
+        return elementCount == ((Vector<?>) other).elementCount;
+    }
+
+    /** Gives the elements as text, such as [1, 2]. */
+    public String toString() {
+        if (elementCount < 1) return "[]";
+        StringBuilder text = new StringBuilder();
+        text.append('[').append(String.valueOf(elementData[0]));
+        for (int index = 1; index < elementCount; index++) text.append(", ").append(String.valueOf(elementData[index]));
+        return text.append(']').toString();
+    }
+
+    /**
+     * Gives the element at a place.
+     *
+     * @hidden
+     */
+    public synchronized E get(int index) {
+        check(index, elementCount - 1);
+        return elementAt(index);
+    }
+
+    /**
+     * Puts an element in the place of another, which it gives.
+     *
+     * @hidden
+     */
+    public synchronized E set(int index, E element) {
+        E old = get(index);
+        elementData[index] = element;
+        return old;
+    }
+
+    /**
+     * Adds an element at the end.
+     *
+     * @hidden
+     */
+    public synchronized boolean add(E element) {
+        addElement(element);
+        return true;
+    }
+
+    /**
+     * Puts an element at a place; those from there on move up.
+     *
+     * @hidden
+     */
+    public synchronized void add(int index, E element) {
+        insertElementAt(element, index);
+    }
+
+    /**
+     * Takes out the element at a place, and gives it; those behind it move down.
+     *
+     * @hidden
+     */
+    public synchronized E remove(int index) {
+        E old = get(index);
+        removeElementAt(index);
+        return old;
+    }
+
+    /**
+     * Takes out the first such element, and says whether it was there.
+     *
+     * @hidden
+     */
+    public synchronized boolean remove(Object element) {
+        int index = indexOf(element);
+        if (index >= 0) removeElementAt(index);
+        return index >= 0;
+    }
+
+    /**
+     * Says whether the element is there.
+     *
+     * @hidden
+     */
+    public synchronized boolean contains(Object element) {
+        return indexOf(element) >= 0;
+    }
+
+    /**
+     * Gives the first element; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
+    public synchronized E firstElement() {
+        if (elementCount == 0) throw new NoSuchElementException();
+        return elementAt(0);
+    }
+
+    /**
+     * Gives the last element; fails with NoSuchElementException if there is none.
+     *
+     * @hidden
+     */
+    public synchronized E lastElement() {
+        if (elementCount == 0) throw new NoSuchElementException();
+        return elementAt(elementCount - 1);
+    }
+
+    /**
+     * Copies the elements into an array.
+     *
+     * @hidden
+     */
+    public synchronized void copyInto(Object[] array) {
+        System.arraycopy(elementData, 0, array, 0, elementCount);
+    }
+
     private void resize(int capacity) {
         Object[] copy = new Object[capacity];
         System.arraycopy(elementData, 0, copy, 0, elementCount);
@@ -223,6 +307,6 @@ public class Vector<E> extends AbstractList<E> implements RandomAccess {
     }
 
     private static void check(int index, int last) {
-        if (index < 0 || index > last) throw new ArrayIndexOutOfBoundsException(index);
+        if (index < 0 || index > last) throw new ArrayIndexOutOfBoundsException();
     }
 }

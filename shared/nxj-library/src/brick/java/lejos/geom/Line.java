@@ -11,16 +11,28 @@ public class Line extends Line2D.Float {
 
     /** Gives where this line and another meet, or null. */
     public Point intersectsAt(Line l) {
-        double dx = (double) x2 - x1;
-        double dy = (double) y2 - y1;
-        double otherDx = (double) l.x2 - l.x1;
-        double otherDy = (double) l.y2 - l.y1;
-        double cross = dx * otherDy - dy * otherDx;
-        if (cross == 0) return null;
-        double part = ((l.x1 - x1) * otherDy - (l.y1 - y1) * otherDx) / cross;
-        double otherPart = ((l.x1 - x1) * dy - (l.y1 - y1) * dx) / cross;
-        if (part < 0 || part > 1 || otherPart < 0 || otherPart > 1) return null;
-        return new Point((float) (x1 + part * dx), (float) (y1 + part * dy));
+        // A brick calculates with float numbers: along x if a line is level, and otherwise along y.
+        boolean isLevel = y1 == y2;
+        boolean isOtherLevel = l.y1 == l.y2;
+        boolean isUpright = x1 == x2;
+        boolean isOtherUpright = l.x1 == l.x2;
+        if (isLevel && isOtherLevel || isUpright && isOtherUpright) return null;
+        if (isUpright && isOtherLevel) return onBoth(l, x1, l.y1);
+        if (isLevel && isOtherUpright) return onBoth(l, l.x1, y1);
+        if (isLevel || isOtherLevel) {
+            float slope = (y2 - y1) / (x2 - x1);
+            float start = y1 - slope * x1;
+            float otherSlope = (l.y2 - l.y1) / (l.x2 - l.x1);
+            if (slope == otherSlope) return null;
+            float x = (l.y1 - otherSlope * l.x1 - start) / (slope - otherSlope);
+            return onBoth(l, x, slope * x + start);
+        }
+        float slope = (x2 - x1) / (y2 - y1);
+        float start = x1 - slope * y1;
+        float otherSlope = (l.x2 - l.x1) / (l.y2 - l.y1);
+        if (slope == otherSlope) return null;
+        float y = (l.x1 - otherSlope * l.y1 - start) / (slope - otherSlope);
+        return onBoth(l, slope * y + start, y);
     }
 
     /** Gives how far this line and another are apart. */
@@ -54,5 +66,15 @@ public class Line extends Line2D.Float {
     /** Gives the second point. */
     public Point getP2() {
         return new Point(x2, y2);
+    }
+
+    private Point onBoth(Line l, float x, float y) {
+        boolean isOnBoth = isBetween(x, x1, x2) && isBetween(y, y1, y2) && isBetween(x, l.x1, l.x2)
+            && isBetween(y, l.y1, l.y2);
+        return isOnBoth ? new Point(x, y) : null;
+    }
+
+    private static boolean isBetween(float value, float a, float b) {
+        return a <= b ? value >= a && value <= b : value >= b && value <= a;
     }
 }

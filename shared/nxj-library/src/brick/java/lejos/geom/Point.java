@@ -78,4 +78,82 @@ public class Point extends Point2D.Float {
         double radians = Math.toRadians(angle);
         return new Point(x + distance * (float) Math.cos(radians), y + distance * (float) Math.sin(radians));
     }
+
+    /** Moves this point by so much. */
+    public void translate(float dx, float dy) {
+        x += dx;
+        y += dy;
+    }
+
+    /** Makes another point the same as this one, and gives that. */
+    public Point copyTo(Point other) {
+        other.x = x;
+        other.y = y;
+        return other;
+    }
+
+    /** Makes this point the same as another one. */
+    public void moveTo(Point other) {
+        x = other.x;
+        y = other.y;
+    }
+
+    /** Gives a copy. */
+    public Point clone() {
+        return new Point(x, y);
+    }
+
+    /** Gives the way shortened by so much. */
+    public Point subtract(float length) {
+        return subtract(getNormalized().multiply(length));
+    }
+
+    /** Makes this way so many times as long, and gives it. */
+    public Point multiplyBy(float factor) {
+        x *= factor;
+        y *= factor;
+        return this;
+    }
+
+    /** Gives the way with the length 1. */
+    public Point getNormalized() {
+        return new Point(x / length(), y / length());
+    }
+
+    /** Gives this way the length 1, and gives it. */
+    public Point normalize() {
+        float length = length();
+        x /= length;
+        y /= length;
+        return this;
+    }
+
+    /** Gives the way in the opposite direction. */
+    public Point reverse() {
+        return multiply(-1f);
+    }
+
+    /** Turns this way by a quarter to the left, and gives it. */
+    public Point makeLeftOrth() {
+        float before = x;
+        x = -y;
+        y = before;
+        return this;
+    }
+
+    /** Turns this way by a quarter to the right, and gives it. */
+    public Point makeRightOrth() {
+        float before = x;
+        x = y;
+        y = -before;
+        return this;
+    }
+
+    /** Gives the point of a line, or of its extension, that is nearest to this one. */
+    public Point projectOn(Line line) {
+        Point start = line.getP1();
+        Point along = line.getP2().subtract(start);
+        float part = subtract(start).dotProduct(along) / along.dotProduct(along);
+        return along.multiply(part).add(start);
+    }
 }

@@ -11,9 +11,17 @@ public interface ADSensorPort extends BasicSensorPort {
     /** Measures: what comes out depends on the mode. */
     int readValue();
 
-    /** Measures several values from 0 to 1023. */
+    /**
+     * Measures several values from 0 to 1023.
+     *
+     * @hidden
+     */
     int readRawValues(int[] values);
 
-    /** Measures several values: what comes out depends on the sensor. */
+    /**
+     * Measures several values: what comes out depends on the sensor.
+     *
+     * @hidden
+     */
     int readValues(int[] values);
 }

@@ -112,7 +112,11 @@ public class Button implements ListenerCaller {
         return 0;
     }
 
-    /** Waits until any button is pressed or released, and gives which: pressed ones, and 256 times released ones. */
+    /**
+     * Waits until any button is pressed or released, and gives which: pressed ones, and 256 times released ones.
+     *
+     * @hidden
+     */
     public static int waitForAnyEvent() {
         return waitForAnyEvent(0);
     }

@@ -9,7 +9,11 @@ public class NXT {
     /** Switches the brick off. */
     public static native void shutDown();
 
-    /** Ends the program. */
+    /**
+     * Ends the program.
+     *
+     * @hidden
+     */
     public static void exit(int code) {
         System.exit(code);
     }

@@ -14,7 +14,11 @@ public class NXTEvent {
     /** The brick wants something. */
     public static final int SYSTEM = 7;
 
-    /** Of SYSTEM: the program is to end. */
+    /**
+     * Of SYSTEM: the program is to end.
+     *
+     * @hidden
+     */
     public static final int SYSTEM_SHUTDOWN = 1;
 
     // The virtual machine reads the first four of these fields, adds to the fifth what has happened, and then does what

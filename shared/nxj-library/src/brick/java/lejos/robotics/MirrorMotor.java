@@ -120,7 +120,11 @@ public class MirrorMotor implements RegulatedMotor, RegulatedMotorListener {
         motor.setAcceleration(acceleration);
     }
 
-    /** Gives how much faster the motor gets in a second, in degrees a second. */
+    /**
+     * Gives how much faster the motor gets in a second, in degrees a second.
+     *
+     * @hidden
+     */
     public int getAcceleration() {
         return motor.getAcceleration();
     }

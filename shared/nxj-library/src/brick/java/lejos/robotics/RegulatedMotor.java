@@ -50,6 +50,10 @@ public interface RegulatedMotor extends BaseMotor, Tachometer {
     /** Sets how much faster the motor gets in a second, in degrees a second. */
     void setAcceleration(int acceleration);
 
-    /** Gives how much faster the motor gets in a second, in degrees a second. */
+    /**
+     * Gives how much faster the motor gets in a second, in degrees a second.
+     *
+     * @hidden
+     */
     int getAcceleration();
 }

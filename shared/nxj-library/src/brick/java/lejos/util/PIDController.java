@@ -66,6 +66,15 @@ public class PIDController {
     private Logger logger;
     private int rows;
 
+    /**
+     * Makes one for what the value should be, without waiting.
+     *
+     * @hidden
+     */
+    public PIDController(int setpoint) {
+        this(setpoint, 0);
+    }
+
     /** Makes one for what the value should be that is asked every so many milliseconds; 0 for no waiting. */
     public PIDController(int setpoint, int msdelay) {
         values[PID_SETPOINT] = setpoint;

@@ -7,13 +7,40 @@ package robotran.nxjlibrary
  * @property classFiles the class files, of version 50, by name with slashes, such as `java/lang/Object`.
  */
 class NxjLibrary private constructor(val classFiles: Map<String, ByteArray>) {
+    /**
+     * The same class files without what leJOS NXJ lacks: compilers do not find [NxjDifferences] in them. For compiling
+     * only; programs run with [classFiles].
+     */
+    val classFilesOfBrick: Map<String, ByteArray> by lazy {
+        val missing = NxjDifferences.all.groupBy({ it.owner }, { it.member })
+        classFiles + missing.mapValues { (owner, members) ->
+            withHiddenMembers(classFiles.getValue(owner), members.toSet())
+        }
+    }
+
     val classNames: Set<String> get() = classFiles.keys
 
     /** The class file of the class [name], with slashes; null if the library has none. */
     fun classFile(name: String): ByteArray? = classFiles[name]
 
+    /**
+     * What leJOS NXJ lacks that a program means by [member], as in [NxjDifference.member], of the class [owner] or a
+     * superclass; null if it has that.
+     */
+    fun differenceFor(owner: String, member: String): NxjDifference? {
+        var type: String? = owner
+        while (type != null) {
+            val found = NxjDifference(type, member)
+            if (found in differences) return found
+            type = classFiles[type]?.let(::superclassOf)
+        }
+        return null
+    }
+
     companion object {
         private const val CLASS = ".class"
+
+        private val differences = NxjDifferences.all.toSet()
 
         private var loaded: NxjLibrary? = null
 

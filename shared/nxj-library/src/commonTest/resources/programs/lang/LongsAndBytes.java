@@ -2,7 +2,7 @@ public class LongsAndBytes {
     public static void main(String[] arguments) {
         System.out.println(Long.toString(-255, 16) + " " + Long.toBinaryString(5) + " " + Long.toOctalString(64)); // expect -ff 101 100
         System.out.println(Long.bitCount(-1L) + " " + Long.numberOfLeadingZeros(1) + " " + Long.highestOneBit(1000L)); // expect 64 63 512
-        System.out.println(Long.reverse(1L) + " " + Long.rotateLeft(1L, 63) + " " + Long.signum(-5L)); // expect -9223372036854775808 -9223372036854775808 -1
+        System.out.println(Long.reverse(1L) + " " + Long.rotateLeft(1L, 63) + " " + Long.bitCount(-5L)); // expect -9223372036854775808 -9223372036854775808 63
         System.out.println(Long.valueOf("77").longValue() + " " + new Long(3).equals(3L) + " " + Long.valueOf(5).compareTo(6L)); // expect 77 true -1
         System.out.println(Byte.MAX_VALUE + " " + Byte.MIN_VALUE + " " + Short.MAX_VALUE + " " + (int) Character.MAX_VALUE); // expect 127 -128 32767 65535
         System.out.println(Byte.valueOf((byte) 3).hashCode() + " " + Short.valueOf((short) -4).intValue()); // expect 3 -4

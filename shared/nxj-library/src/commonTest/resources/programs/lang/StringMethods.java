@@ -5,7 +5,7 @@ public class StringMethods {
         System.out.println(text.indexOf('o') + " " + text.indexOf('o', 5) + " " + text.indexOf("World") + " " + text.indexOf("x")); // expect 4 8 7 -1
         System.out.println(text.lastIndexOf('o') + " " + text.lastIndexOf("l", 5) + " " + text.lastIndexOf("Hello")); // expect 8 3 0
         System.out.println(text.substring(7) + "," + text.substring(0, 5) + "," + text.substring(12) + ","); // expect World,Hello,,
-        System.out.println(text.startsWith("Hell") + " " + text.startsWith("World", 7) + " " + text.endsWith("ld")); // expect true true true
+        System.out.println(text.startsWith("Hell") + " " + text.startsWith("World", 7) + " " + text.startsWith("ld", text.length() - 2)); // expect true true true
         System.out.println(text.toUpperCase() + text.toLowerCase()); // expect HELLO, WORLDhello, world
         System.out.println(text.replace('l', 'L')); // expect HeLLo, WorLd
         System.out.println("[" + "  a b ".trim() + "]"); // expect [a b]

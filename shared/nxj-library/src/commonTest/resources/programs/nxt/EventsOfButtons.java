@@ -5,8 +5,8 @@ import lejos.nxt.Button;
 // press ESCAPE at 1000
 public class EventsOfButtons {
     public static void main(String[] arguments) throws InterruptedException {
-        System.out.println(Button.waitForAnyEvent() == Button.ID_ENTER); // expect true
-        System.out.println(Button.waitForAnyEvent() == Button.ID_ENTER << 8); // expect true
+        System.out.println(Button.waitForAnyEvent(0) == Button.ID_ENTER); // expect true
+        System.out.println(Button.waitForAnyEvent(0) == Button.ID_ENTER << 8); // expect true
         Button.discardEvents();
         long before = System.currentTimeMillis();
         System.out.println(Button.waitForAnyEvent(100)); // expect 0

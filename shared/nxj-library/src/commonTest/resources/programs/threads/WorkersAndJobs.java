@@ -8,13 +8,13 @@ public class WorkersAndJobs {
         private boolean isClosed;
 
         synchronized void add(Runnable job) {
-            waiting.addLast(job);
+            waiting.add(job);
             notify();
         }
 
         synchronized Runnable next() throws InterruptedException {
             while (waiting.isEmpty() && !isClosed) wait();
-            return waiting.isEmpty() ? null : waiting.removeFirst();
+            return waiting.isEmpty() ? null : waiting.remove(0);
         }
 
         synchronized void close() {

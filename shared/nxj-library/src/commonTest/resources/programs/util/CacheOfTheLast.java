@@ -25,7 +25,7 @@ public class CacheOfTheLast<K, V> {
             misses++;
             value = source.of(key);
             values.put(key, value);
-            if (order.size() == size) values.remove(order.removeFirst());
+            if (order.size() == size) values.remove(order.remove(0));
         } else {
             for (Iterator<K> keys = order.iterator(); keys.hasNext();) {
                 if (keys.next().equals(key)) keys.remove();

@@ -75,13 +75,13 @@ public class EventsInOrder {
         System.out.println(order.toString().trim()); // expect 0g 2g 7b 9b 14s 19t 21t 26g 33b 38s 40s 45t
         System.out.println(last.get("go") + " " + last.get("turn") + " " + last.get("stop") + " " + last.get("beep")); // expect 7 11 10 8
         LinkedList<Integer> waiting = new LinkedList<Integer>();
-        for (int i = 1; i <= 7; i++) waiting.addLast(i);
+        for (int i = 1; i <= 7; i++) waiting.add(i);
         String out = "";
         while (waiting.size() > 1) {
-            waiting.addLast(waiting.removeFirst());
-            waiting.addLast(waiting.removeFirst());
-            out += waiting.removeFirst() + " ";
+            waiting.add(waiting.remove(0));
+            waiting.add(waiting.remove(0));
+            out += waiting.remove(0) + " ";
         }
-        System.out.println(out + waiting.getFirst()); // expect 3 6 2 7 5 1 4
+        System.out.println(out + waiting.get(0)); // expect 3 6 2 7 5 1 4
     }
 }

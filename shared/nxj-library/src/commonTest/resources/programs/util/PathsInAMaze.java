@@ -35,7 +35,7 @@ public class PathsInAMaze {
         open.add(new Place(1, 1, null));
         seen[1][1] = true;
         while (!open.isEmpty()) {
-            Place place = open.removeFirst();
+            Place place = open.remove(0);
             if (MAZE[place.row].charAt(place.column) == goal) return place;
             for (Direction direction : Direction.values()) {
                 int row = place.row + direction.rows;

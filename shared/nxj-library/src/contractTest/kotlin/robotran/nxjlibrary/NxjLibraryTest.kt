@@ -47,6 +47,24 @@ class NxjLibraryTest {
     }
 
     @Test
+    fun `members that leJOS NXJ lacks are known through subclasses, too`() = runTest {
+        val library = NxjLibrary.load()
+        val get = "get(I)Ljava/lang/Object;"
+        assertEquals(NxjDifference("java/util/Vector", get), library.differenceFor("java/util/Stack", get))
+        assertNull(library.differenceFor("java/util/ArrayList", get))
+        assertEquals("get", library.differenceFor("java/util/Vector", get)?.name)
+    }
+
+    @Test
+    fun `compilers do not see members that leJOS NXJ lacks`() = runTest {
+        val library = NxjLibrary.load()
+        val differing = library.classNames.filterNot { name ->
+            library.classFile(name).contentEquals(library.classFilesOfBrick[name])
+        }
+        assertEquals(NxjDifferences.all.map { it.owner }.toSet(), differing.toSet())
+    }
+
+    @Test
     fun `what leJOS NXJ lacks is not there`() = runTest {
         val absent =
             listOf("java/util/Collections", "java/util/Scanner", "java/util/TreeMap", "java/util/LinkedHashMap")

@@ -27,8 +27,6 @@ class CollectionsOnJvmTest {
         val makers = mapOf<String, () -> MutableList<Any?>>(
             "java.util.ArrayList" to { java.util.ArrayList() },
             "java.util.LinkedList" to { java.util.LinkedList() },
-            "java.util.Vector" to { java.util.Vector() },
-            "java.util.Stack" to { java.util.Stack() },
         )
         for ((name, make) in makers) {
             repeat(40) {

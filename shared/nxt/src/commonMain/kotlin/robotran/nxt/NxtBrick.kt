@@ -25,6 +25,7 @@ import robotran.nxt.program.NxtProgram
 import robotran.nxt.shell.NxtShell
 import robotran.nxt.state.LinkView
 import robotran.nxt.state.NxtState
+import robotran.nxt.storage.NxtFile
 
 /**
  * A virtual NXT with the firmware and menu of leJOS NXJ. It starts switched on, in its menu, with Run Default marked,
@@ -40,6 +41,7 @@ import robotran.nxt.state.NxtState
  * @param name the name by which other robots know it.
  * @param messages the language of the log and of [NxtState.explanation].
  * @param firstSlot index of the program that Run Default starts.
+ * @param files what programs have written into the flash memory before.
  */
 class NxtBrick(
     programs: List<BrickProgram?>,
@@ -47,6 +49,7 @@ class NxtBrick(
     name: String = DEFAULT_NAME,
     messages: NxtMessages = EnglishNxtMessages,
     firstSlot: Int = 0,
+    files: List<NxtFile> = emptyList(),
 ) : Brick {
     init {
         require(programs.size <= BrickProgram.MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) {
@@ -54,7 +57,7 @@ class NxtBrick(
         }
     }
 
-    private val hardware = NxtHardware(network, name, messages)
+    private val hardware = NxtHardware(network, name, messages, files)
 
     /** The seam, for tests that call the brick as a program does. */
     internal val nxt: Nxt = VirtualNxt(hardware)
@@ -89,6 +92,7 @@ class NxtBrick(
             exception = shell.exceptionView,
             bluetooth = parts.links,
             leftByProgram = shell.leftByProgram,
+            files = hardware.flash.files,
         )
 
     override val log: CallLog get() = hardware.log

@@ -36,6 +36,7 @@ class DocumentTest {
             NxtNative.OPEN_CABLE,
             NxtNative.WRITE,
             NxtNative.CONSOLE_LINE,
+            NxtNative.FLASH_WRITE_PAGE,
         )
     }
 }

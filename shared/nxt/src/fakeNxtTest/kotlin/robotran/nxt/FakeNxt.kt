@@ -137,6 +137,8 @@ class FakeNxt(private val degreesPerSecond: Double = 10.0, override val name: St
 
     override fun batteryStatus(): Int = millivolts
 
+    override fun readPage(page: Int, into: ByteArray): Boolean = false
+
     override fun soundMillisecondsLeft(): Int = maxOf(0L, soundEnd - milliseconds).toInt()
 
     override fun refreshCompleteTime(): Int = refreshed.toInt()

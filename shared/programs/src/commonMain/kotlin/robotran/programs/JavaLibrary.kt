@@ -3,6 +3,7 @@ package robotran.programs
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.lejoslibrary.LejosDifference
 import robotran.nxjlibrary.NxjLibrary
+import robotran.tinyvm.config.TinyVmMode
 
 /**
  * What Java programs are compiled against.
@@ -22,6 +23,13 @@ internal class JavaLibrary private constructor(
             BrickLibrary.missingFor(settings),
         )
 
-        fun ofNxj(library: NxjLibrary) = JavaLibrary(BrickTarget.LEJOS_NXJ, library.classFiles, emptyList())
+        fun ofNxj(library: NxjLibrary, settings: JavaSettings) = JavaLibrary(
+            BrickTarget.LEJOS_NXJ,
+            when (settings.mode) {
+                TinyVmMode.BRICK -> library.classFilesOfBrick
+                TinyVmMode.FORGIVING -> library.classFiles
+            },
+            emptyList(),
+        )
     }
 }

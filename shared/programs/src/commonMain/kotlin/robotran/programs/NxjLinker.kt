@@ -1,7 +1,9 @@
 package robotran.programs
 
+import robotran.javacompiler.messages.JavaMessages
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.NxjResult
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
 import robotran.tinyvm.messages.TinyVmMessages
@@ -12,6 +14,14 @@ internal class NxjLinker(
     private val speed: TinyVmSpeed,
     private val messages: TinyVmMessages,
 ) : ProgramLinker {
+    /** Links what another compiler made, unless it uses what leJOS NXJ lacks and the [mode] is true to the brick. */
+    fun read(source: ProgramSource.CompiledClasses, mode: TinyVmMode, messages: JavaMessages): ProgramResult {
+        val result = link(compiledOf(source))
+        if (result !is ProgramResult.Ready || mode == TinyVmMode.FORGIVING) return result
+        val mistakes = CompiledNxjGaps(library, messages).find(source.classFiles)
+        return if (mistakes.isEmpty()) result else ProgramResult.HasErrors(mistakes)
+    }
+
     override fun link(program: CompiledProgram): ProgramResult = with(program) {
         when (val result = linkNxj(name, classFiles, library.classFiles, mainClass, messages, speed)) {
             is NxjResult.Ready -> ProgramResult.Ready(result.program, warnings, mainClass)

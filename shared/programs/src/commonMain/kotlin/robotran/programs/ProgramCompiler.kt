@@ -98,7 +98,7 @@ class ProgramCompiler private constructor(
 
         is ProgramSource.CompiledClasses -> when (target.kind) {
             BrickKind.RCX -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
-            BrickKind.NXT -> nxjLinker().link(compiledOf(source))
+            BrickKind.NXT -> nxjLinker().read(source, java.mode, JavaMessages.of(language))
         }
     }
 
@@ -193,7 +193,7 @@ class ProgramCompiler private constructor(
 
     private fun javaParts(): Pair<ProgramLinker, JavaLibrary> = when (target.kind) {
         BrickKind.RCX -> classFiles to JavaLibrary.ofLejos(java)
-        BrickKind.NXT -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary())
+        BrickKind.NXT -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary(), java)
     }
 
     private fun nxjLinker() = NxjLinker(nxjLibrary(), java.speed, TinyVmMessages.of(language))

@@ -44,10 +44,10 @@ sealed interface LinkResult {
 suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.WORLD, elementOf(world), language) { it::worldTooLong }
 
-/** The same for [project]. The message tells if it is its pictures that make it too long. */
+/** The same for [project], without its [files][ProjectRobot.files]. The message tells if its pictures make it too long. */
 suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
-    linkOf(LinkKind.PROJECT, elementOf(project), language) {
-        val isByPictures = fits(fragmentOf(LinkKind.PROJECT, elementOf(withoutPictures(project))))
+    linkOf(LinkKind.PROJECT, elementOf(project.withoutFiles()), language) {
+        val isByPictures = fits(fragmentOf(LinkKind.PROJECT, elementOf(withoutPictures(project.withoutFiles()))))
         if (isByPictures) it::projectPicturesTooLong else it::projectTooLong
     }
 
@@ -67,7 +67,7 @@ private fun withoutPictures(project: Project): Project =
  * [openHandInLink] opens it.
  */
 suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH): LinkCreation =
-    linkOf(LinkKind.HAND_IN, handInElementOf(handIn), language) { it::projectTooLong }
+    linkOf(LinkKind.HAND_IN, handInElementOf(handIn.withoutFiles()), language) { it::projectTooLong }
 
 /**
  * Opens a link from [linkOf].

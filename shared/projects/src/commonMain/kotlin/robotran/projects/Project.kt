@@ -1,6 +1,7 @@
 package robotran.projects
 
 import robotran.language.ProgramLanguage
+import robotran.nxt.storage.NxtFile
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -47,6 +48,9 @@ data class Project(
             robot.programs.map { it.source }
     }
 
+    /** The same project with an empty flash memory in each robot. */
+    fun withoutFiles(): Project = copy(robots = robots.map { it.copy(files = emptyList()) })
+
     /** The same project, which does not say how its programs are shown, nor which is in front. */
     fun withoutViews(): Project = copy(
         robots = robots.map { robot ->
@@ -62,6 +66,7 @@ data class Project(
  * @property programs for the slots of its brick, at most five; empty for the world's default program.
  * @property firstProgram index of the program that Run starts if Prgm was not pressed.
  * @property lightFacing the light sensor's direction that the pupil chose, if the world leaves it open.
+ * @property files what its programs have written into an NXT's flash memory. A run begins with them; grading does not.
  */
 data class ProjectRobot(
     val name: String,
@@ -69,6 +74,7 @@ data class ProjectRobot(
     val firstProgram: Int = 0,
     val lightFacing: LightFacing? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
+    val files: List<NxtFile> = emptyList(),
 )
 
 /**

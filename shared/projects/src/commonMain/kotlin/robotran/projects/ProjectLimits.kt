@@ -17,6 +17,12 @@ object ProjectLimits {
     /** For one file of a program. */
     const val MAXIMUM_LINES = 50_000
 
+    /** For the files that programs write into an NXT's flash memory: as many as it can have. */
+    const val MAXIMUM_FLASH_FILES = 30
+
+    /** For the content of such a file in Base64: 128 kilobytes. */
+    const val MAXIMUM_FLASH_CHARACTERS = 180_000
+
     /** Dragging a lamp creates one input per frame. */
     const val MAXIMUM_INPUTS = 20_000
 

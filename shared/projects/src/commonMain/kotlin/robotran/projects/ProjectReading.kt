@@ -49,7 +49,8 @@ private fun robotIn(place: JsonCursor, world: World): ProjectRobot {
     if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
     val programs = programsIn(place.optional("programs"))
     val facing = place.optional("lightSensor")?.choice(FACINGS)
-    return ProjectRobot(name, programs, firstProgramIn(place, programs.size), facing, unknownOf(place))
+    val files = place.optional("flash")?.let(::nxtFilesIn).orEmpty()
+    return ProjectRobot(name, programs, firstProgramIn(place, programs.size), facing, unknownOf(place), files)
 }
 
 /** The index of the first program of [count] in the field of [place]. */

@@ -43,6 +43,7 @@ private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
     list("programs", robot.programs, ::elementOf)
     number("firstProgram", robot.firstProgram + 1, default = 1)
     text("lightSensor", robot.lightFacing?.let(::wordFor))
+    list("flash", robot.files, ::elementOf)
 }
 
 internal fun elementOf(program: ProjectProgram): JsonObject = jsonObject(program.unknown.members) {

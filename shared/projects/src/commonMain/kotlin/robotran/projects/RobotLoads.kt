@@ -81,15 +81,15 @@ suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoad
     }
 
 /**
- * [loads] of the robots of [world], with the first program and the light sensor's direction from [robots]; keeps the
- * programs of [loads].
+ * [loads] of the robots of [world], with the first program, the light sensor's direction and the files from [robots];
+ * keeps the programs of [loads].
  */
 fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>): List<RobotLoad> =
     world.robots.zip(loads) { place, load ->
         val robot = robots.firstOrNull { it.name == place.name }
         val first = robot?.firstProgram ?: 0
         val facing = robot?.lightFacing ?: load.programs.getOrNull(first)?.let(::lightFacingOf)
-        load.copy(firstSlot = first, lightFacing = facing)
+        load.copy(firstSlot = first, lightFacing = facing, files = robot?.files.orEmpty())
     }
 
 /** The light sensor's direction in the header of [program]; null if it has none, like all Java programs. */

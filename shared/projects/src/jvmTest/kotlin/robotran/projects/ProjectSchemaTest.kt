@@ -17,7 +17,8 @@ import kotlin.test.fail
 /** The schemas and the readers agree on projects, assignments and courses, as far as a schema can express the rules. */
 class ProjectSchemaTest {
     private val projects = documentedProjects + documentedAssignments
-    private val full = listOf(FULL_PROJECT, FIRMWARE_PROJECT, EVERY_ASSIGNMENT, EVERY_HAND_IN).map(::elementOf)
+    private val full =
+        listOf(FULL_PROJECT, FIRMWARE_PROJECT, PROJECT_WITH_FILES, EVERY_ASSIGNMENT, EVERY_HAND_IN).map(::elementOf)
     private val course = elementOf(Course("C", "about\nit", listOf(EVERY_ASSIGNMENT), "c-1"))
 
     @Test

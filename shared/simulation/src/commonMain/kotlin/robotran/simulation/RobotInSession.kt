@@ -106,7 +106,14 @@ internal class RobotInSession(
 
             BrickKind.NXT -> NxtPorts(
                 robot,
-                NxtBrick(load.programs, network, place.name, NxtMessages.of(language), load.firstSlot),
+                NxtBrick(
+                    load.programs,
+                    network,
+                    place.name,
+                    NxtMessages.of(language),
+                    load.firstSlot,
+                    load.files,
+                ),
                 simulation.scene,
                 number,
                 facing,

@@ -43,6 +43,13 @@ class NxjCompletionTest {
     }
 
     @Test
+    fun `members that leJOS NXJ lacks are not offered`() {
+        val ofList = labels("import java.util.*;\nimport lejos.nxt.*;\nLinkedList list;\nlist.|", BrickKind.NXT)
+        assertTrue("add(E element)" in ofList && "remove(int index)" in ofList, "$ofList")
+        assertEquals(emptyList(), ofList.filter { it.startsWith("addLast") || it.startsWith("removeFirst") })
+    }
+
+    @Test
     fun `without imports the robot's brick decides`() {
         assertTrue("UltrasonicSensor" in labels("Ultra|", BrickKind.NXT))
         assertFalse("UltrasonicSensor" in labels("Ultra|"))

@@ -124,6 +124,7 @@ class Workshop(
             this,
             this,
             project.inputs,
+            filesChanged = { document.projectMayHaveChanged() },
         ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder(this)
     private val editors: WorldEditors = WorldEditors(
@@ -203,7 +204,10 @@ class Workshop(
         get() {
             val first = opened.world.robots.map { it.name }.zip(run.startedPrograms).toMap()
             val now = project
-            val robots = now.robots.map { it.copy(firstProgram = first[it.name] ?: 0) }
+            val files = run.filesAtStart
+            val robots = now.robots.map {
+                it.copy(firstProgram = first[it.name] ?: 0, files = files[it.name].orEmpty())
+            }
             return now.copy(robots = robots, inputs = inputs.repeatable())
         }
     override val session: SessionState get() = run.state.session

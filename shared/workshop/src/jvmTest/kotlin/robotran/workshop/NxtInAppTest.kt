@@ -208,4 +208,43 @@ class NxtInAppTest {
         workshop.compilePrograms()
         assertContains(assertNotNull(workshop.state.programs.translation).text, "import josx.")
     }
+
+    @Test
+    fun `what a program writes into files is there in the next run and in the project`() = workshop { workshop ->
+        workshop.use(BrickKind.NXT)
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("CountRuns.java", COUNT_RUNS)))
+        workshop.compilePrograms()
+        assertEquals(emptyList(), workshop.state.diagnostics)
+        val counts = (1..2).map {
+            workshop.handle(RunEvent.RunPressed)
+            workshop.advance(3_000)
+            assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
+            val file = workshop.project.robots.single().files.single()
+            assertEquals("runs.dat", file.name)
+            file.content().toList()
+        }
+        assertEquals(listOf(listOf<Byte>(1), listOf<Byte>(2)), counts)
+        val again = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project))).project
+        assertEquals(workshop.project, again)
+        assertEquals(listOf<Byte>(1), workshop.replay.robots.single().files.single().content().toList())
+    }
+
+    private companion object {
+        const val COUNT_RUNS = """import java.io.*;
+public class CountRuns {
+    public static void main(String[] args) throws IOException {
+        File file = new File("runs.dat");
+        int runs = 0;
+        if (file.exists()) {
+            FileInputStream in = new FileInputStream(file);
+            runs = in.read();
+            in.close();
+        }
+        FileOutputStream out = new FileOutputStream(file);
+        out.write(runs + 1);
+        out.close();
+    }
+}
+"""
+    }
 }

@@ -39,8 +39,9 @@ private val NXT_CONSTANTS =
 private fun constants(vararg classes: Pair<String, String>): Map<String, String> =
     classes.flatMap { (owner, names) -> names.split(' ').map { it to owner } }.toMap()
 
-private class NxjGaps(private val messages: JavaMessages) : BrickGaps {
-    override fun instead(name: String, owner: String?) = nxjRemedy(name, owner)?.let(messages::insteadInNxj)
+internal class NxjGaps(private val messages: JavaMessages) : BrickGaps {
+    override fun instead(name: String, owner: String?) =
+        nxjRemedy(name, owner)?.let(messages::insteadInNxj) ?: owner?.let { nxjCode(name, it, messages) }
 
     override fun insteadOfCall(method: String) = nxjRemedyOfCall(method)?.let(messages::insteadInNxj)
 

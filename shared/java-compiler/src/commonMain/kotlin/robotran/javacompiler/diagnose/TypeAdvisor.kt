@@ -14,8 +14,12 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
         ProblemId.INVALID_OPERATOR -> operator(problem)
         ProblemId.PARAMETER_MISMATCH -> arguments(problem, source)
         ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> numbers.outOfRange(problem, source)
+        ProblemId.NOT_ITERABLE -> notIterable()
         else -> null
     }
+
+    private fun notIterable() =
+        ProblemExplanation(messages.onlyArraysAndLists(), messages.writeInNxj(listOf(EACH_ELEMENT)))
 
     private fun mismatch(problem: EcjProblem, source: SourceText): ProblemExplanation {
         val given = problem.arguments[0]

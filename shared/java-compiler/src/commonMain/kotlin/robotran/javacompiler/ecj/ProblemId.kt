@@ -98,6 +98,7 @@ internal object ProblemId {
     const val METHOD_NOT_WRITTEN = 400
     const val THROWS_MORE_THAN_OVERRIDDEN = 402
     const val REDUCED_VISIBILITY = 409
+    const val NOT_ITERABLE = 581
     const val TYPE_PARAMETERS = 590
     const val STATIC_IMPORT = 591
     const val FOR_EACH = 592

@@ -8,7 +8,11 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.SORT_ARRAY -> "Arrays.sort(numbers) sorts an array. Anything else takes a loop."
         NxjRemedy.HASH_MAP -> "Use a HashMap, and keep its keys in an ArrayList: an NXT cannot tell them."
         NxjRemedy.HASH_SET -> "Use a HashSet, or an ArrayList: on an NXT, no loop can go through a HashSet."
-        NxjRemedy.LINKED_LIST -> "Use a LinkedList with addLast(), removeFirst() and removeLast()."
+        NxjRemedy.LINKED_LIST -> "Use a LinkedList with add(element), get(0) and remove(0)."
+        NxjRemedy.BITS -> "Go through the bits in a loop, with bits.get(i), bits.set(i) and bits.clear(i)."
+        NxjRemedy.OTHER_PROGRAM -> "Start the other program on the brick, in the menu \"Files\"."
+        NxjRemedy.NO_FOLDERS -> "An NXT has no folders. File.listFiles() gives all files."
+        NxjRemedy.OWN_VARIABLE -> "Keep what you set in a variable of your own."
         NxjRemedy.FILL_LIST -> "Make an empty one, such as new ArrayList<String>(), and add() each element."
         NxjRemedy.LOOP -> "Go through the elements in a loop: for (String word : words)."
         NxjRemedy.OWN_CLASS -> "Write an interface or a class of your own for it."
@@ -67,6 +71,10 @@ internal object EnglishNxjMessages : NxjMessages {
         NxjRemedy.BREAKPOINTS -> "A program cannot look into the brick. Breakpoints show its threads and variables."
         NxjRemedy.THREE_MOTORS -> "There are only the motors on the ports of the brick: Motor.A, Motor.B and Motor.C."
     }
+
+    override fun writeInNxj(code: List<String>): String = "Write ${code.joinToString(" or ")}."
+
+    override fun onlyArraysAndLists(): String = "A \"for\" with a colon goes through arrays and lists only."
 
     override fun textsCompared(operator: String): String =
         "\"$operator\" asks whether both are the same object. An NXT makes a new one each time a text is used."

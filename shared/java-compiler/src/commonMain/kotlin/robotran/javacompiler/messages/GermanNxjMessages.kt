@@ -8,7 +8,11 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.SORT_ARRAY -> "Arrays.sort(zahlen) sortiert ein Array. Alles andere braucht eine Schleife."
         NxjRemedy.HASH_MAP -> "Nimm eine HashMap, und merk dir ihre Schlüssel: Ein NXT nennt sie nicht."
         NxjRemedy.HASH_SET -> "Nimm ein HashSet oder eine ArrayList: Keine Schleife geht auf dem NXT ein HashSet durch."
-        NxjRemedy.LINKED_LIST -> "Nimm eine LinkedList mit addLast(), removeFirst() und removeLast()."
+        NxjRemedy.LINKED_LIST -> "Nimm eine LinkedList mit add(element), get(0) und remove(0)."
+        NxjRemedy.BITS -> "Geh die Bits in einer Schleife durch: bits.get(i), bits.set(i) und bits.clear(i)."
+        NxjRemedy.OTHER_PROGRAM -> "Starte das andere Programm auf dem Stein, im Menü \"Files\"."
+        NxjRemedy.NO_FOLDERS -> "Ein NXT hat keine Ordner. File.listFiles() gibt alle Dateien."
+        NxjRemedy.OWN_VARIABLE -> "Merk dir in einer eigenen Variable, was du eingestellt hast."
         NxjRemedy.FILL_LIST -> "Mach eine leere, zum Beispiel new ArrayList<String>(), und füg mit add() alles ein."
         NxjRemedy.LOOP -> "Geh die Elemente in einer Schleife durch: for (String wort : woerter)."
         NxjRemedy.OWN_CLASS -> "Schreib dafür ein eigenes Interface oder eine eigene Klasse."
@@ -67,6 +71,10 @@ internal object GermanNxjMessages : NxjMessages {
         NxjRemedy.BREAKPOINTS -> "Ein Programm sieht nicht in den Stein. Haltepunkte zeigen Threads und Variablen."
         NxjRemedy.THREE_MOTORS -> "Es gibt nur die Motoren an den Anschlüssen des Steins: Motor.A, Motor.B und Motor.C."
     }
+
+    override fun writeInNxj(code: List<String>): String = "Schreib ${code.joinToString(" oder ")}."
+
+    override fun onlyArraysAndLists(): String = "Ein \"for\" mit Doppelpunkt geht nur Arrays und Listen durch."
 
     override fun textsCompared(operator: String): String =
         "\"$operator\" fragt, ob beide dasselbe Objekt sind. Ein NXT macht für jeden Text jedes Mal ein neues."

@@ -23,6 +23,16 @@ enum class NxjRemedy {
     /** `LinkedList`. */
     LINKED_LIST,
 
+    /** A loop over the bits of a `BitSet`. */
+    BITS,
+
+    /** Files only: there are no folders. */
+    NO_FOLDERS,
+    OTHER_PROGRAM,
+
+    /** A variable that keeps what was set. */
+    OWN_VARIABLE,
+
     /** A new `ArrayList` and `add`. */
     FILL_LIST,
 

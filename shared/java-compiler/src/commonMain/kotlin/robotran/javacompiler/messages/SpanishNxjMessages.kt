@@ -8,7 +8,11 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.SORT_ARRAY -> "Arrays.sort(numeros) ordena un array. Para lo demás, recorre la lista con un \"for\"."
         NxjRemedy.HASH_MAP -> "Usa un HashMap, y guarda sus claves en un ArrayList: un NXT no las dice."
         NxjRemedy.HASH_SET -> "Usa un HashSet o un ArrayList: en el NXT ningún bucle recorre un HashSet."
-        NxjRemedy.LINKED_LIST -> "Usa una LinkedList con addLast(), removeFirst() y removeLast()."
+        NxjRemedy.LINKED_LIST -> "Usa una LinkedList con add(elemento), get(0) y remove(0)."
+        NxjRemedy.BITS -> "Recorre los bits con un bucle: bits.get(i), bits.set(i) y bits.clear(i)."
+        NxjRemedy.OTHER_PROGRAM -> "Arranca el otro programa en el ladrillo, en el menú \"Files\"."
+        NxjRemedy.NO_FOLDERS -> "Un NXT no tiene carpetas. File.listFiles() da todos los archivos."
+        NxjRemedy.OWN_VARIABLE -> "Guarda en una variable tuya lo que has puesto."
         NxjRemedy.FILL_LIST -> "Crea una vacía, como new ArrayList<String>(), y añade cada elemento con add()."
         NxjRemedy.LOOP -> "Recorre los elementos con un bucle: for (String palabra : palabras)."
         NxjRemedy.OWN_CLASS -> "Escribe para eso una interfaz o una clase tuya."
@@ -67,6 +71,10 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.BREAKPOINTS -> "Un programa no ve el interior del ladrillo. Los puntos de parada muestran sus variables."
         NxjRemedy.THREE_MOTORS -> "Solo hay los motores de los puertos del ladrillo: Motor.A, Motor.B y Motor.C."
     }
+
+    override fun writeInNxj(code: List<String>): String = "Escribe ${code.joinToString(" o ")}."
+
+    override fun onlyArraysAndLists(): String = "Un \"for\" con dos puntos solo recorre arrays y listas."
 
     override fun textsCompared(operator: String): String =
         "\"$operator\" pregunta si son el mismo objeto. Un NXT crea uno nuevo cada vez que usa un texto."

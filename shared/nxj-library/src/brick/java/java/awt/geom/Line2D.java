@@ -1,7 +1,10 @@
 package java.awt.geom;
 
+import java.awt.Rectangle;
+import java.awt.Shape;
+
 /** A straight line between two points. */
-public abstract class Line2D implements Cloneable {
+public abstract class Line2D implements Shape, Cloneable {
     /** Makes one. */
     protected Line2D() {
     }
@@ -26,6 +29,51 @@ public abstract class Line2D implements Cloneable {
 
     /** Moves it. */
     public abstract void setLine(double x1, double y1, double x2, double y2);
+
+    /** Moves it to other points. */
+    public void setLine(Point2D p1, Point2D p2) {
+        setLine(p1.getX(), p1.getY(), p2.getX(), p2.getY());
+    }
+
+    /** Makes it the same as another one. */
+    public void setLine(Line2D other) {
+        setLine(other.getX1(), other.getY1(), other.getX2(), other.getY2());
+    }
+
+    /** Says false: a line has no inside. */
+    public boolean contains(double x, double y) {
+        return false;
+    }
+
+    /** Says false: a line has no inside. */
+    public boolean contains(Point2D p) {
+        return false;
+    }
+
+    /** Says false: a line has no inside. */
+    public boolean contains(double x, double y, double w, double h) {
+        return false;
+    }
+
+    /** Says false: a line has no inside. */
+    public boolean contains(Rectangle2D r) {
+        return false;
+    }
+
+    /** Gives a rectangle around it, in whole numbers. */
+    public Rectangle getBounds() {
+        return getBounds2D().getBounds();
+    }
+
+    /** Says whether a part of the line is inside the rectangle. */
+    public boolean intersects(double x, double y, double w, double h) {
+        return intersects(new Rectangle2D.Double(x, y, w, h));
+    }
+
+    /** Says whether a part of the line is inside the rectangle. */
+    public boolean intersects(Rectangle2D r) {
+        return r.intersectsLine(getX1(), getY1(), getX2(), getY2());
+    }
 
     /** Gives 1, -1 or 0: whether the point is to one side of the line, to the other one, or on it. */
     public static int relativeCCW(double x1, double y1, double x2, double y2, double px, double py) {
@@ -68,6 +116,11 @@ public abstract class Line2D implements Cloneable {
         return relativeCCW(getX1(), getY1(), getX2(), getY2(), px, py);
     }
 
+    /** Gives 1, -1 or 0: whether the point is to one side of this line, to the other one, or on it. */
+    public int relativeCCW(Point2D p) {
+        return relativeCCW(p.getX(), p.getY());
+    }
+
     /** Says whether this line and another meet. */
     public boolean intersectsLine(double x1, double y1, double x2, double y2) {
         return linesIntersect(x1, y1, x2, y2, getX1(), getY1(), getX2(), getY2());
@@ -76,6 +129,16 @@ public abstract class Line2D implements Cloneable {
     /** Says whether this line and another meet. */
     public boolean intersectsLine(Line2D other) {
         return intersectsLine(other.getX1(), other.getY1(), other.getX2(), other.getY2());
+    }
+
+    /** Gives the square of how far a point is from this line. */
+    public double ptSegDistSq(double px, double py) {
+        return ptSegDistSq(getX1(), getY1(), getX2(), getY2(), px, py);
+    }
+
+    /** Gives the square of how far a point is from this line. */
+    public double ptSegDistSq(Point2D p) {
+        return ptSegDistSq(p.getX(), p.getY());
     }
 
     /** Gives how far a point is from this line. */
@@ -146,10 +209,90 @@ public abstract class Line2D implements Cloneable {
 
         /** Moves it. */
         public void setLine(double x1, double y1, double x2, double y2) {
-            this.x1 = (float) x1;
-            this.y1 = (float) y1;
-            this.x2 = (float) x2;
-            this.y2 = (float) y2;
+            setLine((float) x1, (float) y1, (float) x2, (float) y2);
+        }
+
+        /** Moves it. */
+        public void setLine(float x1, float y1, float x2, float y2) {
+            this.x1 = x1;
+            this.y1 = y1;
+            this.x2 = x2;
+            this.y2 = y2;
+        }
+
+        /** Gives a rectangle around it. */
+        public Rectangle2D getBounds2D() {
+            return new Rectangle2D.Float(Math.min(x1, x2), Math.min(y1, y2), Math.abs(x2 - x1), Math.abs(y2 - y1));
+        }
+    }
+
+    /** A line of double numbers. */
+    public static class Double extends Line2D {
+        /** How far to the right the first point is. */
+        public double x1;
+
+        /** How far up the first point is. */
+        public double y1;
+
+        /** How far to the right the second point is. */
+        public double x2;
+
+        /** How far up the second point is. */
+        public double y2;
+
+        /** Makes one from 0, 0 to 0, 0. */
+        public Double() {
+        }
+
+        /** Makes one of two points. */
+        public Double(double x1, double y1, double x2, double y2) {
+            this.x1 = x1;
+            this.y1 = y1;
+            this.x2 = x2;
+            this.y2 = y2;
+        }
+
+        /** Gives how far to the right the first point is. */
+        public double getX1() {
+            return x1;
+        }
+
+        /** Gives how far up the first point is. */
+        public double getY1() {
+            return y1;
+        }
+
+        /** Gives how far to the right the second point is. */
+        public double getX2() {
+            return x2;
+        }
+
+        /** Gives how far up the second point is. */
+        public double getY2() {
+            return y2;
+        }
+
+        /** Gives the first point. */
+        public Point2D getP1() {
+            return new Point2D.Double(x1, y1);
+        }
+
+        /** Gives the second point. */
+        public Point2D getP2() {
+            return new Point2D.Double(x2, y2);
+        }
+
+        /** Moves it. */
+        public void setLine(double x1, double y1, double x2, double y2) {
+            this.x1 = x1;
+            this.y1 = y1;
+            this.x2 = x2;
+            this.y2 = y2;
+        }
+
+        /** Gives a rectangle around it. */
+        public Rectangle2D getBounds2D() {
+            return new Rectangle2D.Double(Math.min(x1, x2), Math.min(y1, y2), Math.abs(x2 - x1), Math.abs(y2 - y1));
         }
     }
 }

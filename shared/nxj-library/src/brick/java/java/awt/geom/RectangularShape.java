@@ -69,10 +69,35 @@ public abstract class RectangularShape implements Shape, Cloneable {
         return intersects(r.getX(), r.getY(), r.getWidth(), r.getHeight());
     }
 
+    /** Gives the rectangle that it fills. */
+    public Rectangle2D getFrame() {
+        return new Rectangle2D.Double(getX(), getY(), getWidth(), getHeight());
+    }
+
+    /** Moves it and gives it another size. */
+    public abstract void setFrame(double x, double y, double w, double h);
+
+    /** Lets it fill a rectangle. */
+    public void setFrame(Rectangle2D r) {
+        setFrame(r.getX(), r.getY(), r.getWidth(), r.getHeight());
+    }
+
     /** Gives a rectangle around it, in whole numbers. */
     public Rectangle getBounds() {
-        Rectangle bounds = new Rectangle();
-        if (!isEmpty()) bounds.setRect(getX(), getY(), getWidth(), getHeight());
-        return bounds;
+        if (getWidth() < 0 || getHeight() < 0) return new Rectangle();
+        int left = (int) Math.floor(getX());
+        int top = (int) Math.floor(getY());
+        int right = (int) Math.ceil(getX() + getWidth());
+        int bottom = (int) Math.ceil(getY() + getHeight());
+        return new Rectangle(left, top, right - left, bottom - top);
+    }
+
+    /** Gives a copy. */
+    public Object clone() {
+        try {
+            return super.clone();
+        } catch (CloneNotSupportedException impossible) {
+            throw new RuntimeException();
+        }
     }
 }

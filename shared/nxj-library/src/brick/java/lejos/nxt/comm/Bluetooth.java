@@ -19,7 +19,11 @@ public class Bluetooth {
         return connect(remoteDevice, NXTConnection.PACKET);
     }
 
-    /** Connects to another robot; null if that fails. */
+    /**
+     * Connects to another robot; null if that fails.
+     *
+     * @hidden
+     */
     public static BTConnection connect(RemoteDevice remoteDevice, int mode) {
         return remoteDevice == null ? null : connect(remoteDevice.getFriendlyName(false), mode);
     }

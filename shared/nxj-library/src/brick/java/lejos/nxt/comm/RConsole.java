@@ -46,7 +46,11 @@ public class RConsole {
         print(s + "\n");
     }
 
-    /** Begins a new line. */
+    /**
+     * Begins a new line.
+     *
+     * @hidden
+     */
     public static void println() {
         print("\n");
     }
@@ -56,12 +60,20 @@ public class RConsole {
         return openPrintStream();
     }
 
-    /** Gives a stream that writes onto the console. */
+    /**
+     * Gives a stream that writes onto the console.
+     *
+     * @hidden
+     */
     public static PrintStream openPrintStream() {
         return new PrintStream(new Stream());
     }
 
-    /** Gives a stream that writes bytes onto the console. */
+    /**
+     * Gives a stream that writes bytes onto the console.
+     *
+     * @hidden
+     */
     public static OutputStream openOutputStream() {
         return new Stream();
     }

@@ -112,7 +112,11 @@ public class Move implements Transmittable {
         angleTurned = dis.readFloat();
     }
 
-    /** Changes the speeds. */
+    /**
+     * Changes the speeds.
+     *
+     * @hidden
+     */
     public void setDynamics(float travelSpeed, float rotateSpeed) {
         this.travelSpeed = travelSpeed;
         this.rotateSpeed = rotateSpeed;

@@ -147,6 +147,10 @@ internal fun NxtMessages.describe(call: NxtCall, result: Int): String {
         NxtNative.CONSOLE_LINE -> {
             console(quoted(call.text.orEmpty()))
         }
+
+        NxtNative.FLASH_WRITE_PAGE -> {
+            if (result < 0) noPage(n[0]) else writePage(n[0])
+        }
     }
 }
 

@@ -145,6 +145,10 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
 
     override fun exception(number: Int) = "show exception $number"
 
+    override fun writePage(page: Int) = "write page $page of the flash memory"
+
+    override fun noPage(page: Int) = "nothing is written, the flash memory has no page $page"
+
     override fun console(text: String) = "log $text"
 
     private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"

@@ -151,6 +151,10 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
 
     override fun exception(number: Int) = "die Exception $number zeigen"
 
+    override fun writePage(page: Int) = "Seite $page des Flash-Speichers schreiben"
+
+    override fun noPage(page: Int) = "nichts wird geschrieben, der Flash-Speicher hat keine Seite $page"
+
     override fun console(text: String) = "notieren: $text"
 
     private fun bytes(count: Int) = if (count == 1) "1 Byte" else "$count Bytes"

@@ -115,6 +115,12 @@ interface NxtMessages : PlaceMessages {
 
     fun exception(number: Int): String
 
+    /** A program writes a page of the flash memory, from 0. */
+    fun writePage(page: Int): String
+
+    /** The flash memory has no page with this number, so nothing is written. */
+    fun noPage(page: Int): String
+
     /** @param text quoted. */
     fun console(text: String): String
 

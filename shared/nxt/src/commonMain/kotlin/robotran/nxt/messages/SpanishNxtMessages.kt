@@ -153,6 +153,10 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
 
     override fun exception(number: Int) = "mostrar la excepción $number"
 
+    override fun writePage(page: Int) = "escribe la página $page de la memoria flash"
+
+    override fun noPage(page: Int) = "no se escribe nada, la memoria flash no tiene página $page"
+
     override fun console(text: String) = "anotar $text"
 
     private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"

@@ -52,6 +52,10 @@ internal class CallPerformer(private val hardware: NxtHardware) {
                 performOnRadio(call)
             }
 
+            NxtNative.FLASH_WRITE_PAGE -> {
+                call.bytes?.let { if (hardware.flash.writePage(call.numbers[0], it)) 0 else -1 }
+            }
+
             NxtNative.EXIT, NxtNative.EXCEPTION, NxtNative.CONSOLE_LINE -> {
                 0
             }

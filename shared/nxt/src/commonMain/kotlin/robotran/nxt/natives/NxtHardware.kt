@@ -17,9 +17,16 @@ import robotran.nxt.program.NxtCall
 import robotran.nxt.regulator.MotorRegulator
 import robotran.nxt.regulator.RegulatedMotor
 import robotran.nxt.sound.NxtSpeaker
+import robotran.nxt.storage.FlashMemory
+import robotran.nxt.storage.NxtFile
 
 /** The parts of a brick, without an active shell. */
-internal class NxtHardware(network: BluetoothNetwork, name: String, private val messages: NxtMessages) {
+internal class NxtHardware(
+    network: BluetoothNetwork,
+    name: String,
+    private val messages: NxtMessages,
+    files: List<NxtFile> = emptyList(),
+) {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L
         private set
@@ -32,6 +39,7 @@ internal class NxtHardware(network: BluetoothNetwork, name: String, private val 
     val display = DisplayPart(clock)
     val speaker = NxtSpeaker(clock, display::drawn)
     val radio = network.join(name, clock)
+    val flash = FlashMemory(files)
     val log = CallLog()
     val expectations = NxtExpectations()
     private val loggedMotors = List(MotorPorts.PORTS) { LoggedMotor(it) }

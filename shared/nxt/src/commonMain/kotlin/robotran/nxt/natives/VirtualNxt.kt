@@ -77,6 +77,8 @@ internal class VirtualNxt(private val hardware: NxtHardware) : Nxt {
 
     override fun refreshCompleteTime(): Int = hardware.display.refreshCompleteTime.toInt()
 
+    override fun readPage(page: Int, into: ByteArray): Boolean = hardware.flash.readPage(page, into)
+
     override val name: String get() = hardware.radio.name
 
     override fun knowsRobot(name: String): Boolean = hardware.radio.knows(name)

@@ -60,6 +60,9 @@ interface Nxt {
     /** When the last refresh of the display is complete: the low 32 bits of [milliseconds]. */
     fun refreshCompleteTime(): Int
 
+    /** Copies a page of the flash memory, 256 bytes; false if there is no such page or no room in [into]. */
+    fun readPage(page: Int, into: ByteArray): Boolean
+
     /** The name by which other robots know this one. */
     val name: String
 

@@ -124,6 +124,9 @@ enum class NxtNative(
 
     /** A text for the log of the run. */
     CONSOLE_LINE(62, "consoleLine", CallGroup.SYSTEM, parameters = 0),
+
+    /** Page; its bytes. Returns 0, or -1 if there is no such page. See [robotran.nxt.storage.FlashMemory]. */
+    FLASH_WRITE_PAGE(63, "flashWritePage", CallGroup.SYSTEM, parameters = 1),
     ;
 
     companion object {

@@ -6,6 +6,8 @@ import robotran.nxt.display.DisplaySize
 import robotran.nxt.display.Drawing
 import robotran.nxt.sound.NxtSpeaker
 import robotran.nxt.state.MenuView
+import robotran.nxt.storage.FlashMemory
+import robotran.nxt.storage.NxtFile
 
 /** What the shell must do after a key. */
 internal sealed interface MenuAction {
@@ -26,6 +28,7 @@ internal class NxtMenu(
     private val programs: List<String?>,
     private val settings: MenuSettings,
     private val speaker: NxtSpeaker,
+    private val flash: FlashMemory,
     private val millivolts: () -> Int,
 ) {
     private val pages: ArrayDeque<MenuPage> = ArrayDeque(listOf(MenuPage(name, ::mainEntries)))
@@ -85,20 +88,43 @@ internal class NxtMenu(
         MenuEntry("Run Default") {
             settings.defaultSlot.let { if (canRun(it)) MenuAction.Start(it) else MenuAction.None }
         },
-        opening("Files", ::fileEntries),
+        opening("Files") { fileEntries() },
         opening("Bluetooth") { listOf(MenuEntry("Name: $name"), MenuEntry("Visible: on")) },
-        opening("Sound", ::soundEntries),
-        opening("System", ::systemEntries),
+        opening("Sound") { soundEntries() },
+        opening("System") { systemEntries() },
         opening("Version") { listOf(MenuEntry("Firmware 0.9.1"), MenuEntry("Menu 0.9.1")) },
     )
 
     private fun canRun(slot: Int): Boolean = programs.getOrNull(slot) != null
 
     private fun fileEntries(): List<MenuEntry> {
-        val files = programs.withIndex().filter { it.value != null }
-        if (files.isEmpty()) return listOf(MenuEntry("(no files)"))
-        return files.map { (slot, name) -> opening(name.orEmpty()) { programEntries(slot) } }
+        val ofPrograms = programs.withIndex().filter { it.value != null }
+            .map { (slot, name) -> opening(name.orEmpty()) { programEntries(slot) } }
+        val all = ofPrograms + flash.files.map { file -> opening(entryOf(file), file.name) { entriesOf(file) } }
+        return all.ifEmpty { listOf(MenuEntry("(no files)")) }
     }
+
+    /** The name of a file and its size behind it, as far as the row has room. */
+    private fun entryOf(file: NxtFile): String {
+        val size = " ${file.size}"
+        val room = DisplaySize.COLUMNS - 1 - size.length
+        return file.name.take(room).padEnd(room) + size
+    }
+
+    private fun entriesOf(file: NxtFile): List<MenuEntry> = listOf(
+        MenuEntry("${file.size} bytes"),
+        opening("Delete file") { question(2) { flash.delete(file.name) } },
+    )
+
+    /** No, or yes, which does something and closes so many pages. */
+    private fun question(pagesToClose: Int, action: () -> Unit): List<MenuEntry> = listOf(
+        setting("No") { pages.removeLast() },
+        setting("Yes") {
+            action()
+            repeat(pagesToClose) { pages.removeLast() }
+            page.selected = 0
+        },
+    )
 
     private fun programEntries(slot: Int): List<MenuEntry> = listOf(
         MenuEntry("Execute program") { MenuAction.Start(slot) },
@@ -119,14 +145,17 @@ internal class NxtMenu(
                 SLEEP_MINUTES[(SLEEP_MINUTES.indexOf(settings.sleepMinutes) + 1) % SLEEP_MINUTES.size]
         },
         setting("Auto Run: ${if (settings.autoRun) "on" else "off"}") { settings.autoRun = !settings.autoRun },
+        MenuEntry("Flash: ${flash.freeBytes}"),
         MenuEntry("Free RAM: 48 KB"),
         MenuEntry("Battery:${volts()} V"),
+        opening("Format") { question(1) { flash.format() } },
     )
 
-    private fun opening(title: String, entries: () -> List<MenuEntry>): MenuEntry = MenuEntry(title) {
-        pages += MenuPage(title, entries)
-        MenuAction.None
-    }
+    private fun opening(text: String, title: String = text, entries: () -> List<MenuEntry>): MenuEntry =
+        MenuEntry(text) {
+            pages += MenuPage(title, entries)
+            MenuAction.None
+        }
 
     private fun setting(text: String, change: () -> Unit): MenuEntry = MenuEntry(text) {
         change()

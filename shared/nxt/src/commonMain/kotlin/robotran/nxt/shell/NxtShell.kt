@@ -36,6 +36,7 @@ internal class NxtShell(
         programs.map { (it as? NxtProgram)?.name },
         settings,
         hardware.speaker,
+        hardware.flash,
         millivolts = { hardware.battery.millivolts },
     )
     private val ending = RunEnding(messages)

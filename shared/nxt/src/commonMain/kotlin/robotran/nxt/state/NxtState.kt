@@ -12,6 +12,7 @@ import robotran.brick.state.Screen
 import robotran.nxt.bluetooth.LinkStatus
 import robotran.nxt.display.NxtDisplay
 import robotran.nxt.hardware.SensorPortState
+import robotran.nxt.storage.NxtFile
 
 /**
  * The observable state of an NXT at one moment. Parts that have not changed are the same objects as before.
@@ -26,6 +27,7 @@ import robotran.nxt.hardware.SensorPortState
  * @property leftByProgram what the last program had drawn when it ended or was stopped, while the glass shows the menu
  * again; null while a program runs, and after a failure.
  * @property bluetooth the links of the running program, by their numbers.
+ * @property files what programs have written into the flash memory, in the order in which the files were made.
  */
 data class NxtState(
     override val milliseconds: Long,
@@ -48,6 +50,7 @@ data class NxtState(
     val exception: ExceptionView? = null,
     val bluetooth: List<LinkView> = emptyList(),
     override val leftByProgram: NxtDisplay? = null,
+    val files: List<NxtFile> = emptyList(),
 ) : BrickState {
     override val kind: BrickKind get() = BrickKind.NXT
     override val screen: Screen get() = display

@@ -19,6 +19,8 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "must not be before the input above it"
 
+    override fun mustBeBytes() = "must be bytes in Base64"
+
     override fun mustBeBase64() = "must be a picture in Base64"
 
     override fun tooManySeeds(limit: Int) = "must not be more than $limit seeds"

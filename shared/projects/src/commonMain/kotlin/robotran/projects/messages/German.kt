@@ -20,6 +20,8 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "darf nicht vor der Eingabe darüber sein"
 
+    override fun mustBeBytes() = "muss aus Bytes in Base64 bestehen"
+
     override fun mustBeBase64() = "muss ein Bild in Base64 sein"
 
     override fun tooManySeeds(limit: Int) = "dürfen nicht mehr als $limit Seeds sein"

@@ -37,6 +37,9 @@ interface ProjectFileMessages {
 
     fun beforeInputAbove(): String
 
+    /** The content of a file must be written in Base64. */
+    fun mustBeBytes(): String
+
     /** The data of a picture are damaged. */
     fun mustBeBase64(): String
 

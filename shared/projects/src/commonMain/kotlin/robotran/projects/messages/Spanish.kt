@@ -20,6 +20,8 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "no puede ser anterior a la entrada de encima"
 
+    override fun mustBeBytes() = "deben ser bytes en Base64"
+
     override fun mustBeBase64() = "debe ser una imagen en Base64"
 
     override fun tooManySeeds(limit: Int) = "no deben ser más de $limit semillas"

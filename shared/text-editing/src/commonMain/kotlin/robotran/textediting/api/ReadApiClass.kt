@@ -2,13 +2,14 @@ package robotran.textediting.api
 
 /**
  * Reads a class from its source in the library. It relies on the layout of these sources: a member is indented by four
- * spaces and has its comment above it.
+ * spaces and has its comment above it. Members with the tag `@hidden`, which the brick lacks, are left out.
  */
 internal fun readApiClass(name: String, path: String, source: String): ApiClass {
     var help = ""
     var parents = emptyList<String>()
     var classHelp = ""
     var isInterface = false
+    var isHidden = false
     val members = mutableListOf<ApiMember>()
     val lines = source.lines()
     var index = 0
@@ -18,6 +19,7 @@ internal fun readApiClass(name: String, path: String, source: String): ApiClass 
             line.trimStart().startsWith("/**") -> {
                 val comment = commentFrom(lines, index)
                 help = firstSentence(comment.joinToString(" "))
+                isHidden = comment.any { HIDDEN in it }
                 index += comment.size - 1
             }
 
@@ -29,8 +31,9 @@ internal fun readApiClass(name: String, path: String, source: String): ApiClass 
             }
 
             isDeclaration(line, isInterface) -> {
-                memberIn(line.trim(), help, isInterface, name)?.let(members::add)
+                if (!isHidden) memberIn(line.trim(), help, isInterface, name)?.let(members::add)
                 help = ""
+                isHidden = false
             }
         }
         index++
@@ -82,6 +85,8 @@ private fun memberIn(declaration: String, help: String, isInterface: Boolean, cl
         )
     }
 }
+
+private const val HIDDEN = "@hidden"
 
 private val MODIFIERS =
     setOf("public", "static", "final", "abstract", "native", "synchronized", "protected", "transient", "volatile")

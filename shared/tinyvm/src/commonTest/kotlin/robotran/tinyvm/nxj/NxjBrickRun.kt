@@ -11,14 +11,16 @@ import robotran.nxt.NxtBrick
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
+import robotran.nxt.storage.NxtFile
 
 /** Runs a program on an NXT whose motors turn freely, at ten degrees a second for each percent of power. */
 internal class NxjBrickRun(
     program: NxtProgram,
     private val inputs: List<NxjInput> = emptyList(),
     private val isWatched: Boolean = false,
+    files: List<NxtFile> = emptyList(),
 ) {
-    val brick = NxtBrick(listOf(program))
+    val brick = NxtBrick(listOf(program), files = files)
     private val degrees = DoubleArray(MotorPort.entries.size)
     private val speeds = DoubleArray(MotorPort.entries.size)
 

@@ -30,7 +30,7 @@ class NxjProgramsTest {
 
     @Test
     fun `all programs are run`() {
-        val folders = setOf("io", "lang", "language", "lejosutil", "nxt", "robotics", "threads", "util")
+        val folders = setOf("forgiving", "io", "lang", "language", "lejosutil", "nxt", "robotics", "threads", "util")
         assertEquals(folders, nxjPrograms.keys.map { it.substringBefore('/') }.toSet())
     }
 
@@ -42,6 +42,9 @@ class NxjProgramsTest {
 
     @Test
     fun `programs about collections and helpers do what they say`() = check("util", "lejosutil")
+
+    @Test
+    fun `programs with what leJOS NXJ lacks do what they say`() = check("forgiving")
 
     @Test
     fun `programs about threads do what they say`() = check("threads")

@@ -30,7 +30,6 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.brick.kind.BrickKind
 import robotran.projects.ProjectSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -66,20 +65,17 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
         Seed(state.world.seed) { change(settings.copy(seed = it)) }
         Column {
             SectionName(stringResource(Res.string.run_java))
-            // Only the brick of an RCX differs from Java.
-            if (state.world.robots.any { it.description.brick == BrickKind.RCX }) {
-                Setting(
-                    Res.string.run_java_forgiving,
-                    Res.string.run_java_forgiving_help,
-                    "java-forgiving",
-                    settings.java.mode == TinyVmMode.FORGIVING,
-                ) {
-                    change(
-                        settings.copy(
-                            java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK),
-                        ),
-                    )
-                }
+            Setting(
+                Res.string.run_java_forgiving,
+                Res.string.run_java_forgiving_help,
+                "java-forgiving",
+                settings.java.mode == TinyVmMode.FORGIVING,
+            ) {
+                change(
+                    settings.copy(
+                        java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK),
+                    ),
+                )
             }
             Setting(
                 Res.string.run_java_fast,

@@ -105,7 +105,8 @@ internal class OpenAssignment(
     private fun idOf(task: Int, id: String): String = if (course == null || task == 0) id else "${task + 1}. $id"
 
     /** What matters: the teacher's own tries do not. */
-    private fun graded(project: Project) = project.withoutViews().copy(tries = null, inputs = emptyList())
+    private fun graded(project: Project) =
+        project.withoutViews().withoutFiles().copy(tries = null, inputs = emptyList())
 
     /**
      * The page before anything is brought in.

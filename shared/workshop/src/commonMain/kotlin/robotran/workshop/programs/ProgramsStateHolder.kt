@@ -7,6 +7,7 @@ import robotran.brick.kind.BrickKind
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.nxt.storage.NxtFile
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
@@ -120,6 +121,13 @@ class ProgramsStateHolder(
         robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
             ?: RobotLoad(emptyList())
     }
+
+    /**
+     * Keeps the [files] that the robot [robot] has in its flash memory now, for its next run and for the project. Returns
+     * whether they are others than before.
+     */
+    internal fun keepFiles(robot: String, files: List<NxtFile>): Boolean =
+        robots.firstOrNull { it.placement.name == robot }?.keep(files) == true
 
     /** The breakpoints of the program in [slot] of the robot [robot]. */
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =

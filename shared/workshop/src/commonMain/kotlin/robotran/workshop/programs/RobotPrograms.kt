@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.nxt.storage.NxtFile
 import robotran.programs.ProgramCompiler
 import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
@@ -20,12 +21,12 @@ import robotran.world.RobotPlacement
  * The programs of one robot: the pupil's programs or, until they are edited, the world's program for it.
  *
  * @property placement the robot in its world.
- * @param saved its programs in the project.
+ * @param saved its programs and files in the project.
  * @param view how programs are shown first of which [saved] does not say it.
  */
 internal class RobotPrograms(
     val placement: RobotPlacement,
-    private val saved: ProjectRobot,
+    private var saved: ProjectRobot,
     anyCompiler: ProgramCompiler,
     first: List<PupilProgram>,
     private val view: ProgramView,
@@ -95,7 +96,14 @@ internal class RobotPrograms(
     fun load(firstSlot: Int): RobotLoad {
         val slots = list.slots
         val facing = saved.lightFacing ?: slots.getOrNull(firstSlot)?.let { lightFacingOf(it) }
-        return RobotLoad(slots, firstSlot, facing)
+        return RobotLoad(slots, firstSlot, facing, saved.files)
+    }
+
+    /** Keeps [files] in its flash memory for the next run; returns whether they are others than before. */
+    fun keep(files: List<NxtFile>): Boolean {
+        if (files === saved.files || files == saved.files) return false
+        saved = saved.copy(files = files)
+        return true
     }
 
     /** The breakpoints of the program in [slot]. */

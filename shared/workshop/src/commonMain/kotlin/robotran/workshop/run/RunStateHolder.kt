@@ -9,6 +9,7 @@ import robotran.brick.controls.startButton
 import robotran.brick.program.StepKind
 import robotran.brick.state.RunState
 import robotran.language.Language
+import robotran.nxt.storage.NxtFile
 import robotran.runcontrol.IdleDetector
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RecordedRun
@@ -48,6 +49,7 @@ import robotran.world.robot.draftError
  * position, like a real brick, unless a program has changed; then it starts over, too.
  *
  * @param recording the recorded inputs of the project, which can be replayed.
+ * @param filesChanged called when the files in a robot's flash memory have changed, which belong to the project.
  */
 class RunStateHolder(
     world: World,
@@ -61,6 +63,7 @@ class RunStateHolder(
     preferences: Preferences,
     private val notices: Notices,
     private var recording: List<RecordedInput> = emptyList(),
+    private val filesChanged: () -> Unit = {},
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
     private val idleDetector = IdleDetector()
@@ -85,6 +88,9 @@ class RunStateHolder(
      * was pressed.
      */
     val startedPrograms: List<Int> get() = run.firstSlots
+
+    /** The files with which the robots began the run, by their names. */
+    val filesAtStart: Map<String, List<NxtFile>> get() = run.filesAtStart
 
     /** The inputs of the run, including those after the current time. */
     val inputs: List<RecordedInput> get() = player.inputs
@@ -381,6 +387,7 @@ class RunStateHolder(
     private fun show() {
         watchShownRobot()
         run.update()
+        if (run.keepFiles()) filesChanged()
         val frame = drawer.chosenFrame(player)
         if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name, frame)
         drawer.update(player)

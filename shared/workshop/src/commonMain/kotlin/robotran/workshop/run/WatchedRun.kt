@@ -1,6 +1,8 @@
 package robotran.workshop.run
 
 import robotran.language.Language
+import robotran.nxt.state.NxtState
+import robotran.nxt.storage.NxtFile
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
@@ -137,6 +139,21 @@ internal class WatchedRun(
 
             else -> programs.breakpoints(world.robots[robot].name, player.state.robots[robot].brick.selectedSlot)
         }
+    }
+
+    /** The files with which the robots began this run, by their names. */
+    val filesAtStart: Map<String, List<NxtFile>>
+        get() = world.robots.zip(setup.loads).associate { (robot, load) -> robot.name to load.files }
+
+    /**
+     * Keeps what the robots have in their flash memories at the end of the known run. Returns whether that has changed.
+     */
+    fun keepFiles(): Boolean {
+        if (player.isInPast || player.playback is PlaybackState.Seeking) return false
+        return world.robots.zip(player.state.robots).map { (robot, state) ->
+            val files = (state.brick as? NxtState)?.files
+            files != null && programs.keepFiles(robot.name, files)
+        }.any { it }
     }
 
     /** The program that [robot] got to run at once, if it runs or was the last one to run. */

@@ -50,7 +50,22 @@ internal val languageMethods: Map<String, NativeMethod> = mapOf(
     "$CLASS.isArray()Z" to NativeMethod { machine, thread, first ->
         wordOf(classAt(machine, thread, first) is ArrayType)
     },
-    "$CLASS.isPrimitive()Z" to NativeMethod { _, _, _ -> 0 },
+    // The classes of plain values have no type of the machine.
+    "$CLASS.isPrimitive()Z" to NativeMethod { machine, thread, first ->
+        wordOf(classAt(machine, thread, first) == null)
+    },
+    "$CLASS.elementClass()Ljava/lang/Class;" to NativeMethod { machine, thread, first ->
+        val element = (classAt(machine, thread, first) as? ArrayType)?.element
+        if (element == null) 0 else made(machine, thread, machine.classObject(element))
+    },
+    "$CLASS.elementSign()C" to NativeMethod { machine, thread, first ->
+        (classAt(machine, thread, first) as? ArrayType)?.elementDescriptor?.first()?.code ?: 0
+    },
+    "$CLASS.interfaceAt(I)Ljava/lang/Class;" to NativeMethod { machine, thread, first ->
+        val all = (classAt(machine, thread, first) as? LinkedClass)?.interfaces.orEmpty()
+        val found = all.getOrNull(thread.stack[first + 1])
+        if (found == null) 0 else made(machine, thread, machine.classObject(found))
+    },
     "java/lang/Float.floatToRawIntBits(F)I" to NativeMethod { _, thread, first -> thread.stack[first] },
     "java/lang/Float.intBitsToFloat(I)F" to NativeMethod { _, thread, first -> thread.stack[first] },
     "java/lang/Double.doubleToRawLongBits(D)J" to

@@ -1,0 +1,34 @@
+package robotran.projects
+
+import kotlinx.serialization.json.JsonObject
+import robotran.json.JsonCursor
+import robotran.json.jsonObject
+import robotran.nxt.storage.NxtFile
+import robotran.projects.messages.told
+import kotlin.io.encoding.Base64
+
+/** The files of a robot's flash memory as a project keeps them: name, and content in Base64. */
+internal fun nxtFilesIn(place: JsonCursor): List<NxtFile> =
+    place.items(0..ProjectLimits.MAXIMUM_FLASH_FILES).map { file ->
+        (file.names - FLASH_FIELDS).firstOrNull()?.let { field -> file.refuse(told { mustNotHave(field) }) }
+        val name = file.member("name").text(NxtFile.LONGEST_NAME)
+        val attributes = file.optional(ATTRIBUTES)?.wholeNumber(0..MOST_ATTRIBUTES) ?: 0
+        NxtFile(name, file.optional(CONTENT)?.let(::bytesIn) ?: ByteArray(0), attributes)
+    }
+
+internal fun elementOf(file: NxtFile): JsonObject = jsonObject {
+    text("name", file.name)
+    number(ATTRIBUTES, file.attributes, default = 0)
+    text(CONTENT, Base64.encode(file.content()).takeIf { file.size > 0 })
+}
+
+private fun bytesIn(place: JsonCursor): ByteArray = try {
+    Base64.decode(place.text(ProjectLimits.MAXIMUM_FLASH_CHARACTERS))
+} catch (_: IllegalArgumentException) {
+    place.refuse(told { mustBeBytes() })
+}
+
+private const val CONTENT = "content"
+private const val ATTRIBUTES = "attributes"
+private const val MOST_ATTRIBUTES = 255
+private val FLASH_FIELDS = setOf("name", CONTENT, ATTRIBUTES)

@@ -1,0 +1,71 @@
+package robotran.projects
+
+import kotlinx.coroutines.test.runTest
+import robotran.nxt.storage.NxtFile
+import robotran.simulation.RobotLoad
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+private const val MANY = 1_000
+
+private val files = listOf(
+    NxtFile("count.txt", byteArrayOf(1, -1, 0, 127)),
+    NxtFile("empty", ByteArray(0), attributes = 1),
+    NxtFile("long.dat", ByteArray(MANY) { it.toByte() }),
+)
+
+/** The full project with files in the flash memory of each robot. */
+internal val PROJECT_WITH_FILES = FULL_PROJECT.copy(robots = FULL_PROJECT.robots.map { it.copy(files = files) })
+
+/** What programs have written into the flash memory of an NXT is part of a project. */
+class NxtFilesTest {
+    private val written = writeProject(PROJECT_WITH_FILES)
+
+    @Test
+    fun `files are read as they were written`() {
+        val read = loaded(written)
+        assertEquals(PROJECT_WITH_FILES, read)
+        assertEquals(files[0].content().toList(), read.robots[0].files[0].content().toList())
+        assertEquals(FULL_PROJECT, PROJECT_WITH_FILES.withoutFiles())
+        assertEquals(writeProject(FULL_PROJECT), writeProject(PROJECT_WITH_FILES.withoutFiles()))
+    }
+
+    @Test
+    fun `files that are not allowed are refused with their place`() {
+        assertEquals("robots[0].flash[0].content must be bytes in Base64.", refusal("\"Af8Afw==\"", "\"?\""))
+        assertEquals("robots[0].flash[0] must not have \"size\".", refusal("\"Af8Afw==\"", "\"\", \"size\": 4"))
+        assertEquals(
+            "robots[0].flash[1].attributes must be a whole number from 0 to 255.",
+            refusal("\"attributes\": 1", "\"attributes\": 256"),
+        )
+        assertContains(
+            refusal("\"count.txt\"", "\"${"n".repeat(NxtFile.LONGEST_NAME + 1)}\""),
+            "robots[0].flash[0].name",
+        )
+        val robots = PROJECT_WITH_FILES.robots.map { robot -> robot.copy(files = List(TOO_MANY) { files[1] }) }
+        val many = PROJECT_WITH_FILES.copy(robots = robots)
+        val told = assertIs<ProjectFileResult.Rejected>(readProject(writeProject(many))).message
+        assertContains(told, "robots[0].flash")
+    }
+
+    private fun refusal(old: String, new: String): String {
+        assertContains(written, old)
+        return assertIs<ProjectFileResult.Rejected>(readProject(written.replaceFirst(old, new))).message
+            .substringAfter(": ")
+    }
+
+    @Test
+    fun `a run begins with the files, and a link has none`() = runTest {
+        val loads = loadsWith(PROJECT_WITH_FILES.robots, PROJECT_WITH_FILES.world, List(2) { RobotLoad(emptyList()) })
+        assertEquals(listOf(files, files), loads.map { it.files })
+        val link = assertIs<LinkCreation.Made>(linkOf(PROJECT_WITH_FILES)).fragment
+        val opened = assertIs<LinkResult.OfProject>(openLink(link))
+        assertEquals(FULL_PROJECT, opened.project)
+    }
+
+    private companion object {
+        const val TOO_MANY = 31
+    }
+}
