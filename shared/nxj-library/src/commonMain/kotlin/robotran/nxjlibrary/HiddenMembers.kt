@@ -72,7 +72,8 @@ private class MemberHider(private val bytes: ByteArray, private val members: Set
             val attributes = place + THREE_BYTES * TWO_BYTES
             place = attributes + TWO_BYTES
             repeat(word(attributes)) {
-                place += TWO_BYTES + FOUR_BYTES + (word(place + TWO_BYTES) shl 2 * BYTE_BITS or word(place + FOUR_BYTES))
+                place +=
+                    TWO_BYTES + FOUR_BYTES + (word(place + TWO_BYTES) shl 2 * BYTE_BITS or word(place + FOUR_BYTES))
             }
         }
         return place

@@ -28,7 +28,9 @@ class NxjDifferencesTest {
             val text = sources.source(name).orEmpty()
             MARKED.findAll(text).map { "$name.${nameIn(it.groupValues[1], name)}" }
         }
-        val public = NxjDifferences.all.filter { classes.getValue(it.owner).let(::membersOf).getValue(it.member).isPublic }
+        val public = NxjDifferences.all.filter {
+            classes.getValue(it.owner).let(::membersOf).getValue(it.member).isPublic
+        }
         assertEquals(public.map { "${it.owner}.${it.name}" }.sorted(), marked.sorted())
     }
 
@@ -46,7 +48,10 @@ class NxjDifferencesTest {
         val changed = classes.flatMap { (name, type) ->
             val missing = NxjDifferences.all.filter { it.owner == name }.map { it.member }
             val ofBrick = membersOf(classesOfBrick.getValue(name))
-            membersOf(type).filter { (member, it) -> member !in missing && it.accessFlags != ofBrick[member]?.accessFlags }
+            membersOf(type).filter { (member, it) ->
+                member !in missing &&
+                    it.accessFlags != ofBrick[member]?.accessFlags
+            }
                 .keys
         }
         assertEquals(emptyList(), changed)

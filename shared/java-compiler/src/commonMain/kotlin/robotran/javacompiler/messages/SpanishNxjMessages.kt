@@ -68,7 +68,7 @@ internal object SpanishNxjMessages : NxjMessages {
         NxjRemedy.ONE_PORT_EACH -> "Cada sensor necesita su propio puerto, de S1 a S4."
         NxjRemedy.MENU_SETTINGS -> "Quítalo: lo que está puesto en el menú ya vale."
         NxjRemedy.NXT_LISTENERS -> "Usa listeners: Button.ENTER.addButtonListener(..) o addSensorPortListener(..)."
-        NxjRemedy.BREAKPOINTS -> "Un programa no ve el interior del ladrillo. Los puntos de parada muestran sus variables."
+        NxjRemedy.BREAKPOINTS -> "Un programa no ve dentro del ladrillo. Los puntos de parada muestran sus variables."
         NxjRemedy.THREE_MOTORS -> "Solo hay los motores de los puertos del ladrillo: Motor.A, Motor.B y Motor.C."
     }
 
