@@ -22,6 +22,8 @@ test("the page shows how far it is, in the reader's language, until the app is t
 test('no file of the app is requested twice, not even the font of programs', async () => {
   const page = await visit({ viewport: { width: 1280, height: 800 } });
   await appIsThere(page);
+  // A part for which the page must stand still is asked for once more.
+  await page.waitForFunction(() => performance.getEntriesByType('resource').filter(({ name }) => /-rest\.\w+\.wasm$/.test(name)).length === 2);
   await page.keyboard.press('Escape'); // The welcome is closed, so the program is drawn.
   await appears(page, 'program');
   await page.waitForLoadState('networkidle');

@@ -10,14 +10,15 @@ package robotran.build.wasm
  * in its place. Entry 0 of that table is for a function that brings [rest]: [first] calls it before it calls a function
  * of [rest] that is not there yet.
  *
- * @param called the functions of [first], by their index among the functions that the module defines.
+ * @param called the functions of [first], by their index among the functions that the module defines. Those that are
+ *   [called at its start][calledAtStart] are in [first] in any case.
  * @param lateData the data segments that only [rest] reads, by their index. They must be constant, since [rest] writes
  *   them into the memory when it comes.
  */
 internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>, private val lateData: Set<Int> = emptySet()) {
     private val contents = WasmContents(module)
     private val functions = contents.definedIn(IndexSpace.FUNCTION)
-    private val hot = called.map { functions.first + it }.filter { it in functions }.toSet()
+    private val hot = called.map { functions.first + it }.filter { it in functions }.toSet() + calledAtStart(contents)
     private val reachOfFirst = WasmReach(contents) { space, index -> space != IndexSpace.FUNCTION || index in hot }
     private val reachOfRest = WasmReach(contents) { space, index -> !isInFirst(space, index) }
 

@@ -54,6 +54,16 @@ class WasmModuleSplitterTest {
     }
 
     @Test
+    fun `what the start function calls is in the first part, although nobody has seen it called`() {
+        val bodies = listOf(byteArrayOf(0, 0x41, 5, 0x10, 2, 0x1a, 0x0b)) + module.bodies.drop(1)
+        val code = WasmModule.vector(bodies.map { WasmWriter().sized(it).bytes() })
+        val starting = module.with(mapOf(WasmModule.CODE to code, WasmModule.START to byteArrayOf(1)))
+        val splitter = WasmModuleSplitter(starting, called = emptySet())
+        assertContentEquals(starting.bodies[1], splitter.first.bodies[1])
+        assertEquals(1, splitter.rest.bodies.size)
+    }
+
+    @Test
     fun `an instruction that is not known is refused`() {
         val body = WasmWriter().sized(byteArrayOf(0, 0xfd.toByte(), 0, 0x0b)).bytes()
         val odd = module.with(mapOf(WasmModule.CODE to WasmModule.vector(listOf(body, body, body))))
