@@ -6,7 +6,7 @@ export const brick = (page) =>
     return { firmware, program, firmwareBytes, blocks, asked: device.asked };
   });
 
-export const isImage = (bytes) => bytes !== null && bytes[0] === 0xca && bytes[1] === 0xf6 && bytes.length > 1000;
+export const isImage = (bytes) => bytes !== null && bytes[0] === 0xca && bytes[1] === 0xf6 && bytes.length > 300;
 
 /** Waits until the sheet that sends says `pattern`. */
 export const ends = (page, pattern) =>
