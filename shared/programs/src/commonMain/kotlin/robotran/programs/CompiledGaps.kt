@@ -4,7 +4,6 @@ import robotran.javacompiler.messages.LejosMessages
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosRemedy
 import robotran.tinyvm.diagnostic.MemberUse
-import robotran.tinyvm.memberUsesOf
 
 /** Finds in class files from another compiler what the brick that they are for does not have. */
 internal class CompiledGaps(settings: JavaSettings, private val messages: LejosMessages) {
@@ -16,15 +15,13 @@ internal class CompiledGaps(settings: JavaSettings, private val messages: LejosM
     /** The mistakes in [classFiles], which must link; at most one per line. */
     fun find(classFiles: Map<String, ByteArray>): List<ProgramDiagnostic> {
         if (missing.isEmpty()) return emptyList()
-        return memberUsesOf(classFiles).mapNotNull { use -> differenceOf(use)?.let { use to it } }
-            .distinctBy { (use, _) -> Triple(use.className, use.methodName, use.sourceLine) }
-            .map { (use, difference) -> diagnosticOf(use, difference) }
+        return memberMistakes(classFiles) { use -> differenceOf(use)?.let(::messageOf) }
     }
 
     private fun differenceOf(use: MemberUse): LejosDifference? =
         missing[use.owner to ""] ?: missing[use.owner to use.member]
 
-    private fun diagnosticOf(use: MemberUse, difference: LejosDifference): ProgramDiagnostic {
+    private fun messageOf(difference: LejosDifference): String {
         val owner = difference.owner.substringAfterLast('/')
         val member = difference.member.substringBefore('(').substringBefore(':')
         val sentences = listOfNotNull(
@@ -32,10 +29,6 @@ internal class CompiledGaps(settings: JavaSettings, private val messages: LejosM
             messages.insteadInLejos(difference.instead, owner, member),
             messages.builderOfCompiler().takeIf { difference.instead == LejosRemedy.STRING_BUFFER },
         )
-        return ProgramDiagnostic(
-            file = listOfNotNull(use.className.replace('/', '.'), use.methodName).joinToString("."),
-            range = rangeOf(use.sourceLine),
-            message = sentences.joinToString(" "),
-        )
+        return sentences.joinToString(" ")
     }
 }

@@ -3,18 +3,23 @@ package robotran.projects
 import kotlinx.serialization.json.JsonObject
 import robotran.json.JsonCursor
 import robotran.json.jsonObject
+import robotran.nxt.storage.FlashMemory
 import robotran.nxt.storage.NxtFile
 import robotran.projects.messages.told
 import kotlin.io.encoding.Base64
 
 /** The files of a robot's flash memory as a project keeps them: name, and content in Base64. */
-internal fun nxtFilesIn(place: JsonCursor): List<NxtFile> =
-    place.items(0..ProjectLimits.MAXIMUM_FLASH_FILES).map { file ->
+internal fun nxtFilesIn(place: JsonCursor): List<NxtFile> {
+    val files = place.items(0..ProjectLimits.MAXIMUM_FLASH_FILES).map { file ->
         (file.names - FLASH_FIELDS).firstOrNull()?.let { field -> file.refuse(told { mustNotHave(field) }) }
-        val name = file.member("name").text(NxtFile.LONGEST_NAME)
+        // A program may give a file any name, and a project that was saved must open again.
+        val name = file.member("name").longText(NxtFile.LONGEST_NAME)
         val attributes = file.optional(ATTRIBUTES)?.wholeNumber(0..MOST_ATTRIBUTES) ?: 0
         NxtFile(name, file.optional(CONTENT)?.let(::bytesIn) ?: ByteArray(0), attributes)
     }
+    if (!FlashMemory.holds(files)) place.refuse(told { mustFitIntoFlash() })
+    return files
+}
 
 internal fun elementOf(file: NxtFile): JsonObject = jsonObject {
     text("name", file.name)

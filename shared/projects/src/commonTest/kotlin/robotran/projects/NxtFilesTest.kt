@@ -1,12 +1,15 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
+import robotran.nxt.storage.FlashMemory
 import robotran.nxt.storage.NxtFile
 import robotran.simulation.RobotLoad
+import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 private const val MANY = 1_000
 
@@ -48,6 +51,27 @@ class NxtFilesTest {
         val many = PROJECT_WITH_FILES.copy(robots = robots)
         val told = assertIs<ProjectFileResult.Rejected>(readProject(writeProject(many))).message
         assertContains(told, "robots[0].flash")
+        assertEquals("robots[0].flash must be files that fit into an NXT.", refusal("\"count.txt\"", "\"✎\""))
+    }
+
+    @Test
+    fun `whatever a program writes into the table of files, the project can be read again`() {
+        val random = Random(SEED)
+        var told = 0
+        repeat(TABLES) {
+            val flash = FlashMemory(files)
+            val table = ByteArray(FlashMemory.PAGE_BYTES)
+            flash.readPage(TABLE_PAGE, table)
+            repeat(1 + random.nextInt(MOST_CHANGES)) {
+                table[SIGN_BYTES + random.nextInt(USED_BYTES)] =
+                    random.nextInt().toByte()
+            }
+            flash.writePage(TABLE_PAGE, table)
+            told += flash.files.size
+            val robots = PROJECT_WITH_FILES.robots.map { robot -> robot.copy(files = flash.files) }
+            assertEquals(flash.files, loaded(writeProject(PROJECT_WITH_FILES.copy(robots = robots))).robots[0].files)
+        }
+        assertTrue(told > TABLES, "$told files")
     }
 
     private fun refusal(old: String, new: String): String {
@@ -67,5 +91,11 @@ class NxtFilesTest {
 
     private companion object {
         const val TOO_MANY = 31
+        const val SEED = 2005
+        const val TABLES = 200
+        const val TABLE_PAGE = 1
+        const val SIGN_BYTES = 5
+        const val USED_BYTES = 60
+        const val MOST_CHANGES = 3
     }
 }

@@ -24,14 +24,18 @@ internal object FileTable {
     /** The pages that a file of so many bytes takes; an empty one keeps one free. */
     fun pagesOf(bytes: Int): Int = maxOf(1, (bytes + FlashMemory.PAGE_BYTES - 1) / FlashMemory.PAGE_BYTES)
 
-    /** The files that the table in [flash] tells; none if it is damaged. */
+    /**
+     * The files that the table in [flash] tells; none if it is damaged. A program may have written any table: what [write]
+     * could not write, and all behind it, is left out.
+     */
     fun read(flash: FlashMemory): List<NxtFile> {
         val table = flash.page(PAGE)
         if (SIGN.indices.any { table[it].toInt() != SIGN[it].code }) return emptyList()
         var place = SIGN.length
         val count = table[place++].toInt()
+        var room = FlashMemory.PAGES - FIRST_FILE_PAGE
         return buildList {
-            repeat(count) {
+            repeat(minOf(count, MOST_FILES)) {
                 if (place + ENTRY_BYTES > table.size) return@buildList
                 val page = number(table, place, 2)
                 val length = number(table, place + 2, Int.SIZE_BYTES)
@@ -39,7 +43,9 @@ internal object FileTable {
                 val attributes = table[place + ENTRY_BYTES - 2].toInt() and BYTE
                 place += ENTRY_BYTES
                 val end = page * FlashMemory.PAGE_BYTES.toLong() + length
-                if (place + nameLength > table.size || length < 0 || end > FlashMemory.BYTES) return@buildList
+                val isReal = length >= 0 && end <= FlashMemory.BYTES && nameLength <= NxtFile.LONGEST_NAME
+                if (!isReal || place + nameLength > table.size || pagesOf(length) > room) return@buildList
+                room -= pagesOf(length)
                 val name = (place until place + nameLength).map { (table[it].toInt() and BYTE).toChar() }
                 add(NxtFile(name.joinToString(""), flash.bytes(page, length), attributes))
                 place += nameLength

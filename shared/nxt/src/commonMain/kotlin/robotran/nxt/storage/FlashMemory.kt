@@ -69,6 +69,9 @@ class FlashMemory(files: List<NxtFile> = emptyList()) {
     companion object {
         const val PAGE_BYTES = 256
 
+        /** Whether a brick can keep [files]: their names, number and sizes have limits. */
+        fun holds(files: List<NxtFile>): Boolean = FlashMemory(files).files == files
+
         /** Half of the 256 kilobytes; firmware and menu have the rest (estimate). */
         const val PAGES = 512
 

@@ -21,6 +21,8 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun mustBeBytes() = "must be bytes in Base64"
 
+    override fun mustFitIntoFlash() = "must be files that fit into an NXT"
+
     override fun mustBeBase64() = "must be a picture in Base64"
 
     override fun tooManySeeds(limit: Int) = "must not be more than $limit seeds"

@@ -22,6 +22,8 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun mustBeBytes() = "muss aus Bytes in Base64 bestehen"
 
+    override fun mustFitIntoFlash() = "muss aus Dateien bestehen, die in einen NXT passen"
+
     override fun mustBeBase64() = "muss ein Bild in Base64 sein"
 
     override fun tooManySeeds(limit: Int) = "dürfen nicht mehr als $limit Seeds sein"

@@ -40,6 +40,9 @@ interface ProjectFileMessages {
     /** The content of a file must be written in Base64. */
     fun mustBeBytes(): String
 
+    /** A brick cannot keep the files: their names, number or sizes are beyond its limits. */
+    fun mustFitIntoFlash(): String
+
     /** The data of a picture are damaged. */
     fun mustBeBase64(): String
 

@@ -22,6 +22,8 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun mustBeBytes() = "deben ser bytes en Base64"
 
+    override fun mustFitIntoFlash() = "deben ser archivos que quepan en un NXT"
+
     override fun mustBeBase64() = "debe ser una imagen en Base64"
 
     override fun tooManySeeds(limit: Int) = "no deben ser más de $limit semillas"

@@ -52,7 +52,7 @@ internal object NxtRealism {
     const val OPTICAL_NOISE = 0.3
 
     /** The same of the temperature sensor of an NXT, in degrees Celsius. */
-    const val WARMTH_NOISE = 0.05
+    const val TEMPERATURE_NOISE = 0.05
 
     /** The same of each eye of an infrared seeker, in the units of light. */
     const val SEEKER_NOISE = 0.002

@@ -59,7 +59,7 @@ internal class I2cSensors(
         }
 
         SensorKind.NXT_TEMPERATURE -> {
-            WarmthDevice(thermometer, streams, nameOf("NXT temperature sensor"), realism)
+            TemperatureDevice(thermometer, streams, nameOf("NXT temperature sensor"), realism)
         }
 
         SensorKind.RCX_LINK -> {

@@ -11,15 +11,8 @@ import robotran.tinyvm.run.brick
 
 /** `lejos.nxt.Flash`: pages of the memory that keeps files. */
 internal val flashMethods: Map<String, NativeMethod> = mapOf(
-    "lejos/nxt/Flash.flashReadPage([BI)I" to NativeMethod {
-        machine,
-        thread,
-        first,
-        ->
-        readPage(machine, thread, first)
-    },
-    "lejos/nxt/Flash.flashWritePage([BI)I" to
-        NativeMethod { machine, thread, first -> writePage(machine, thread, first) },
+    "lejos/nxt/Flash.flashReadPage([BI)I" to NativeMethod(::readPage),
+    "lejos/nxt/Flash.flashWritePage([BI)I" to NativeMethod(::writePage),
 )
 
 private fun readPage(machine: VirtualMachine, thread: VmThread, first: Int): Int {

@@ -7,7 +7,7 @@ import robotran.simulation.robot.Thermometer
 import kotlin.math.floor
 
 /** The temperature sensor of an NXT: sixteenths of a degree, of which a program may want fewer digits. */
-internal class WarmthDevice(
+internal class TemperatureDevice(
     private val thermometer: Thermometer,
     streams: NoiseStreams,
     name: String,
@@ -58,7 +58,7 @@ internal class WarmthDevice(
 
     /** In 256ths of a degree, of which the lowest bits are left out. */
     private fun measured(): Int {
-        val error = if (realism == 0.0) 0.0 else realism * NxtRealism.WARMTH_NOISE * noise.normal()
+        val error = if (realism == 0.0) 0.0 else realism * NxtRealism.TEMPERATURE_NOISE * noise.normal()
         val celsius = (thermometer.celsius() + error).coerceIn(LOWEST, HIGHEST)
         val bits = FEWEST_BITS + (configuration shr RESOLUTION_SHIFT and RESOLUTION)
         val unit = 1 shl SIXTEEN - bits
