@@ -72,7 +72,9 @@ abstract class Ktlint
             processes.javaexec { java ->
                 java.classpath(classpath)
                 java.mainClass.set("com.pinterest.ktlint.Main")
-                java.jvmArgs("-Xmx768m", "-XX:+UseSerialGC", "--add-opens=java.base/java.lang=ALL-UNNAMED")
+                // The quick compiler alone: a fifth of the time goes into optimising otherwise.
+                val quick = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
+                java.jvmArgs(quick + listOf("-Xmx768m", "--add-opens=java.base/java.lang=ALL-UNNAMED"))
                 java.workingDir = rootFolder
                 java.args(listOf("--relative") + options)
                 java.args(changed.map { it.relativeTo(rootFolder).invariantSeparatorsPath }.sorted())

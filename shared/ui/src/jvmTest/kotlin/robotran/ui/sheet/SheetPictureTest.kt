@@ -96,7 +96,7 @@ class SheetPictureTest {
 
     /** The colour at a position in centimetres: 2080 pixels are 20 per centimetre, with 2 cm of desk on each side. */
     private fun ImageBitmap.at(x: Double, y: Double): Color =
-        toPixelMap()[((x + 2) * 20).toInt(), ((82 - y) * 20).toInt()]
+        toPixelMap(((x + 2) * 20).toInt(), ((82 - y) * 20).toInt(), 1, 1)[0, 0]
 
     private fun state(
         ink: List<Point> = emptyList(),

@@ -151,4 +151,5 @@ internal fun closeUp(world: World, state: SessionState = SheetScenes.state(world
     renderSheet(world, state, widthPixels = 2000)
 
 /** The colour at a position in centimetres on a [closeUp]. */
-internal fun ImageBitmap.at(x: Double, y: Double): Color = toPixelMap()[((x + 2) * 20).toInt(), ((48 - y) * 20).toInt()]
+internal fun ImageBitmap.at(x: Double, y: Double): Color =
+    toPixelMap(((x + 2) * 20).toInt(), ((48 - y) * 20).toInt(), 1, 1)[0, 0]

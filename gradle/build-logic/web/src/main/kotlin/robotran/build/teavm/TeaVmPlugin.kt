@@ -28,6 +28,7 @@ abstract class TeaVmPlugin(private val configure: (CompileToWasm) -> Unit) : Plu
             it.compiler.from(teavm)
             it.program.from(browser.runtimeClasspath, main.runtimeClasspath)
             it.strict.convention(false)
+            it.optimizationLevel.convention("FULL")
             it.outputFolder.set(project.layout.buildDirectory.dir("web"))
             configure(it)
         }
@@ -81,5 +82,6 @@ class EcjModulePlugin :
         it.moduleName.set("ecj")
         // ECJ catches such exceptions for broken sources.
         it.strict.set(true)
+        it.optimizationLevel.set("ADVANCED")
         it.scripts.from(it.project.file("src/browser/js/ecj-worker.mjs"))
     })
