@@ -81,6 +81,11 @@ class ConstantsTest {
             "1 << 40" to "256",
             "-5 >>> 28" to "15",
             "-7.5 % 2" to "-1.5",
+            "5.5f % 0" to "NaN",
+            "5.5 % 0.0" to "NaN",
+            "(1 / 0.0) % 2" to "NaN",
+            "2.5 % (-1 / 0.0)" to "2.5",
+            "-0.0 % 3" to "-0.0",
         )
         texts.forEach { (expression, text) -> assertText(expression, text) }
     }
