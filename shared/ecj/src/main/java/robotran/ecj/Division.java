@@ -29,12 +29,13 @@ public final class Division {
         return divisor == -1 ? 0 : dividend % divisor;
     }
 
-    /** Exact, unlike some platforms' own remainder. */
+    /** Exact, and not a number where Java says so, unlike the remainder of WebAssembly's platform. */
     public static double remainder(double dividend, double divisor) {
-        boolean isPlain = !Double.isNaN(dividend) && !Double.isInfinite(dividend)
-            && !Double.isInfinite(divisor) && dividend != 0;
-        if (!isPlain || divisor == 0 || Double.isNaN(divisor)) {
-            return dividend % divisor;
+        if (Double.isNaN(dividend) || Double.isNaN(divisor) || Double.isInfinite(dividend) || divisor == 0) {
+            return Double.NaN;
+        }
+        if (dividend == 0 || Double.isInfinite(divisor)) {
+            return dividend;
         }
         double rest = new BigDecimal(dividend).remainder(new BigDecimal(divisor)).doubleValue();
         return rest == 0 ? 0 * dividend : rest;

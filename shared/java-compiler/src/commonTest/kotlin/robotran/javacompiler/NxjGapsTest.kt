@@ -88,6 +88,7 @@ class NxjGapsTest {
             "javax.swing.*" to NxjRemedy.LCD,
             "java.util.stream.Collectors" to NxjRemedy.LOOP,
             "java.text.DecimalFormat" to NxjRemedy.JOIN_TEXTS,
+            "lejos.nxt.Settings" to NxjRemedy.MENU_SETTINGS,
             "lejos.nxt.addon.RFIDSensor" to NxjRemedy.SENSORS,
             "lejos.nxt.addon.PFMate" to NxjRemedy.THREE_MOTORS,
             "lejos.nxt.addon.tetrix.TetrixMotor" to NxjRemedy.THREE_MOTORS,
@@ -117,7 +118,9 @@ class NxjGapsTest {
         assertTold(NxjRemedy.ONE_PORT_EACH, "TouchMUX m = null;", "SensorMux m = null;")
         assertTold(NxjRemedy.THREE_MOTORS, "PFLink p = null;", "MServo s = null;", "RCXMotorMultiplexer m = null;")
         assertTold(NxjRemedy.MENU_SETTINGS, "Button.loadSettings();", "Sound.loadSettings();")
-        assertTold(NxjRemedy.BREAKPOINTS, "VM.getVM();", "NXT.boot();")
+        assertTold(NxjRemedy.BREAKPOINTS, "VM.getVM();", "NXT.boot();", "int checks = VM.VM_TYPECHECKS;")
+        assertTold(NxjRemedy.NXT_LISTENERS, "int bit = NXTEvent.USER1;", "int type = NXTEvent.RS485;")
+        assertTold(NxjRemedy.PRINT, "Assertion.test(\"x\", true);")
         val comm = "lejos.nxt.comm"
         assertTold(NxjRemedy.BLUETOOTH_BY_NAME, "$comm.Bluetooth.btRead(null, 0, 0);", "$comm.Bluetooth.getPin();")
         assertTold(NxjRemedy.BLUETOOTH, "$comm.USB.usbReset();", "$comm.RS485.hsEnable(0, 0);")

@@ -54,13 +54,14 @@ class ConstantsTest {
     }
 
     @Test
-    fun `numbers become texts with as few digits as tell them apart`() = runTest {
+    fun `numbers become texts with the digits that Java had up to version 18`() = runTest {
         val texts = mapOf(
             "1.0 / 3" to "0.3333333333333333",
             "1.0f / 3" to "0.33333334",
-            // Java 17 writes 2.14748365E9.
-            "2147483647f" to "2.1474836E9",
-            "1e23" to "1.0E23",
+            // Java 19 writes 2.1474836E9, 1.0E23 and 1.2345679E8.
+            "2147483647f" to "2.14748365E9",
+            "1e23" to "9.999999999999999E22",
+            "(float) 123456789L" to "1.23456792E8",
             "4.9e-324" to "4.9E-324",
             "1e7" to "1.0E7",
             "9999999.0" to "9999999.0",
@@ -80,6 +81,11 @@ class ConstantsTest {
             "1 << 40" to "256",
             "-5 >>> 28" to "15",
             "-7.5 % 2" to "-1.5",
+            "5.5f % 0" to "NaN",
+            "5.5 % 0.0" to "NaN",
+            "(1 / 0.0) % 2" to "NaN",
+            "2.5 % (-1 / 0.0)" to "2.5",
+            "-0.0 % 3" to "-0.0",
         )
         texts.forEach { (expression, text) -> assertText(expression, text) }
     }

@@ -4,6 +4,9 @@ import lejos.robotics.DCMotor;
 
 /** A motor without regulation: the same power gives less speed with more load. */
 public abstract class BasicMotor implements DCMotor {
+    /** What no motor does. */
+    protected static final int INVALID_MODE = -1;
+
     /** The port of the motor. */
     protected BasicMotorPort port;
 

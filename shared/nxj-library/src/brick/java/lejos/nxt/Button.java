@@ -31,6 +31,14 @@ public class Button implements ListenerCaller {
     /** The button below. */
     public static final Button ESCAPE = new Button(ID_ESCAPE);
 
+    /**
+     * All buttons: ENTER, LEFT, RIGHT and ESCAPE.
+     *
+     * @deprecated leJOS NXJ means to remove this array.
+     */
+    @Deprecated
+    public static final Button[] BUTTONS = {ENTER, LEFT, RIGHT, ESCAPE};
+
     private static final int ALL = 15;
     private static final int RELEASED_SHIFT = 8;
     private static final int PERIOD = 10;

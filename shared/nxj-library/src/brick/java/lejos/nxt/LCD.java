@@ -102,7 +102,17 @@ public class LCD {
     public static native void drawString(String text, int x, int y);
 
     /** Writes a text, and says whether it is to be white on black. */
-    public static native void drawString(String text, int x, int y, boolean inverted);
+    public static void drawString(String text, int x, int y, boolean inverted) {
+        if (!inverted) {
+            drawString(text, x, y);
+            return;
+        }
+        char[] characters = text.toCharArray();
+        int top = y * CELL_HEIGHT;
+        bitBlt(display, SCREEN_WIDTH, SCREEN_HEIGHT, 0, 0, x * CELL_WIDTH, top, characters.length * CELL_WIDTH,
+            CELL_HEIGHT, ROP_SET);
+        for (int i = 0; i < characters.length; i++) drawChar(characters[i], x + i, y, ROP_COPYINVERTED);
+    }
 
     /** Writes a whole number, beginning in a column of a row. */
     public static native void drawInt(int number, int x, int y);
@@ -112,10 +122,14 @@ public class LCD {
 
     /** Writes a character in a column of a row; the gap behind it stays as it is. */
     public static void drawChar(char character, int x, int y) {
+        drawChar(character, x, y, ROP_COPY);
+    }
+
+    private static void drawChar(char character, int x, int y, int operation) {
         if (character >= NOOF_CHARS) return;
         int left = character * FONT_WIDTH;
         bitBlt(font, NOOF_CHARS * FONT_WIDTH, FONT_HEIGHT, left, 0, x * CELL_WIDTH, y * CELL_HEIGHT, FONT_WIDTH,
-            FONT_HEIGHT, ROP_COPY);
+            FONT_HEIGHT, operation);
     }
 
     /** Clears the display. */

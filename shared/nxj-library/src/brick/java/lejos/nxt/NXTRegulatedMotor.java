@@ -9,19 +9,25 @@ import lejos.robotics.RegulatedMotorListener;
  * <p>Every four milliseconds the brick looks where the motor is and where it should be, and sets the power.
  */
 public class NXTRegulatedMotor implements RegulatedMotor {
-    private static final int NO_LIMIT = MotorRegulation.NO_LIMIT;
+    /** The limit of a move that goes on until it is told otherwise. */
+    protected static final int NO_LIMIT = MotorRegulation.NO_LIMIT;
 
     /** The port of the motor. */
-    protected final TachoMotorPort tachoPort;
+    protected TachoMotorPort tachoPort;
+
+    /** The speed of the next move, in degrees a second; it has no sign. */
+    protected float speed = 360;
+
+    /** The acceleration of the next move, in degrees a second each second. */
+    protected int acceleration = 6000;
+
+    /** Who is told when a move begins and ends; null for nobody. */
+    protected RegulatedMotorListener listener;
 
     private final int port;
-    private float speed = 360;
-    private int acceleration = 6000;
 
     /** Whether the motor is held or moves, so it is not free to roll. */
     private boolean isControlled;
-
-    private RegulatedMotorListener listener;
 
     /** How many moves have begun, and the last one of whose end the listener knows. */
     private int begun;

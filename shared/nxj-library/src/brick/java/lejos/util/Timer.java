@@ -24,7 +24,7 @@ public class Timer {
         isRunning = true;
     }
 
-    /** Lets the timer stand still. */
+    /** Lets the timer stand still; the listener is called once more if it is being waited for. */
     public synchronized void stop() {
         isRunning = false;
     }
@@ -47,7 +47,7 @@ public class Timer {
             while (true) {
                 if (isRunning) {
                     Delay.msDelay(delay);
-                    if (isRunning) listener.timedOut();
+                    listener.timedOut();
                 } else {
                     Thread.yield();
                 }

@@ -16,12 +16,6 @@ public class RuntimeAndSystem {
         System.arraycopy(source, 0, source, 1, 4);
         for (int number : source) sum = sum * 7 + number;
         System.out.println(sum); // expect -1727459901
-        Object[] objects = {"a", 1};
-        try {
-            System.arraycopy(objects, 0, new String[2], 0, 2);
-        } catch (ArrayStoreException wrong) {
-            System.out.println("store"); // expect store
-        }
         try {
             System.arraycopy(source, 0, new int[2], 0, 3);
         } catch (IndexOutOfBoundsException wrong) {

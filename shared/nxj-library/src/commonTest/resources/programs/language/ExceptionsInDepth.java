@@ -56,8 +56,7 @@ public class ExceptionsInDepth {
             System.out.println("cast"); // expect cast
         }
         try {
-            Object[] texts = new String[1];
-            texts[0] = 3;
+            System.arraycopy(new int[1], 0, new long[1], 0, 1);
         } catch (ArrayStoreException wrong) {
             System.out.println("store"); // expect store
         }

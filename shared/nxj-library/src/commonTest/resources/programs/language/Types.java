@@ -55,12 +55,6 @@ public class Types {
         copy[0] = 9;
         System.out.println(copy[0] + copy.length); // expect 12
         try {
-            Object[] strings = new String[1];
-            strings[0] = 5;
-        } catch (ArrayStoreException e) {
-            System.out.println("store"); // expect store
-        }
-        try {
             System.out.println(new int[total - 44].length);
         } catch (NegativeArraySizeException e) {
             System.out.println("negative"); // expect negative

@@ -4,14 +4,13 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
 import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files for an NXT with leJOS NXJ. */
 internal class NxjLinker(
     private val library: NxjLibrary,
-    private val speed: TinyVmSpeed,
+    private val java: JavaSettings,
     private val messages: TinyVmMessages,
 ) : ProgramLinker {
     /** Links what another compiler made, unless it uses what leJOS NXJ lacks and the [mode] is true to the brick. */
@@ -23,7 +22,7 @@ internal class NxjLinker(
     }
 
     override fun link(program: CompiledProgram): ProgramResult = with(program) {
-        when (val result = linkNxj(name, classFiles, library.classFiles, mainClass, messages, speed)) {
+        when (val result = linkNxj(name, classFiles, library.classFiles, mainClass, messages, java.speed, java.mode)) {
             is NxjResult.Ready -> ProgramResult.Ready(result.program, warnings, mainClass)
             is NxjResult.Rejected -> ProgramResult.HasErrors(listOf(locate(result.refusal)))
         }

@@ -196,7 +196,7 @@ class ProgramCompiler private constructor(
         BrickKind.NXT -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary(), java)
     }
 
-    private fun nxjLinker() = NxjLinker(nxjLibrary(), java.speed, TinyVmMessages.of(language))
+    private fun nxjLinker() = NxjLinker(nxjLibrary(), java, TinyVmMessages.of(language))
 
     private fun nxjLibrary() = checkNotNull(loaded.nxj) { "The classes of leJOS NXJ are not loaded." }
 

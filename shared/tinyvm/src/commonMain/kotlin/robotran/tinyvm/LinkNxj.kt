@@ -6,6 +6,7 @@ import robotran.nxt.program.NxtProgram
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.NxtCosts
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.diagnostic.LinkException
@@ -37,12 +38,13 @@ class NxjProgram internal constructor(
     internal val linked: LinkedProgram,
     private val messages: TinyVmMessages,
     private val speed: TinyVmSpeed,
+    private val mode: TinyVmMode,
     private val nativeOf: (LinkedMethod) -> NativeMethod?,
 ) : NxtProgram {
     override fun start(nxt: Nxt): DebuggableRun = start(NxtPeripherals(nxt))
 
     internal fun start(peripherals: Peripherals): NxjRun =
-        NxjRun(linked, peripherals, messages, bytecodesPerStep(), nativeOf)
+        NxjRun(linked, peripherals, messages, bytecodesPerStep(), mode, nativeOf)
 
     private fun bytecodesPerStep(): Int = when (speed) {
         TinyVmSpeed.BRICK -> NxtCosts.BYTECODES_PER_MILLISECOND / NxtCosts.STEPS_PER_MILLISECOND
@@ -57,6 +59,7 @@ class NxjProgram internal constructor(
  * @param program the program's class files, under arbitrary names.
  * @param library the class files of leJOS NXJ by internal name.
  * @param mainClass the internal name of the main class; null for the first class with a main method.
+ * @param mode whether an object that does not fit into an array is told to the program, as in Java, or not, as on a brick.
  */
 fun linkNxj(
     name: String,
@@ -65,7 +68,8 @@ fun linkNxj(
     mainClass: String? = null,
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
-): NxjResult = linkNxj(name, program, library, mainClass, messages, speed, NxjNatives::find)
+    mode: TinyVmMode = TinyVmMode.BRICK,
+): NxjResult = linkNxj(name, program, library, mainClass, messages, speed, mode, NxjNatives::find)
 
 /** The same with other native methods, which [nativeOf] finds. */
 internal fun linkNxj(
@@ -75,12 +79,13 @@ internal fun linkNxj(
     mainClass: String?,
     messages: TinyVmMessages,
     speed: TinyVmSpeed,
+    mode: TinyVmMode,
     nativeOf: (LinkedMethod) -> NativeMethod?,
 ): NxjResult = try {
     val files = ClassPath(program, library, messages)
     try {
-        val linker = Linker(files, messages, MachineModel.NXT, null, null) { nativeOf(it) != null }
-        NxjResult.Ready(NxjProgram(name, linker.link(mainClass), messages, speed, nativeOf))
+        val linker = Linker(files, messages, MachineModel.nxtOf(mode), null, null) { nativeOf(it) != null }
+        NxjResult.Ready(NxjProgram(name, linker.link(mainClass), messages, speed, mode, nativeOf))
     } catch (refused: LinkException) {
         val refusal = refused.refusal
         NxjResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))

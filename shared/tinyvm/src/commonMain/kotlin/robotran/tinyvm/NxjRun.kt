@@ -2,6 +2,7 @@ package robotran.tinyvm
 
 import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.NxtMemory
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
@@ -15,12 +16,13 @@ internal class NxjRun(
     peripherals: Peripherals,
     messages: RunMessages,
     bytecodesPerStep: Int,
+    mode: TinyVmMode,
     nativeOf: (LinkedMethod) -> NativeMethod?,
 ) : ThreadedRun(
         VirtualMachine(
             program,
             peripherals,
-            MachineModel.NXT,
+            MachineModel.nxtOf(mode),
             messages,
             NxtMemory.HEAP_BYTES,
             NxtMemory.HEAP_BYTES,

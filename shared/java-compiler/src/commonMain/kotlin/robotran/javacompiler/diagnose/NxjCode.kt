@@ -52,6 +52,13 @@ private val CODE: Map<String, String> = buildMap {
     put("Byte Short", "compareTo" to "a.intValue() - b.intValue()")
     put("Random", "setSeed" to "new Random(seed)", "nextBytes" to "(byte) random.nextInt()")
     put("Runtime", "gc" to "System.gc()")
+    put(
+        "NXTRegulatedMotor",
+        "stalled" to "motor.isStalled()",
+        "limitAngle" to "motor.getLimitAngle()",
+        "stallLimit stallTime" to "motor.setStallThreshold(degrees, milliseconds)",
+        "reg cont" to "motor.setSpeed(degrees)",
+    )
     put("Button", "waitForAnyEvent" to "Button.waitForAnyEvent(0)")
     put("NXT", "exit" to "System.exit(0)")
     put("ADSensorPort", "readValues" to "port.readValue()", "readRawValues" to "port.readRawValue()")

@@ -5,6 +5,7 @@ import robotran.javacompiler.messages.NxjRemedy
 /** Classes, and members with their class, that other programs use and an NXT with leJOS NXJ does not have. */
 private val ABSENT: Map<String, NxjRemedy> = buildMap {
     fun put(remedy: NxjRemedy, names: String) = names.split(' ').forEach { put(it, remedy) }
+    put(NxjRemedy.PRINT, "Assertion")
     put(NxjRemedy.BUTTONS, "System.in System.console Scanner Console")
     put(NxjRemedy.SORT_ARRAY, "Collections Comparator ArrayList.sort LinkedList.sort Vector.sort List.sort")
     put(NxjRemedy.HASH_MAP, "TreeMap LinkedHashMap SortedMap NavigableMap")
@@ -130,14 +131,17 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.SENSOR_PORT, "Sensor SensorConstants.SENSOR_TYPE_LIGHT Sensor.S1 Sensor.S2 Sensor.S3 ProximitySensor")
     put(NxjRemedy.NXT_BUTTONS, "Button.RUN Button.VIEW Button.PRGM Button.UP Button.DOWN")
     put(NxjRemedy.BLUETOOTH, "Serial PacketHandler DiscoveryAgent DiscoveryListener")
-    put(NxjRemedy.MENU_SETTINGS, "Button.loadSettings Button.loadSystemSettings Sound.loadSettings")
+    put(NxjRemedy.MENU_SETTINGS, "Button.loadSettings Button.loadSystemSettings Sound.loadSettings SystemSettings")
     put(NxjRemedy.NXT_LISTENERS, "NXTEvent.notifyEvent")
-    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.clearEvent NXTEvent.getEventData NXTEvent.setFilter")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.clearEvent NXTEvent.getEventData NXTEvent.setFilter NXTEvent.getFilter")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.NONE NXTEvent.TIMEOUT")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.BLUETOOTH NXTEvent.USB NXTEvent.RS485 NXTEvent.I2C_PORTS")
+    put(NxjRemedy.NXT_LISTENERS, "NXTEvent.USER1 NXTEvent.USER2 NXTEvent.USER3 NXTEvent.USER4")
     put(NxjRemedy.BREAKPOINTS, "VM.getVM VM.getImage VM.getVMThreads VM.getVMThread VM.getElements VM.getFields")
     put(NxjRemedy.BREAKPOINTS, "VM.getClass VM.getVMClass VM.getMethod VM.getClassNumber VM.getThrowableStackTrace")
     put(NxjRemedy.BREAKPOINTS, "VM.suspendThread VM.resumeThread VM.executeProgram VM.setVMOptions VM.getVMOptions")
     put(NxjRemedy.BREAKPOINTS, "VM.isArray VM.isAssignable VM.enableRunTimeTypeChecks NXT.boot NXT.getUserPages")
-    put(NxjRemedy.BREAKPOINTS, "NXT.getProgramExecutionsCount")
+    put(NxjRemedy.BREAKPOINTS, "NXT.getProgramExecutionsCount VM.VM_TYPECHECKS VM.VM_ASSERT")
 }
 
 /** What leJOS NXJ's class `Bluetooth` has beside connections by name: its chip and its list of devices. */
@@ -172,6 +176,7 @@ private val ABSENT_PACKAGES = listOf(
     "lejos.robotics.localization" to NxjRemedy.ODOMETRY,
     "lejos.robotics.filter" to NxjRemedy.SENSORS,
     "lejos.robotics.kinematics" to NxjRemedy.DIFFERENTIAL_PILOT,
+    "lejos.nxt.Settings" to NxjRemedy.MENU_SETTINGS,
     "lejos.nxt.addon" to NxjRemedy.SENSORS,
     "lejos.nxt.remote" to NxjRemedy.BLUETOOTH,
     "lejos.pc" to NxjRemedy.BLUETOOTH,

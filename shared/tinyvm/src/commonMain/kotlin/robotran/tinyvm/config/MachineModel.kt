@@ -15,6 +15,7 @@ internal enum class QuirkHandling {
 /**
  * The machine that a program is linked for and runs on.
  *
+ * @property elements what it does with an object that is stored in an array of another class.
  * @property firstObject the smallest reference. The collector takes every number in a stack for a reference if there is an
  * object, so where numbers are small, references should not be.
  * @property heapWords words for objects; 0 for as many as the program has bytes.
@@ -27,6 +28,7 @@ internal enum class QuirkHandling {
  */
 internal class MachineModel private constructor(
     val quirks: QuirkHandling,
+    val elements: QuirkHandling,
     val firstObject: Int,
     val heapWords: Int,
     val heapBytes: Int,
@@ -64,6 +66,7 @@ internal class MachineModel private constructor(
 
         private val RCX_BRICK = MachineModel(
             QuirkHandling.APPLY,
+            QuirkHandling.APPLY,
             RCX_FIRST_OBJECT,
             heapWords = 0,
             heapBytes = 0,
@@ -76,6 +79,7 @@ internal class MachineModel private constructor(
 
         private val RCX_FORGIVING = MachineModel(
             QuirkHandling.WARN,
+            QuirkHandling.WARN,
             RCX_FIRST_OBJECT,
             heapWords = HEAP_WORDS,
             heapBytes = 0,
@@ -86,9 +90,13 @@ internal class MachineModel private constructor(
             TinyVmLimits.THREADS,
         )
 
+        private val NXT_BRICK = nxt(QuirkHandling.APPLY)
+        private val NXT_FORGIVING = nxt(QuirkHandling.WARN)
+
         /** An NXT with leJOS NXJ. */
-        val NXT = MachineModel(
+        private fun nxt(elements: QuirkHandling) = MachineModel(
             QuirkHandling.NONE,
+            elements,
             firstObject = 1 shl 20,
             heapWords = HEAP_WORDS,
             NxtMemory.HEAP_BYTES,
@@ -103,6 +111,12 @@ internal class MachineModel private constructor(
         fun of(mode: TinyVmMode): MachineModel = when (mode) {
             TinyVmMode.BRICK -> RCX_BRICK
             TinyVmMode.FORGIVING -> RCX_FORGIVING
+        }
+
+        /** The NXT that [mode] asks for. */
+        fun nxtOf(mode: TinyVmMode): MachineModel = when (mode) {
+            TinyVmMode.BRICK -> NXT_BRICK
+            TinyVmMode.FORGIVING -> NXT_FORGIVING
         }
     }
 }

@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
@@ -200,8 +201,8 @@ internal class ObjectOperations(
      * for one of that class. Here the element becomes null, since what follows would make no sense.
      */
     private fun storeOther(thread: VmThread, place: Int) {
-        if (!isExact) machine.addWarning(Quirk.UNCHECKED_ELEMENT)
-        if (machine.model.hasQuirks) words[place] = 0 else calls.throwNew(thread, wrongElement)
+        machine.addWarning(Quirk.UNCHECKED_ELEMENT)
+        if (machine.model.elements == QuirkHandling.APPLY) words[place] = 0 else calls.throwNew(thread, wrongElement)
     }
 
     private fun pushArray(thread: VmThread, frame: Frame, reference: Int) {

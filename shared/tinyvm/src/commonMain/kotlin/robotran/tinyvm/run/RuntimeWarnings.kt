@@ -38,9 +38,11 @@ internal class RuntimeWarnings(
     }
 
     private fun messageOf(quirk: Quirk): String = when {
-        model.isExact -> messages.nxt.memoryFull()
+        quirk == Quirk.UNCHECKED_ELEMENT && model.elements == QuirkHandling.APPLY -> messages.quirkEffect(quirk)
 
-        model.quirks == QuirkHandling.WARN -> messages.quirkWarning(quirk)
+        quirk == Quirk.UNCHECKED_ELEMENT || model.quirks == QuirkHandling.WARN -> messages.quirkWarning(quirk)
+
+        model.isExact -> messages.nxt.memoryFull()
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
             messages.programMemoryUse(programBytes, allBytes)

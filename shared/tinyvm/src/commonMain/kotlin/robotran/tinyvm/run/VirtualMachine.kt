@@ -125,7 +125,7 @@ internal class VirtualMachine(
     private fun ownFrameOf(thread: VmThread): Frame? = thread.callStack.firstOrNull { it.method.owner.isOfProgram }
 
     fun addWarning(quirk: Quirk) {
-        if (model.isExact && quirk != Quirk.HEAP_FULL) return
+        if (model.isExact && quirk !in QUIRKS_OF_NXT) return
         remarks.add(quirk, sourceLine, current?.let { fileOf(it) })
     }
 
@@ -399,5 +399,6 @@ internal class VirtualMachine(
         const val FILL_IN_STACK_TRACE = "fillInStackTrace"
         const val HALF_BITS = 16
         const val LOW_HALF = 0xFFFF
+        val QUIRKS_OF_NXT = setOf(Quirk.HEAP_FULL, Quirk.UNCHECKED_ELEMENT)
     }
 }

@@ -3,6 +3,7 @@ package robotran.tinyvm.nxj
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
 import robotran.tinyvm.NxjResult
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
 import robotran.tinyvm.messages.EnglishTinyVmMessages
@@ -18,10 +19,11 @@ internal fun nxjDifferences(
     library: Map<String, ByteArray>,
 ): List<String> {
     val expected = NxjExpectations(source)
+    val mode = if (path.startsWith("forgiving/")) TinyVmMode.FORGIVING else TinyVmMode.BRICK
     val mainClass = path.substringAfterLast('/').removeSuffix(".java")
 
     fun run(speed: TinyVmSpeed, isWatched: Boolean): NxjBrickRun? =
-        when (val result = linkNxj(mainClass, classes, library, mainClass, EnglishTinyVmMessages, speed)) {
+        when (val result = linkNxj(mainClass, classes, library, mainClass, EnglishTinyVmMessages, speed, mode)) {
             is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply {
                 run(expected.runsOnAfter ?: LONGEST)
             }

@@ -18,11 +18,7 @@ private const val LCD = "lejos/nxt/LCD"
 
 /** `lejos.nxt.LCD`. */
 internal val displayMethods: Map<String, NativeMethod> = mapOf(
-    "$LCD.drawString(Ljava/lang/String;II)V" to
-        action { machine, thread, first -> drawString(machine, thread, first, inverted = false) },
-    "$LCD.drawString(Ljava/lang/String;IIZ)V" to action { machine, thread, first ->
-        drawString(machine, thread, first, inverted = thread.stack[first + 3] != 0)
-    },
+    "$LCD.drawString(Ljava/lang/String;II)V" to action(::drawString),
     "$LCD.drawInt(III)V" to action { machine, thread, first ->
         val stack = thread.stack
         machine.charge(NxtCosts.DRAW_NUMBER)
@@ -45,10 +41,10 @@ internal val displayMethods: Map<String, NativeMethod> = mapOf(
     "$LCD.bitBlt([BIIII[BIIIIIII)V" to action(::bitBlt),
 )
 
-private fun drawString(machine: VirtualMachine, thread: VmThread, first: Int, inverted: Boolean) {
+private fun drawString(machine: VirtualMachine, thread: VmThread, first: Int) {
     val text = textAt(machine, thread, first) ?: return
     machine.charge(NxtCosts.DRAW_TEXT + NxtCosts.DRAW_CHARACTER * text.length)
-    machine.brick.call(thread, NxtCall.drawString(text, thread.stack[first + 1], thread.stack[first + 2], inverted))
+    machine.brick.call(thread, NxtCall.drawString(text, thread.stack[first + 1], thread.stack[first + 2]))
 }
 
 private fun bitBlt(machine: VirtualMachine, thread: VmThread, first: Int) {

@@ -1,5 +1,7 @@
 package robotran.tinyvm.natives.nxj
 
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.Heap
@@ -60,22 +62,36 @@ private fun copyArray(machine: VirtualMachine, thread: VmThread, first: Int) {
     val isInside = from >= 0 && to >= 0 && count >= 0 && from.toLong() + count <= machine.heap.length(source) &&
         to.toLong() + count <= machine.heap.length(target)
     if (!isInside) return machine.raise(thread, BuiltInException.ARRAY_INDEX)
-    val copied = fitting(machine, source + Heap.HEADER_WORDS + from, count, sourceType, targetType)
     val size = sourceType.elementWords
     val start = source + Heap.HEADER_WORDS + from * size
+    val place = target + Heap.HEADER_WORDS + to * size
     val words = machine.heap.words
     machine.charge(count * size / machine.model.wordsInABytecode)
-    words.copyInto(words, target + Heap.HEADER_WORDS + to * size, start, start + copied * size)
-    if (copied < count) machine.raise(thread, BuiltInException.ARRAY_STORE)
+    val misfits = misfits(machine, start, count, sourceType, targetType)
+    val isTold = machine.model.elements != QuirkHandling.APPLY
+    val copied = if (isTold) misfits.firstOrNull() ?: count else count
+    words.copyInto(words, place, start, start + copied * size)
+    if (misfits.isEmpty()) return
+    machine.addWarning(Quirk.UNCHECKED_ELEMENT)
+    if (isTold) return machine.raise(thread, BuiltInException.ARRAY_STORE)
+    misfits.forEach { words[place + it] = 0 }
 }
 
-/** How many of [count] elements from the heap index [start] on, one after the other, [target] may hold. */
-private fun fitting(machine: VirtualMachine, start: Int, count: Int, source: ArrayType?, target: ArrayType?): Int {
-    val wanted = target?.element ?: return count
-    if (source?.element?.isA(wanted) == true) return count
+/**
+ * Which of [count] elements from the heap index [start] on, one after the other, [target] may not hold. As with a single
+ * element, they become null on a brick.
+ */
+private fun misfits(
+    machine: VirtualMachine,
+    start: Int,
+    count: Int,
+    source: ArrayType?,
+    target: ArrayType?,
+): List<Int> {
+    val wanted = target?.element ?: return emptyList()
+    if (source?.element?.isA(wanted) == true) return emptyList()
     val heap = machine.heap
-    return (0 until count).firstOrNull {
+    return (0 until count).filter {
         heap.words[start + it] != 0 && !heap.typeOf(heap.words[start + it]).isA(wanted)
     }
-        ?: count
 }

@@ -1,0 +1,91 @@
+package robotran.cli
+
+import java.io.File
+import kotlin.io.path.createTempDirectory
+import kotlin.test.AfterTest
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Examples, programs of lessons and worlds, and those in documents have no mistakes, true to the brick and forgiving. */
+class BothModesTest {
+    private val tree = File(System.getProperty("robotran.tree"))
+    private val extracted = createTempDirectory("robotran-documents").toFile()
+
+    @AfterTest
+    fun delete() {
+        extracted.deleteRecursively()
+    }
+
+    private fun programsIn(folder: String): List<File> = tree.resolve(folder).walk()
+        .onEnter { it.name != "wrong" }
+        .filter { it.extension in setOf("java", "robo", "nqc") }
+        .sortedBy { it.path }
+        .toList()
+
+    /** The Java programs in documents, each as a file of its class. */
+    private fun programsOfDocuments(): List<File> = listOf("docs", "learning/words")
+        .flatMap { folder -> tree.resolve(folder).listFiles { file -> file.extension == "md" }.orEmpty().sorted() }
+        .flatMap { document -> BLOCK.findAll(document.readText()).map { it.groupValues[1] } }
+        .filter { "public class " in it }
+        .mapIndexed { index, text -> fileOf("document-$index", text) }
+
+    /** A Java program in a file that is called like its first class. */
+    private fun fileOf(folder: String, text: String): File {
+        val name = checkNotNull(MAIN_CLASS.find(text)).groupValues[1]
+        return extracted.resolve("$folder/$name.java").apply {
+            parentFile.mkdirs()
+            writeText(text)
+        }
+    }
+
+    /** Programs in Java, which are called after what they are for, under the name of their class. */
+    private fun renamed(index: Int, file: File): File =
+        if (file.extension == "java") fileOf("${file.nameWithoutExtension}-$index", file.readText()) else file
+
+    private fun assertPass(programs: List<File>, vararg options: String) {
+        for (mode in listOf(emptyList(), listOf("--forgiving"))) {
+            // Java files of one call are one program.
+            val (java, others) = programs.partition { it.extension == "java" }
+            for (files in java.map(::listOf) + listOf(others).filter { it.isNotEmpty() }) {
+                val console = RecordingConsole()
+                val arguments = listOf("check") + mode + options + files.map { it.path }
+                val status = CommandLine(console, desktop = null).execute(arguments)
+                val mistakes = console.complaints.filterNot { it.endsWith("(a warning)") }
+                assertEquals(emptyList(), mistakes, "$mode")
+                assertEquals(0, status, "$mode")
+            }
+        }
+    }
+
+    @Test
+    fun `examples pass in both modes`() {
+        val examples = programsIn("examples")
+        assertTrue(examples.size >= 70, "${examples.size} examples")
+        assertPass(examples)
+    }
+
+    @Test
+    fun `programs of lessons and worlds pass in both modes`() {
+        val (ofNxt, others) = (programsIn("learning/lessons") + programsIn("learning/worlds"))
+            .partition { it.name.startsWith("nxt-") || it.parentFile.name.startsWith("nxt-") }
+            .toList()
+            .map { files -> files.mapIndexed { index, file -> renamed(index, file) } }
+        assertTrue(ofNxt.size >= 20, "${ofNxt.size} programs for an NXT")
+        assertTrue(others.size >= 150, "${others.size} others")
+        assertPass(ofNxt, "--brick", "nxt")
+        assertPass(others)
+    }
+
+    @Test
+    fun `Java programs of documents pass in both modes`() {
+        val programs = programsOfDocuments()
+        assertTrue(programs.size >= 20, "${programs.size} programs")
+        assertPass(programs)
+    }
+
+    private companion object {
+        val BLOCK = Regex("```java\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
+        val MAIN_CLASS = Regex("""^(?:public )?class (\w+)""", RegexOption.MULTILINE)
+    }
+}
