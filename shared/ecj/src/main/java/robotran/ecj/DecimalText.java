@@ -197,7 +197,7 @@ public final class DecimalText {
             String rest = digits.length() == 1 ? "0" : digits.substring(1);
             return digits.charAt(0) + "." + rest + "E" + power;
         }
-        if (power < 0) return "0." + "0".repeat(-power - 1) + digits;
+        if (power < 0) return "0." + "00".substring(0, -power - 1) + digits;
         while (digits.length() < power + 2) digits.append('0');
         return digits.substring(0, power + 1) + "." + digits.substring(power + 1);
     }
