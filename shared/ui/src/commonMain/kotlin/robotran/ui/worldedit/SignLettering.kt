@@ -22,10 +22,8 @@ internal fun TextMeasurer.signLettering(words: String, style: TextStyle, width: 
     fun widthOf(part: String, scale: Float = 1f): Int =
         measure(part.trim(), styleOf(scale), softWrap = false, maxLines = 1).size.width
 
-    val text = words.split(AFTER_BREAK).joinToString("") { part ->
-        if (widthOf(part) <= width) part else part.replace(BEFORE_SENSOR, "-\n")
-    }
-    val widest = text.split(AFTER_BREAK).maxBy { widthOf(it) }
+    val text = words.parts().joinToString("") { if (widthOf(it) <= width) it else it.withHyphen() }
+    val widest = text.parts().maxBy { widthOf(it) }
 
     fun fits(scale: Float) = widthOf(widest, scale) <= width &&
         measure(text, styleOf(scale), constraints = Constraints(maxWidth = width)).lineCount <= MAX_SIGN_LINES
@@ -37,5 +35,15 @@ internal const val MAX_SIGN_LINES = 3
 
 /** Down to less than half. */
 private val SCALES = List(13) { 1f - it * 0.05f }
-private val AFTER_BREAK = Regex("""(?<=[ \n-])""")
-private val BEFORE_SENSOR = Regex("""(?<=\p{L})(?=sensor)""")
+private const val HYPHENATED = "sensor"
+
+/** What can be on a line of its own, with the blank, hyphen or break behind it. */
+private fun String.parts(): List<String> {
+    val ends = indices.filter { this[it] in " -\n" }.map { it + 1 }
+    return (listOf(0) + ends + length).zipWithNext { start, end -> substring(start, end) }
+}
+
+private fun String.withHyphen(): String {
+    val place = lastIndexOf(HYPHENATED)
+    return if (place <= 0) this else "${substring(0, place)}-\n${substring(place)}"
+}
