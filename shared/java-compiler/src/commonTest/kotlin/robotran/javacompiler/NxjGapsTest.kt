@@ -43,6 +43,11 @@ class NxjGapsTest {
         assertTold(NxjRemedy.CALCULATE, "int i = Math.floorMod(3, 2);")
         assertTold(NxjRemedy.END_THREAD, "Thread.currentThread().stop();")
         assertTold(NxjRemedy.COMPARE_CHARACTERS, "boolean b = Character.isLetter('a');")
+        assertTold(NxjRemedy.SUBSTRINGS, "new StringBuilder().insert(0, \"a\");")
+        assertEquals(
+            "Write for (int i = text.length() - 1; i >= 0; i--) { back = back + text.charAt(i); }.",
+            nxtDiagnostic("new StringBuilder().reverse();").hint,
+        )
         assertTold(NxjRemedy.INSTANCEOF, "String n = \"\".getClass().getName();")
     }
 

@@ -51,7 +51,7 @@ private val SENSOR_WORDS: Map<SensorKind, Map<Language, String>> = mapOf(
     SensorKind.RCX_LIGHT to words("RCX light sensor", "Lichtsensor RCX", "sensor de luz RCX"),
     SensorKind.RCX_LINK to words(
         "RCX link infrared message",
-        "RCX-Adapter Infrarot Nachricht",
+        "RCX-Sender Infrarot Nachricht",
         "enlace RCX infrarrojos mensaje",
     ),
     SensorKind.NXT_TEMPERATURE to words("temperature", "Temperatur", "temperatura"),

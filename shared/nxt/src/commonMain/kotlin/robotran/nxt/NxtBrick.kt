@@ -140,8 +140,10 @@ class NxtBrick(
      *
      * @param port 0..3 for the ports 1 to 4.
      * @param raw 0..1023; other values are clamped. An open port measures 1023.
+     * @param unitValue what the sensor measures in the unit of its kind, where [raw] alone does not tell; null while it
+     * is off.
      */
-    fun setAnalog(port: Int, raw: Int) = hardware.sensors[port].measure(raw)
+    fun setAnalog(port: Int, raw: Int, unitValue: Int? = null) = hardware.sensors[port].measure(raw, unitValue)
 
     /** Sets what a colour sensor at [port], 0..3, sees from now on; taken every 3 milliseconds. */
     fun setColour(port: Int, colour: NxtColour) = hardware.sensors[port].measure(colour)

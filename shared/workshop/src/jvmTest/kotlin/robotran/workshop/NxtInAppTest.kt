@@ -3,6 +3,7 @@ package robotran.workshop
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.withTimeout
+import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.projects.Project
@@ -227,6 +228,32 @@ class NxtInAppTest {
         val again = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project))).project
         assertEquals(workshop.project, again)
         assertEquals(listOf<Byte>(1), workshop.replay.robots.single().files.single().content().toList())
+    }
+
+    @Test
+    fun `a file that is deleted in the menu of the brick is gone from the project`() = workshop { workshop ->
+        workshop.use(BrickKind.NXT)
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("CountRuns.java", COUNT_RUNS)))
+        workshop.compilePrograms()
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(3_000)
+        assertEquals(listOf("runs.dat"), workshop.project.robots.single().files.map { it.name })
+
+        fun press(vararg buttons: BrickButton) = buttons.forEach { button ->
+            workshop.handle(RunEvent.ButtonPressed(button))
+            workshop.advance(100)
+            workshop.handle(RunEvent.ButtonReleased(button))
+            workshop.advance(100)
+        }
+
+        // The menu Files, there the last entry, "Delete file", and "Yes".
+        press(BrickButton.RIGHT, BrickButton.ENTER, BrickButton.LEFT, BrickButton.ENTER)
+        press(BrickButton.RIGHT, BrickButton.ENTER)
+        assertEquals(1, workshop.project.robots.single().files.size, "asked first")
+        press(BrickButton.RIGHT, BrickButton.ENTER)
+        assertEquals(emptyList(), workshop.project.robots.single().files)
+        val again = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project))).project
+        assertEquals(emptyList(), again.robots.flatMap { it.files })
     }
 
     private companion object {

@@ -28,7 +28,8 @@ enum class MeasuringUnit(val sign: String) {
             SensorKind.LIGHT, SensorKind.SOUND, SensorKind.COLOUR, SensorKind.RCX_LIGHT -> PERCENT
             SensorKind.ULTRASONIC -> CENTIMETRES
             SensorKind.OPTICAL_DISTANCE -> MILLIMETRES
-            SensorKind.COMPASS, SensorKind.MINDSENSORS_COMPASS, SensorKind.NXT_TEMPERATURE -> DEGREES
+            SensorKind.COMPASS, SensorKind.MINDSENSORS_COMPASS -> DEGREES
+            SensorKind.NXT_TEMPERATURE, SensorKind.TEMPERATURE, SensorKind.ROTATION -> DEGREES
             else -> NONE
         }
     }

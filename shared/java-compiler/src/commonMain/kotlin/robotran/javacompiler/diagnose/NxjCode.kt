@@ -48,6 +48,10 @@ private val CODE: Map<String, String> = buildMap {
             "for (Enumeration<String> keys = table.keys(); keys.hasMoreElements();) { }",
     )
     put("String", "endsWith" to "text.startsWith(end, text.length() - end.length())")
+    put(
+        "StringBuilder StringBuffer",
+        "reverse" to "for (int i = text.length() - 1; i >= 0; i--) { back = back + text.charAt(i); }",
+    )
     put("Integer Long", "signum" to "Math.signum(number)")
     put("Byte Short", "compareTo" to "a.intValue() - b.intValue()")
     put("Random", "setSeed" to "new Random(seed)", "nextBytes" to "(byte) random.nextInt()")

@@ -31,7 +31,7 @@ private val ABSENT: Map<String, NxjRemedy> = buildMap {
     put(NxjRemedy.COMPARE_TEXTS, "String.stripLeading String.stripTrailing")
     put(NxjRemedy.INDEX_OF, "String.contains")
     for (builder in listOf("StringBuilder", "StringBuffer")) {
-        put(NxjRemedy.SUBSTRINGS, "$builder.insert $builder.reverse $builder.replace")
+        put(NxjRemedy.SUBSTRINGS, "$builder.insert $builder.replace")
     }
     put(NxjRemedy.COMPARE_CHARACTERS, "Character.isLetter Character.isLetterOrDigit")
     put(NxjRemedy.COMPARE_CHARACTERS, "Character.isUpperCase Character.isLowerCase")

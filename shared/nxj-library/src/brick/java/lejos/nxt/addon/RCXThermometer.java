@@ -21,12 +21,12 @@ public class RCXThermometer implements SensorConstants {
         return port.readRawValue();
     }
 
-    /** Gives how warm it is, in degrees Celsius; right between -20 and 70. */
+    /** Gives about how warm it is, in degrees Celsius: 33.5 at 30 degrees, 57.4 at 60. */
     public float getCelcius() {
         return (RAW_OF_0_DEGREES - readValue()) / RAW_OF_A_DEGREE;
     }
 
-    /** Gives how warm it is, in degrees Fahrenheit; right between -4 and 158. */
+    /** Gives about how warm it is, in degrees Fahrenheit: 92 at 86 degrees. */
     public float getFahrenheit() {
         return getCelcius() * 1.8f + 32;
     }

@@ -7,6 +7,8 @@ internal class SensorPort(private val number: Int, clock: Clock) {
     private var power = SensorPower.NONE
     private val pins = BooleanArray(PINS)
     private var measured = OPEN
+    private var measuredUnitValue: Int? = null
+    private var sampledUnitValue: Int? = null
     private var measuredColour = NO_COLOUR
     private var sampledColour = NO_COLOUR
 
@@ -23,8 +25,18 @@ internal class SensorPort(private val number: Int, clock: Clock) {
             val hasMeasured = i2c.device?.hasMeasured ?: true
             val known = current
             if (known != null && known.distance == reading && known.hasMeasured == hasMeasured) return known
-            return SensorPortState(number, type, power, pins[0], pins[1], analog, colour, reading, hasMeasured)
-                .also { current = it }
+            return SensorPortState(
+                number,
+                type,
+                power,
+                pins[0],
+                pins[1],
+                analog,
+                colour,
+                reading,
+                hasMeasured,
+                sampledUnitValue,
+            ).also { current = it }
         }
 
     /** What a colour sensor sees; null if the program has said nothing about one. */
@@ -56,9 +68,14 @@ internal class SensorPort(private val number: Int, clock: Clock) {
         i2c.device?.switchOff()
     }
 
-    /** Sets what the analog pin measures from now on; clamped to 0..1023. */
-    fun measure(raw: Int) {
+    /**
+     * Sets what the analog pin measures from now on; clamped to 0..1023.
+     *
+     * @param unitValue the same in the unit of the sensor, where [raw] alone does not tell; null while it is off.
+     */
+    fun measure(raw: Int, unitValue: Int? = null) {
         measured = raw.coerceIn(0, OPEN)
+        measuredUnitValue = unitValue
     }
 
     fun measure(colour: NxtColour) {
@@ -67,8 +84,9 @@ internal class SensorPort(private val number: Int, clock: Clock) {
 
     /** Takes what the pins measure; call it every [SAMPLE_MILLISECONDS]. */
     fun sample() {
-        if (analog == measured && sampledColour === measuredColour) return
+        if (analog == measured && sampledUnitValue == measuredUnitValue && sampledColour === measuredColour) return
         analog = measured
+        sampledUnitValue = measuredUnitValue
         sampledColour = measuredColour
         current = null
     }

@@ -16,6 +16,7 @@ import robotran.brick.state.InputReading
  * @property distance the last centimetres of an ultrasonic sensor that is plugged in, or the reading of another I2C
  * sensor; null if there is none.
  * @property hasMeasured whether that sensor has measured [distance]: not while it is off.
+ * @property unitValue what a temperature or rotation sensor of an RCX measures, in degrees; null while it is off.
  */
 data class SensorPortState(
     override val port: Int,
@@ -27,6 +28,7 @@ data class SensorPortState(
     val colour: NxtColour? = null,
     val distance: Int? = null,
     val hasMeasured: Boolean = true,
+    val unitValue: Int? = null,
 ) : InputReading {
     /**
      * What the sensor says in the unit of its type: 1 or 0 for a switch, percent for light and sound, the number of a
@@ -53,7 +55,8 @@ data class SensorPortState(
         SensorKind.TOUCH -> if (isPressed) 1 else 0
         SensorKind.LIGHT, SensorKind.SOUND, SensorKind.RCX_LIGHT -> percent
         SensorKind.COLOUR -> colour?.run { (red + green + blue) * PERCENT / HIGHEST_SUM }
-        SensorKind.GYRO, SensorKind.ROTATION, SensorKind.TEMPERATURE -> value
+        SensorKind.ROTATION, SensorKind.TEMPERATURE -> unitValue
+        SensorKind.GYRO -> value
         else -> distance.takeIf { hasMeasured }
     }
 

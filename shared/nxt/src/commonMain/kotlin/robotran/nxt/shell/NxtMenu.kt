@@ -113,7 +113,7 @@ internal class NxtMenu(
 
     private fun entriesOf(file: NxtFile): List<MenuEntry> = listOf(
         MenuEntry("${file.size} bytes"),
-        opening("Delete file") { question(2) { flash.delete(file.name) } },
+        opening("Delete file", "Delete?") { question(2) { flash.delete(file.name) } },
     )
 
     /** No, or yes, which does something and closes so many pages. */

@@ -233,7 +233,7 @@ private object GermanSensorMessages : SensorMessages {
             SensorKind.HITECHNIC_ACCELERATION -> "Beschleunigungssensor"
             SensorKind.MINDSENSORS_ACCELERATION -> "Beschleunigungssensor"
             SensorKind.RCX_LIGHT -> "RCX-Lichtsensor"
-            SensorKind.RCX_LINK -> "RCX-Adapter"
+            SensorKind.RCX_LINK -> "RCX-Sender"
             SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
             SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
             SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> "Infrarotsucher"

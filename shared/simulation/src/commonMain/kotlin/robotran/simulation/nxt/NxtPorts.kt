@@ -6,6 +6,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.nxt.NxtBrick
 import robotran.nxt.hardware.SensorPower
 import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.sensors.RotationSensor
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.NxtRealism
 import robotran.simulation.robot.BrickPorts
@@ -15,7 +16,7 @@ import robotran.simulation.robot.SensorErrors
 import robotran.simulation.robot.SimulatedRobot
 import robotran.simulation.robot.Thermometer
 import robotran.simulation.robot.WarmthEye
-import robotran.simulation.robot.rotationRaw
+import robotran.simulation.robot.rotationSteps
 import robotran.simulation.robot.roundedRaw
 import robotran.world.BumperPart
 import robotran.world.BumperSide
@@ -115,7 +116,11 @@ internal class NxtPorts(
 
         is RotationPart -> {
             val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
-            NxtSensor { brick.setAnalog(port, rotationRaw(machine, wheel, isPowered(port))) }
+            NxtSensor {
+                val steps = rotationSteps(machine, wheel)
+                val isOn = isPowered(port)
+                brick.setAnalog(port, RotationSensor.raw(steps, isOn), degreesOf(steps).takeIf { isOn })
+            }
         }
 
         is SensorPart -> {
@@ -169,7 +174,7 @@ internal class NxtPorts(
         }
 
         SensorKind.TEMPERATURE -> {
-            NxtSensor { brick.setAnalog(port, warmth.raw()) }
+            NxtSensor { brick.setAnalog(port, warmth.raw(), floor(warmth.celsius + HALF).toInt()) }
         }
 
         else -> {
@@ -185,11 +190,14 @@ internal class NxtPorts(
         return if (index <= 0) name else "$name ${index + 1}"
     }
 
+    private fun degreesOf(steps: Int) = steps * DEGREES / RotationSensor.COUNTS_PER_TURN
+
     private fun touchRaw(isPressed: Boolean) = if (isPressed) PRESSED else OPEN
 
     private companion object {
         val MOTORS = MotorPort.entries.toTypedArray()
         const val HALF = 0.5
+        const val DEGREES = 360
 
         /** How often the brick measures its pins. */
         const val SAMPLE_MILLISECONDS = 3

@@ -30,8 +30,11 @@ internal class WarmthEye(private val thermometer: Thermometer, streams: NoiseStr
     private var known = Double.NaN
     private var knownRaw = SensorCode.OPEN_RAW
 
+    /** The temperature, in degrees Celsius. */
+    val celsius: Double get() = thermometer.celsius()
+
     fun raw(): Int {
-        val celsius = thermometer.celsius()
+        val celsius = celsius
         if (celsius != known) {
             known = celsius
             knownRaw = TemperatureSensor.raw(celsius)
@@ -42,9 +45,13 @@ internal class WarmthEye(private val thermometer: Thermometer, streams: NoiseStr
 }
 
 /** The raw value of a rotation sensor of an RCX on the axle of [wheel]. */
-internal fun rotationRaw(machine: SimulatedRobot, wheel: Wheel, active: Boolean): Int {
+internal fun rotationRaw(machine: SimulatedRobot, wheel: Wheel, active: Boolean): Int =
+    RotationSensor.raw(rotationSteps(machine, wheel), active)
+
+/** The steps of such a sensor, forwards from where the wheel began. */
+internal fun rotationSteps(machine: SimulatedRobot, wheel: Wheel): Int {
     val turns = wheel.turned / machine.figures.wheelCircumference
-    return RotationSensor.raw(floor(turns * RotationSensor.COUNTS_PER_TURN).toInt(), active)
+    return floor(turns * RotationSensor.COUNTS_PER_TURN).toInt()
 }
 
 internal fun roundedRaw(raw: Double): Int = floor(raw + HALF).toInt().coerceIn(0, SensorCode.OPEN_RAW)

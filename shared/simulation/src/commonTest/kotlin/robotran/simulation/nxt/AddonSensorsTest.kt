@@ -23,8 +23,11 @@ import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
+import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
@@ -127,6 +130,22 @@ class AddonSensorsTest {
         assertTrue(difference.toInt() in -30..30, difference)
         assertEquals(emptyList(), session.remarks.map { it.message })
     }
+
+    @Test
+    fun `the app shows a thermometer and an axle of an RCX in degrees, whatever a program reads`() =
+        runTest(timeout = 3.minutes) {
+            val brick = shown(old, "OldSensors", 4_000).second.state.brick
+            val turned = assertNotNull(brick.inputs[1].measured(SensorKind.ROTATION))
+            assertTrue(turned > 360 && abs(turned - brick.motorDegrees[0]) < 30, "$turned")
+            val warm = world(
+                ahead(1, SensorKind.TEMPERATURE),
+                RotationPart(2, BumperSide.LEFT),
+            ).copy(temperature = 30.0)
+            val inputs = nxtSession(warm, ScriptedNxt { pause(100) }).apply { advance(50) }.state.brick.inputs
+            assertEquals(30, inputs[0].measured(SensorKind.TEMPERATURE))
+            assertNull(inputs[1].measured(SensorKind.ROTATION), "it is off")
+            assertTrue(inputs[0].value > 400, "a program reads what the pin measures")
+        }
 
     @Test
     fun `realism makes the same sensors flicker`() = runTest(timeout = 3.minutes) {

@@ -12,6 +12,7 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.LocalTextStyle
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -26,14 +27,20 @@ import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.worldedit.CarriedItem
 import robotran.ui.worldedit.PALETTE_SIGN
+import robotran.ui.worldedit.SIGN_PADDING
+import robotran.ui.worldedit.SignLettering
 import robotran.ui.worldedit.SignWord
+import robotran.ui.worldedit.signLettering
 import robotran.world.geometry.Point
 import kotlin.math.abs
 
@@ -68,17 +75,19 @@ internal fun RobotPalette(
 private fun PaletteItem(scope: RobotScope, view: PlanView, item: RobotItem, upright: Boolean, onPut: () -> Unit) {
     val ink = LocalRobotranColours.current.onPane
     var corner by remember { mutableStateOf(Offset.Zero) }
+    val word = stringResource(itemWord(item))
+    val width = ITEM_WIDTH * LocalDensity.current.fontScale.coerceIn(1f, MAX_STRETCH)
     val put = rememberUpdatedState { at: Point? ->
         scope.make(RobotEdit.Add(item, at))
         onPut()
     }
     val colour = rememberUpdatedState(ink)
     SignWord(
-        stringResource(itemWord(item)),
+        word,
         "robot-item-${item.name.lowercase()}",
         { put.value(null) },
         Modifier
-            .width(ITEM_WIDTH * LocalDensity.current.fontScale.coerceIn(1f, MAX_STRETCH))
+            .width(width)
             .onGloballyPositioned { corner = it.positionInRoot() }
             .pointerInput(view) {
                 val carry = { at: Offset? ->
@@ -89,7 +98,18 @@ private fun PaletteItem(scope: RobotScope, view: PlanView, item: RobotItem, upri
                     if (inPane in view.pane) put.value(view.transform.toRobot(inPane))
                 }
             },
+        lettering = letteringOf(word, width - SIGN_PADDING * 2),
     ) { Canvas(Modifier.size(PALETTE_SIGN)) { drawRobotItem(item, ink) } }
+}
+
+@Composable
+private fun letteringOf(word: String, width: Dp): SignLettering {
+    val measurer = rememberTextMeasurer()
+    val style = LocalTextStyle.current.copy(fontSize = TextSizes.SIGN)
+    val density = LocalDensity.current
+    return remember(word, width, style, density, measurer) {
+        measurer.signLettering(word, style, with(density) { width.roundToPx() })
+    }
 }
 
 /** Leaving the strip sideways drags an item; movement along the strip scrolls. */

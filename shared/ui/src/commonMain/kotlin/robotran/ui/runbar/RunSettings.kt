@@ -30,6 +30,7 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.brick.kind.BrickKind
 import robotran.projects.ProjectSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -39,6 +40,7 @@ import robotran.ui.resources.run_java_fast
 import robotran.ui.resources.run_java_fast_help
 import robotran.ui.resources.run_java_forgiving
 import robotran.ui.resources.run_java_forgiving_help
+import robotran.ui.resources.run_java_forgiving_help_nxt
 import robotran.ui.resources.run_realism
 import robotran.ui.resources.run_realism_help
 import robotran.ui.resources.run_realism_value
@@ -65,9 +67,10 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
         Seed(state.world.seed) { change(settings.copy(seed = it)) }
         Column {
             SectionName(stringResource(Res.string.run_java))
+            val isNxt = state.world.robots[state.watched].description.brick == BrickKind.NXT
             Setting(
                 Res.string.run_java_forgiving,
-                Res.string.run_java_forgiving_help,
+                if (isNxt) Res.string.run_java_forgiving_help_nxt else Res.string.run_java_forgiving_help,
                 "java-forgiving",
                 settings.java.mode == TinyVmMode.FORGIVING,
             ) {

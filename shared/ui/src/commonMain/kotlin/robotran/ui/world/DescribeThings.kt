@@ -9,6 +9,7 @@ import robotran.ui.resources.degrees
 import robotran.ui.resources.sheet_block
 import robotran.ui.resources.sheet_block_numbered
 import robotran.ui.resources.sheet_lamp
+import robotran.ui.resources.sheet_lamp_infrared
 import robotran.ui.resources.sheet_lamp_numbered
 import robotran.ui.resources.sheet_lamp_off
 import robotran.ui.resources.sheet_lamp_on
@@ -40,10 +41,10 @@ internal fun describeElement(thing: SheetElement, pose: Pose, world: World, sess
         }
 
         else -> {
-            val on =
-                stringResource(
-                    if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off,
-                )
+            val isOn = session.lamps[thing.number].on
+            val state = stringResource(if (isOn) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off)
+            val isInfrared = world.lamps[thing.number].infrared
+            val on = if (isInfrared) stringResource(Res.string.sheet_lamp_infrared, state) else state
             val place = placeWords(Point(pose.x, pose.y))
             val name = world.lamps[thing.number].name
             if (name != null) {

@@ -60,7 +60,11 @@ internal fun IconWord(
     SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
 }
 
-/** The same with any content as icon. */
+/**
+ * The same with any content as icon.
+ *
+ * @param lettering how [word] is written, by default as it is.
+ */
 @Composable
 internal fun SignWord(
     word: String,
@@ -68,6 +72,7 @@ internal fun SignWord(
     onClick: () -> Unit,
     modifier: Modifier = Modifier,
     chosen: Boolean = false,
+    lettering: SignLettering = SignLettering(word),
     sign: @Composable () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -80,21 +85,24 @@ internal fun SignWord(
             .background(if (chosen) colours.runningLine else Color.Transparent)
             .clickable(role = Role.Button, onClick = onClick)
             .semantics { contentDescription = word }
-            .padding(horizontal = 4.dp, vertical = 6.dp),
+            .padding(horizontal = SIGN_PADDING, vertical = 6.dp),
         Arrangement.spacedBy(3.dp, Alignment.CenterVertically),
         Alignment.CenterHorizontally,
     ) {
         sign()
         Text(
-            word,
+            lettering.text,
             color = colours.onPane,
-            fontSize = TextSizes.SIGN,
+            fontSize = TextSizes.SIGN * lettering.scale,
             lineHeight = LineHeights.SIGN,
             textAlign = TextAlign.Center,
-            maxLines = 2,
+            maxLines = MAX_SIGN_LINES,
         )
     }
 }
+
+/** Beside what is in a [SignWord]. */
+internal val SIGN_PADDING = 4.dp
 
 /** A text button. */
 @Composable

@@ -20,6 +20,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
+import robotran.brick.kind.BrickKind
 import robotran.runcontrol.RunSpeed
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.checkTargets
@@ -32,6 +33,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -189,6 +191,20 @@ class RunBarTest {
         handle(RunEvent.RunPressed)
         pass(500)
         checkTargets("run", "pause", "step", "stop", "run-more", "timeline", "mark-previous", "mark-next")
+    }
+
+    @Test
+    fun `what forgiving Java does on an NXT is told where it is chosen`() = onTablet { workshop ->
+        val told = mapOf(BrickKind.RCX to "quirks of a real brick", BrickKind.NXT to "run only here")
+        for ((brick, words) in told) {
+            workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, brick))
+            pass(300)
+            onNodeWithTag("run-more").performClick()
+            pass(500)
+            onNodeWithTag("java-forgiving").assertTextContains(words, substring = true)
+            onNodeWithTag("run-panel-close").performClick()
+            pass(500)
+        }
     }
 
     @Test

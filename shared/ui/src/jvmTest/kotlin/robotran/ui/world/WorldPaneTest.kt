@@ -275,6 +275,12 @@ class WorldPaneTest {
     }
 
     @Test
+    fun `who cannot see the sheet hears which lamp sends infrared light`() =
+        onSheet(handyWorld.copy(lamps = handyWorld.lamps.map { it.copy(infrared = true) })) {
+            onNodeWithTag("thing-lamp-0").assertContentDescriptionContains("infrared light, on", substring = true)
+        }
+
+    @Test
     fun `a bump is read out`() {
         val facing = handyWorld.copy(
             robots = handyWorld.robots.take(1),

@@ -102,7 +102,7 @@ internal object GermanRobotMessages : RobotMessages {
         SensorKind.HITECHNIC_ACCELERATION -> "Beschleunigungssensor von HiTechnic"
         SensorKind.MINDSENSORS_ACCELERATION -> "Beschleunigungssensor von mindsensors"
         SensorKind.RCX_LIGHT -> "RCX-Lichtsensor"
-        SensorKind.RCX_LINK -> "RCX-Adapter"
+        SensorKind.RCX_LINK -> "RCX-Sender"
         SensorKind.OPTICAL_DISTANCE -> "Infrarot-Abstandssensor"
         SensorKind.NXT_TEMPERATURE -> "NXT-Temperatursensor"
         SensorKind.INFRARED_SEEKER -> "Infrarotsucher"

@@ -23,6 +23,7 @@ import robotran.nxt.state.NxtState
 import robotran.ui.resources.Res
 import robotran.ui.resources.display
 import robotran.ui.resources.display_blank
+import robotran.ui.resources.display_drawing
 import robotran.ui.resources.display_marked
 
 /**
@@ -45,8 +46,10 @@ internal fun NxtDisplayView(
         stringResource(Res.string.display_blank)
     } else {
         val mark = marked?.let { stringResource(Res.string.display_marked, it) }
+        val texts = words.filterNot(::isDrawing)
+        val drawing = if (texts.size < words.size) stringResource(Res.string.display_drawing) else null
         // What a key has changed comes first.
-        stringResource(Res.string.display, (listOfNotNull(mark) + words).joinToString("\n"))
+        stringResource(Res.string.display, (listOfNotNull(mark) + texts + listOfNotNull(drawing)).joinToString("\n"))
     }
     val contrast = state.contrast.toFloat() / NxtState.HIGHEST_CONTRAST
     Canvas(
@@ -76,5 +79,8 @@ private fun <T> rememberCalm(value: T): T {
     }
     return calm
 }
+
+/** Whether a row of the display has dots, but no character that the font has. */
+private fun isDrawing(row: String) = row.all { it == '?' || it == ' ' }
 
 private const val CALM_MILLISECONDS = 500L

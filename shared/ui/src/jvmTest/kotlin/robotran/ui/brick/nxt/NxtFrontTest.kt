@@ -99,6 +99,11 @@ class NxtFrontTest {
         }
 
     @Test
+    fun `a screen reader hears of a drawing that it is one`() = show(NxtScenes.drawing) {
+        onNodeWithTag("lcd").assertContentDescriptionEquals("Display: Face\na drawing")
+    }
+
+    @Test
     fun `a screen reader hears which entry of a menu is marked`() = show(NxtScenes.menu) {
         onNodeWithTag("lcd").assertContentDescriptionContains("Display: Marked: Run Default", substring = true)
         state = state.copy(menu = state.menu?.copy(selected = 1))

@@ -8,6 +8,7 @@ import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
 import robotran.nxt.NxtBrick
+import robotran.nxt.display.DisplaySize
 import robotran.nxt.hardware.I2cDevice
 import robotran.nxt.hardware.NxtColour
 import robotran.nxt.hardware.SensorType
@@ -59,6 +60,14 @@ internal object NxtScenes {
             it.draw("Red", 6, 3)
         },
     ) { setColour(1, NxtColour(900, 200, 150, 50)) }.copy(isSending = true)
+
+    /** A text, and in two rows below it dots that are no text. */
+    val drawing: NxtState = started(
+        Shown("Face") {
+            it.draw("Face", 0, 0)
+            for (row in 2..3) for (dot in 0..<40) it.displayMemory[row * DisplaySize.WIDTH + dot] = 0x2A
+        },
+    )
 
     val failed: NxtState = started(Shown("Fail", FAILURE))
 
