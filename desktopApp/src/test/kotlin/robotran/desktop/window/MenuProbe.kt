@@ -10,42 +10,60 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.awt.ComposeWindow
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.window.Window
 import androidx.compose.ui.window.application
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.runBlocking
+import kotlinx.coroutines.withTimeoutOrNull
 import robotran.language.Language
 import robotran.ui.desktop.WorkshopMenuBar
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
+import java.awt.Toolkit
+import java.awt.datatransfer.DataFlavor
 import javax.swing.JMenu
 import javax.swing.JMenuItem
 import javax.swing.SwingUtilities
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * Opens a window with the app's menu over a text field, changes the language and edits by menu. Prints one line per
- * result. Runs in its own process on a given display.
+ * result, as soon as it is there or after [PATIENCE]. Runs in its own process on a given display.
  */
 fun main() {
     val workshop = runBlocking { openWorkshop() }
     application(exitProcessOnExit = false) {
         Window(::exitApplication) {
-            var text by remember { mutableStateOf("pen down") }
+            var field by remember { mutableStateOf(TextFieldValue("pen down")) }
+            var hasFocus by remember { mutableStateOf(false) }
             val focus = remember { FocusRequester() }
             WorkshopMenuBar(workshop.state, workshop::handle, {}, {}, {})
-            BasicTextField(text, { text = it }, Modifier.focusRequester(focus))
+            val modifier = Modifier.focusRequester(focus).onFocusChanged { hasFocus = it.isFocused }
+            BasicTextField(field, { field = it }, modifier)
             LaunchedEffect(Unit) {
+                var last = emptyList<String>()
                 for (language in listOf(Language.ENGLISH, Language.GERMAN, Language.SPANISH, Language.ENGLISH)) {
                     workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = language)))
-                    delay(MOMENT)
-                    println("$language: ${menus(window)}")
+                    until { menus(window).let { menus -> menus != last && menus.none { OUT_OF_SIGHT in it } } }
+                    last = menus(window)
+                    println("$language: $last")
                 }
                 focus.requestFocus()
-                delay(MOMENT)
-                for (shortcut in listOf("A", "C", "X", "V", "V")) {
+                until { hasFocus }
+                val results = listOf<Pair<String, () -> Boolean>>(
+                    "A" to { field.selection.length == field.text.length },
+                    "C" to { clipboardText() == field.text },
+                    "X" to { field.text.isEmpty() },
+                    "V" to { field.text.isNotEmpty() },
+                    "V" to { field.text.length > "pen down".length },
+                )
+                for ((shortcut, isDone) in results) {
                     choose(window, shortcut)
-                    delay(MOMENT)
-                    println("$shortcut: $text")
+                    until(isDone)
+                    println("$shortcut: ${field.text}")
                 }
                 exitApplication()
             }
@@ -53,13 +71,18 @@ fun main() {
     }
 }
 
-private fun menus(window: ComposeWindow): List<String> = window.jMenuBar.components.filterIsInstance<JMenu>().map {
-    if (it.isShowing && it.height > 0) {
-        it.text
-    } else {
-        "${it.text} out of sight"
-    }
+private suspend fun until(isDone: () -> Boolean) {
+    withTimeoutOrNull(PATIENCE) { while (!isDone()) delay(20.milliseconds) }
 }
+
+private fun clipboardText(): String? = runCatching {
+    Toolkit.getDefaultToolkit().systemClipboard.getData(DataFlavor.stringFlavor) as String
+}.getOrNull()
+
+private fun menus(window: ComposeWindow): List<String> =
+    window.jMenuBar?.components.orEmpty().filterIsInstance<JMenu>().map {
+        if (it.isShowing && it.height > 0) it.text else "${it.text} $OUT_OF_SIGHT"
+    }
 
 /** Selects the item with the shortcut [letter] in the second menu, like a click. */
 private fun choose(window: ComposeWindow, letter: String) {
@@ -68,4 +91,6 @@ private fun choose(window: ComposeWindow, letter: String) {
     SwingUtilities.invokeLater(item::doClick)
 }
 
-private const val MOMENT = 700L
+private const val OUT_OF_SIGHT = "out of sight"
+
+private val PATIENCE = 30.seconds

@@ -29,10 +29,10 @@ private val ODD_WORDS =
     )
 
 /** Compiles [count] mutated programs. Each is an example with some words removed, doubled, moved or replaced. */
-suspend fun compileMutations(count: Int) {
+suspend fun compileMutations(count: Int, seed: Long = 0) {
     val originals = examplePrograms.values.toList()
     repeat(count) { number ->
-        val random = Random(number)
+        val random = Random(seed + number)
         val text = mutated(originals[number % originals.size], random)
         when (val result = compile(text)) {
             is CompilationResult.Compiled -> assertTrue(result.classes.isNotEmpty() || "class" !in text, text)

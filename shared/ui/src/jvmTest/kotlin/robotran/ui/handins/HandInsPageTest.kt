@@ -207,7 +207,7 @@ class HandInsPageTest {
         workshop.handle(HandInsEvent.HandInChosen("Ada"))
         settle()
         assertEquals("As given, seed 3: all goals met. Replay", spokenBy("hand-in-run--3"))
-        assertContains(spokenBy("hand-in-run-A worn robot-10"), "A worn robot, seed 10: all goals met")
+        assertContains(spokenBy("hand-in-run-A worn robot-3"), "A worn robot, seed 3: all goals met")
         checkTargets("hand-in-run--1", "hand-in-run--2")
         assertEquals("Back to the hand-ins", spokenBy("hand-ins-close"))
         tap("hand-in-run--3")
