@@ -1,6 +1,7 @@
 // What else can happen on the way into a real robot: mistakes, cancelling, a brick that is off, bytes that are lost, firmware.
 import assert from 'node:assert/strict';
 import { plugIn } from '../brick.mjs';
+import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { brick, ends, IN_ROBOT, isImage } from '../send.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
@@ -8,6 +9,24 @@ import { test } from '../tried-again.mjs';
 import { disappears, pointAtTool, press, says, tap, writeProgram } from '../words.mjs';
 
 const LAPTOP = { width: 1440, height: 900 };
+/** A link to a program that takes long enough on its way for somebody to cancel it. */
+const LONG = linkTo('p', {
+  format: 'robotran-project',
+  version: 1,
+  world: {
+    format: 'robotran-world',
+    version: 2,
+    title: 'A sheet',
+    paper: { width: 100, height: 80 },
+    robots: [{ start: { x: 30, y: 30, heading: 0 } }],
+  },
+  robots: [
+    {
+      name: 'yellow',
+      programs: [{ name: 'long.robo', language: 'robolang', text: Array(400).fill('forward 2') }],
+    },
+  ],
+});
 const PHONE_ACROSS = { width: 891, height: 411 };
 
 test('a program with a mistake is not sent, and its mistake is a touch away', () =>
@@ -24,7 +43,7 @@ test('a program with a mistake is not sent, and its mistake is a touch away', ()
 
 test('a transfer can be cancelled, and the robot is left without a program until it is sent again', () =>
   onPage(
-    { ...LAPTOP, prepare: plugIn({ kind: 'serial', answerAfter: 150, remembered: true }) },
+    { ...LAPTOP, address: LONG, prepare: plugIn({ kind: 'serial', answerAfter: 150, remembered: true }) },
     async ({ page, troubles }) => {
       await pointAtTool(page, 'send-robot', press);
       await says(page, 'send-block', /Block [2-9] of/);
