@@ -1,11 +1,11 @@
-// A course in a frame, and a page around that is of the site itself.
+// A course in a frame, and a page around that is of the site itself, or one that the site does not name.
 import assert from 'node:assert/strict';
 import { assignment, inFrame, world } from '../embed.mjs';
 import { message } from '../frame.mjs';
 import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, press, says } from '../words.mjs';
+import { appears, placeOf, press, reports, says, words, writeProgram } from '../words.mjs';
 
 test('a course in a frame shows how far it is, and leads on to the next assignment', () => {
   const second = {
@@ -32,4 +32,17 @@ test('a course in a frame shows how far it is, and leads on to the next assignme
 test('a page of the same origin needs no permission', () =>
   inFrame({ origins: () => [], isSame: true }, async ({ page }) => {
     assert.equal((await message(page, 'ready')).assignment.id, 'mark-1');
+  }));
+
+test('a page that the site does not name learns nothing, and the pupil works all the same', () =>
+  inFrame({ origins: () => ['https://school.example', '*', 'http://localhost'] }, async ({ page, app }) => {
+    await writeProgram(app, 'forward 39');
+    await press(app, 'run');
+    await reports(app, (report) => report.goals[0].met);
+    // What the page around would hear of that has been told after some frames.
+    await placeOf(app, 'run');
+    await app.evaluate(() => parent.postMessage({ kind: 'last' }, '*'));
+    await message(page, 'last');
+    assert.equal((await page.evaluate(() => messages)).length, 1);
+    assert.ok((await words(app, 'program').count()) > 0);
   }));

@@ -76,30 +76,3 @@ test('a program in Java goes from a tablet into the robot through the USB tower'
     assert.deepEqual(asked, [0xfd, 0x04, 0x03], 'version, reset, flush');
     assert.deepEqual(troubles, []);
   }));
-
-test('damaged bytes end the stream of a serial port, and the next one is taken', () =>
-  onPage(
-    { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.0005, damage: true, remembered: true }) },
-    async ({ page, troubles }) => {
-      await pointAtTool(page, 'send-robot', press);
-      await ends(page, IN_ROBOT);
-      assert.ok((await page.evaluate(() => globalThis.brick.damages)) > 0);
-      assert.ok(isImage((await brick(page)).program));
-      assert.deepEqual(troubles, []);
-    },
-  ));
-
-test('whoever chooses no tower is told, and a tower that a driver holds is told', () =>
-  onPage({ ...TABLET, prepare: plugIn({ kind: 'usb' }) }, async ({ page, troubles }) => {
-    await page.evaluate(() => {
-      globalThis.brick.refuses = true;
-    });
-    await pointAtTool(page, 'send-robot', press);
-    await press(page, 'send-look-usb');
-    await ends(page, /No tower was chosen/);
-    await page.evaluate(() => Object.assign(globalThis.brick, { refuses: false, heldByDriver: true }));
-    await press(page, 'send-look-usb');
-    await ends(page, /A driver of this computer holds the tower/);
-    await photograph(page, 'send-tablet-held');
-    assert.deepEqual(troubles, []);
-  }));

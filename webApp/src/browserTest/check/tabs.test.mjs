@@ -1,4 +1,4 @@
-// Tabs of one browser: each restores its own project, and only a crash is reported as one.
+// Tabs of one browser: each restores its own project.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from '../kept.mjs';
@@ -31,24 +31,6 @@ test('each of two tabs comes back with its own work, under a name of its own', (
     assert.deepEqual(troubles, []);
   }));
 
-test('a duplicated tab begins a work of its own and says where the other is', () =>
-  onPage(TABLET, async ({ page, troubles }) => {
-    await writeProgram(page, 'forward 23');
-    await isKept(page, 'forward 23');
-    const memory = await page.evaluate(() => sessionStorage.getItem('robotran-work'));
-    const twin = await page.context().newPage();
-    // A browser copies the session storage of a duplicated tab.
-    await twin.addInitScript((id) => {
-      if (!sessionStorage.getItem('robotran-work')) sessionStorage.setItem('robotran-work', id);
-    }, memory);
-    await twin.goto(page.url());
-    await isReady(twin);
-    await says(twin, 'notice-text', /open in another window/);
-    await says(twin, 'program', /^(?!.*forward 23)/);
-    await says(page, 'program', /forward 23/);
-    assert.deepEqual(troubles, []);
-  }));
-
 test('a reload right after a key loses nothing and says nothing', () =>
   onPage(TABLET, async ({ page, troubles }) => {
     for (const number of [31, 32, 33]) {
@@ -58,17 +40,4 @@ test('a reload right after a key loses nothing and says nothing', () =>
       assert.equal(await words(page, 'notice-text').count(), 0);
     }
     assert.deepEqual(troubles, []);
-  }));
-
-test('a tab that has crashed says so when its work comes back', () =>
-  onPage(TABLET, async ({ page, site }) => {
-    await writeProgram(page, 'forward 24');
-    await isKept(page, 'forward 24');
-    const context = page.context();
-    await Promise.all([page.waitForEvent('crash'), page.goto('chrome://crash').catch(() => undefined)]);
-    const next = await context.newPage();
-    await next.goto(site.address);
-    await isReady(next);
-    await says(next, 'program', /forward 24/);
-    await says(next, 'notice-text', /did not end as it should/);
   }));
