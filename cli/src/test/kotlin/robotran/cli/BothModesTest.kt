@@ -44,10 +44,11 @@ class BothModesTest {
         if (file.extension == "java") fileOf("${file.nameWithoutExtension}-$index", file.readText()) else file
 
     private fun assertPass(programs: List<File>, vararg options: String) {
+        val (java, others) = programs.partition { it.extension == "java" }
         for (mode in listOf(emptyList(), listOf("--forgiving"))) {
-            // Java files of one call are one program.
-            val (java, others) = programs.partition { it.extension == "java" }
-            for (files in java.map(::listOf) + listOf(others).filter { it.isNotEmpty() }) {
+            // Java files of one call are one program. Other languages have no modes.
+            val inOtherLanguages = listOf(others).filter { it.isNotEmpty() && mode.isEmpty() }
+            for (files in java.map(::listOf) + inOtherLanguages) {
                 val console = RecordingConsole()
                 val arguments = listOf("check") + mode + options + files.map { it.path }
                 val status = CommandLine(console, desktop = null).execute(arguments)
