@@ -44,9 +44,7 @@ internal fun parseIntent(intent: Intent): IncomingIntent = when (intent.action) 
         )
     }
 
-    else -> {
-        IncomingIntent()
-    }
+    else -> IncomingIntent()
 }
 
 private fun isGiven(place: Uri) = place.scheme == ContentResolver.SCHEME_CONTENT

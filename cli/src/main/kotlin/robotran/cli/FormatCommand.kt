@@ -49,9 +49,7 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
 
     private fun format(name: String, file: TextFile.Read): ExitCode =
         when (val result = formatRobolang(file.text, RobolangMessages.of(spoken.language))) {
-            is FormatResult.Formatted -> {
-                settle(name, file, result.text)
-            }
+            is FormatResult.Formatted -> settle(name, file, result.text)
 
             is FormatResult.HasErrors -> {
                 result.diagnostics.forEach { console.complain(lineOf(name, it)) }

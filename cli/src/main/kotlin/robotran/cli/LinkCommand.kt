@@ -89,9 +89,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
     }
 
     private fun tell(made: LinkCreation?): ExitCode = when (made) {
-        null -> {
-            ExitCode.BAD_INPUT
-        }
+        null -> ExitCode.BAD_INPUT
 
         is LinkCreation.Made -> {
             console.say(site.orEmpty() + made.fragment)

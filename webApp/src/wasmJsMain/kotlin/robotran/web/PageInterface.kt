@@ -73,9 +73,7 @@ private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? = when
 
 private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
     when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, project.settings.java))) {
-        is RobotLoads.HasErrors -> {
-            refusal(robots.diagnostics.first().message)
-        }
+        is RobotLoads.HasErrors -> refusal(robots.diagnostics.first().message)
 
         is RobotLoads.Ready -> {
             val session = Session.replay(

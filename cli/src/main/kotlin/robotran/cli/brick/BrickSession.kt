@@ -36,9 +36,7 @@ internal class BrickSession(private val console: Console, private val towers: To
             found.port
         }
 
-        is FoundTower.None -> {
-            null.also { sentences(found).forEach(console::complain) }
-        }
+        is FoundTower.None -> null.also { sentences(found).forEach(console::complain) }
     }
 
     private fun sentences(none: FoundTower.None): List<String> {

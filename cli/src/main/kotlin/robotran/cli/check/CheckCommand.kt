@@ -90,13 +90,8 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
                 )
             }
 
-            is RobolangFile.HasErrors -> {
-                tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
-            }
-
-            is RobolangFile.Unreadable -> {
-                console.complain(file.reason)
-            }
+            is RobolangFile.HasErrors -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
+            is RobolangFile.Unreadable -> console.complain(file.reason)
         }
     }
 

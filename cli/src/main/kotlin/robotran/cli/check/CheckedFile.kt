@@ -116,9 +116,7 @@ internal fun checkFiles(
 /** Checks the program that [names] hold, compiled. */
 private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
     when (val files = readProgramFiles(names, CommandMessages.of(compiler.language))) {
-        is ProgramFiles.Rejected -> {
-            CheckedFile.Unreadable(files.reason)
-        }
+        is ProgramFiles.Rejected -> CheckedFile.Unreadable(files.reason)
 
         is ProgramFiles.Read -> {
             val program = files.programs.single()
@@ -130,9 +128,7 @@ private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: 
 
 private fun checkFirmware(name: String, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
     when (val files = readProgramFiles(listOf(name), CommandMessages.of(compiler.language))) {
-        is ProgramFiles.Rejected -> {
-            CheckedFile.Unreadable(files.reason)
-        }
+        is ProgramFiles.Rejected -> CheckedFile.Unreadable(files.reason)
 
         is ProgramFiles.Read -> {
             val program = files.programs.single()
@@ -152,17 +148,9 @@ private fun checkRobolang(
     brick: BrickKind?,
     isForBrick: Boolean,
 ): CheckedFile = when (val file = readRobolangFile(name, compiler.language, brick)) {
-    is RobolangFile.Unreadable -> {
-        CheckedFile.Unreadable(file.reason)
-    }
-
-    is RobolangFile.Ready -> {
-        CheckedFile.Robolang(file, checkTranslation(file, compiler), isForBrick)
-    }
-
-    is RobolangFile.HasErrors -> {
-        CheckedFile.Robolang(file)
-    }
+    is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
+    is RobolangFile.Ready -> CheckedFile.Robolang(file, checkTranslation(file, compiler), isForBrick)
+    is RobolangFile.HasErrors -> CheckedFile.Robolang(file)
 }
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */

@@ -37,9 +37,7 @@ private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file
             file.translated.map { json(if (file.isForBrick) "mistake" else "warning", it) }
     }
 
-    is CheckedFile.Java -> {
-        file.diagnostics.map { json("mistake", it) } + file.warnings.map { json("warning", it) }
-    }
+    is CheckedFile.Java -> file.diagnostics.map { json("mistake", it) } + file.warnings.map { json("warning", it) }
 
     is CheckedFile.Firmware -> {
         file.diagnostics.map { json("mistake", it, name) } + file.warnings.map { json("warning", it, name) }
@@ -49,9 +47,7 @@ private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file
         listOfNotNull(file.mistake).map { json("mistake", it) } + file.warnings.map { json("warning", it) }
     }
 
-    is CheckedFile.Unreadable -> {
-        emptyList()
-    }
+    is CheckedFile.Unreadable -> emptyList()
 }
 
 private fun json(severity: String, found: JsonWarning): JsonObject = buildJsonObject {

@@ -22,18 +22,14 @@ internal fun readNqc(name: String, messages: FileMessages = EnglishCommandMessag
         val next = waiting.removeFirst()
         if (next in files) continue
         when (val file = readTextFile(next, messages)) {
-            is TextFile.Rejected -> {
-                return ReadProgram.Rejected(file.reason)
-            }
+            is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
 
             is TextFile.Read -> {
                 files[next] = SourceFile(file.name, file.text)
                 remarks += file.remarks
                 for (included in nqcIncludes(file.text)) {
                     when (val found = findIncluded(included, next, name)) {
-                        is IncludedFile.Found -> {
-                            waiting += found.name
-                        }
+                        is IncludedFile.Found -> waiting += found.name
 
                         IncludedFile.Outside -> {
                             val line = file.text.lines().indexOfFirst { included in nqcIncludes(it) } + 1

@@ -26,9 +26,7 @@ internal fun gradeJson(worldFile: String, worldTitle: String, programs: List<Pro
 private fun json(program: ProgramGrades): JsonObject = buildJsonObject {
     put("program", program.name)
     when (program) {
-        is ProgramGrades.Rejected -> {
-            put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
-        }
+        is ProgramGrades.Rejected -> put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
 
         is ProgramGrades.Graded -> {
             put("passed", program.passed)

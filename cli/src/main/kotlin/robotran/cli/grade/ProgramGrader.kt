@@ -121,9 +121,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
             readLoads(place, reader, read.handIn.namedByClasses(), request.options.robots)
         }
 
-        is SubmissionResult.Rejected -> {
-            RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
-        }
+        is SubmissionResult.Rejected -> RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
     }
 
     /** A hand-in's file name never decides: platforms and browsers change it. */

@@ -50,13 +50,8 @@ internal fun gradesOf(result: GradedHandIn, files: SubmittedFiles, shownName: St
             ProgramGrades.Graded(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })
         }
 
-        is GradedHandIn.HasMistakes -> {
-            ProgramGrades.Rejected(name, shown, result.reasons, isReadable = true)
-        }
-
-        is GradedHandIn.Failed -> {
-            ProgramGrades.Rejected(name, shown, result.reasons, isReadable = false)
-        }
+        is GradedHandIn.HasMistakes -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = true)
+        is GradedHandIn.Failed -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = false)
 
         is GradedHandIn.Unusable -> {
             ProgramGrades.Rejected(name, shown, listOf(result.submission.reason), isReadable = false)

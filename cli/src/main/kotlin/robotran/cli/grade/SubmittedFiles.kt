@@ -65,7 +65,6 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
             found.filterNot { isHidden(folder.relativize(it)) }.forEach {
                 when {
                     !liesIn(folder, it) -> unreadable["$it"] = messages.leadsOutside("$it")
-
                     it.isRegularFile() -> addFile(it.toString(), it, base)
 
                     // One without files is a pupil who has handed in nothing.
@@ -85,9 +84,7 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
             val isUseful = isUseful(path.name)
             val limit = if (path.name.endsWith(ZIP, ignoreCase = true)) LARGEST_ZIP_BYTES else LARGEST_FILE_BYTES
             when (val content = if (isUseful) readContent(path, name, limit, messages) else FileContent.Read(NOTHING)) {
-                is FileContent.Rejected -> {
-                    content.reason
-                }
+                is FileContent.Rejected -> content.reason
 
                 is FileContent.Read -> {
                     val shown = shownPath(path, base)

@@ -44,9 +44,7 @@ internal fun readCourseFile(name: String, language: Language): CourseReading {
         readContent(folder ?: Path(name), name, LARGEST_FILE_BYTES, messages)
     }
     return when (content) {
-        is FileContent.Rejected -> {
-            CourseReading.Unreadable(content.reason)
-        }
+        is FileContent.Rejected -> CourseReading.Unreadable(content.reason)
 
         is FileContent.Read -> {
             val files = FilesBeside(folder ?: Path(name), messages)
@@ -84,9 +82,7 @@ internal fun courseOf(name: String, console: Console): Course? {
 
 private fun linkedCourse(link: String, console: Console): Course? =
     when (val result = runBlocking { openLink(link, console.language) }) {
-        is LinkResult.OfCourse -> {
-            result.course
-        }
+        is LinkResult.OfCourse -> result.course
 
         else -> {
             console.complain((result as? LinkResult.Rejected)?.message ?: link)

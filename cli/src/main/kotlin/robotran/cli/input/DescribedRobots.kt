@@ -28,9 +28,7 @@ internal sealed interface DescribedRobot {
 /** Reads the robot file [name]. */
 internal fun readDescribedRobot(name: String, console: Console): DescribedRobot =
     when (val file = readTextFile(name, console.messages)) {
-        is TextFile.Rejected -> {
-            DescribedRobot.Rejected(file.reason, isReadable = false)
-        }
+        is TextFile.Rejected -> DescribedRobot.Rejected(file.reason, isReadable = false)
 
         is TextFile.Read -> {
             when (val result = readRobot(file.text, console.language)) {
@@ -39,9 +37,7 @@ internal fun readDescribedRobot(name: String, console: Console): DescribedRobot 
                     DescribedRobot.Read(result.robot)
                 }
 
-                is RobotFileResult.Rejected -> {
-                    DescribedRobot.Rejected("$name: ${result.message}", isReadable = true)
-                }
+                is RobotFileResult.Rejected -> DescribedRobot.Rejected("$name: ${result.message}", isReadable = true)
             }
         }
     }
@@ -67,9 +63,7 @@ internal fun withDescribedRobots(world: World, files: List<RobotFile>, console: 
             ProjectMessages.of(console.language).unknownRobot(name, names)
         } else {
             when (val read = readDescribedRobot(file.file, console)) {
-                is DescribedRobot.Rejected -> {
-                    read.reason
-                }
+                is DescribedRobot.Rejected -> read.reason
 
                 is DescribedRobot.Read -> {
                     val robots = changed.robots.toMutableList()

@@ -9,9 +9,7 @@ internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): Strin
     val file =
         when (program.source) {
             is ProgramSource.Robolang -> program.path
-
             is ProgramSource.Java, is ProgramSource.Nqc -> diagnostic.file
-
             is ProgramSource.Lasm, is ProgramSource.FirmwareImage -> program.path
 
             is ProgramSource.CompiledClasses -> listOf(program.path, diagnostic.file).filter {

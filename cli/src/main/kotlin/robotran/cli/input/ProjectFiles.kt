@@ -35,9 +35,7 @@ internal fun readProjectFile(name: String, console: Console, linkName: String? =
 
 /** The project [name]. On error prints it and returns null. */
 internal fun projectOf(name: String, console: Console): Project? = when (val result = readProjectFile(name, console)) {
-    is ReadProject.Read -> {
-        result.project
-    }
+    is ReadProject.Read -> result.project
 
     is ReadProject.Rejected -> {
         console.complain(result.reason)
@@ -55,9 +53,7 @@ private fun openProjectLink(link: String, linkName: String?, console: Console): 
 
 private fun readProjectText(name: String, console: Console): ReadProject =
     when (val file = readTextFile(name, console.messages)) {
-        is TextFile.Rejected -> {
-            ReadProject.Rejected(file.reason)
-        }
+        is TextFile.Rejected -> ReadProject.Rejected(file.reason)
 
         is TextFile.Read -> {
             when (val result = readProject(file.text, console.language)) {
@@ -66,9 +62,7 @@ private fun readProjectText(name: String, console: Console): ReadProject =
                     ReadProject.Read(result.project)
                 }
 
-                is ProjectFileResult.Rejected -> {
-                    ReadProject.Rejected("$name: ${result.message}")
-                }
+                is ProjectFileResult.Rejected -> ReadProject.Rejected("$name: ${result.message}")
             }
         }
     }

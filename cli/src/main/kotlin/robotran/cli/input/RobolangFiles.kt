@@ -44,9 +44,7 @@ internal sealed interface RobolangFile {
  */
 internal fun readRobolangFile(name: String, language: Language, brick: BrickKind? = null): RobolangFile =
     when (val file = readRobolangText(name, language)) {
-        is TextFile.Rejected -> {
-            RobolangFile.Unreadable(file.reason)
-        }
+        is TextFile.Rejected -> RobolangFile.Unreadable(file.reason)
 
         is TextFile.Read -> {
             when (

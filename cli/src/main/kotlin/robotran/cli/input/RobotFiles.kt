@@ -77,9 +77,7 @@ internal fun readLoads(
     }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotLoads.Ready -> {
-            RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads), remarks)
-        }
+        is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads), remarks)
 
         is RobotLoads.HasErrors -> {
             val target = world.robots.firstOrNull { it.name == result.robot }?.description?.target

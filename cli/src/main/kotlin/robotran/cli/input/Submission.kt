@@ -56,9 +56,7 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
             SubmissionResult.Read(Submission(files.programs))
         }
 
-        is ProgramFiles.Rejected -> {
-            SubmissionResult.Rejected(files.reason)
-        }
+        is ProgramFiles.Rejected -> SubmissionResult.Rejected(files.reason)
     }
 }
 

@@ -34,9 +34,7 @@ internal data class WorldChanges(
 internal fun readWorldFile(name: String, console: Console): World? {
     val file =
         when (val file = readTextFile(name, console.messages)) {
-            is TextFile.Read -> {
-                file
-            }
+            is TextFile.Read -> file
 
             is TextFile.Rejected -> {
                 console.complain(file.reason)

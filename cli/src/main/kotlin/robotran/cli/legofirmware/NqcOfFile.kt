@@ -37,9 +37,7 @@ internal sealed interface NqcOfFile {
 /** Translates the Robolang program [name]. */
 internal fun nqcOf(name: String, language: Language): NqcOfFile =
     when (val file = readRobolangFile(name, language, BrickKind.RCX)) {
-        is RobolangFile.Unreadable -> {
-            NqcOfFile.Failed(listOf(file.reason), ExitCode.BAD_INPUT)
-        }
+        is RobolangFile.Unreadable -> NqcOfFile.Failed(listOf(file.reason), ExitCode.BAD_INPUT)
 
         is RobolangFile.HasErrors -> {
             NqcOfFile.Failed(file.remarks + file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
@@ -71,9 +69,7 @@ internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language:
         }
     }
     return when (val read = readProgramFiles(listOf(name), CommandMessages.of(language))) {
-        is ProgramFiles.Rejected -> {
-            FirmwareImageOfFile.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
-        }
+        is ProgramFiles.Rejected -> FirmwareImageOfFile.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
 
         is ProgramFiles.Read -> {
             when (val built = firmwareImageOf(read.programs.single(), settings, language)) {

@@ -109,9 +109,7 @@ private fun json(event: SoundEvent): JsonObject = buildJsonObject {
             if (event.volume != FULL_VOLUME) put("volume", event.volume)
         }
 
-        is SoundEvent.Cut -> {
-            put("cut", true)
-        }
+        is SoundEvent.Cut -> put("cut", true)
     }
 }
 

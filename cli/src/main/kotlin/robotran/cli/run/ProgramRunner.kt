@@ -163,13 +163,8 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             }
 
             // The same as in grading, so that the goals have the same results.
-            session.world.goals.isNotEmpty() -> {
-                session.runForGoals(milliseconds, endsWhenDecided = false)
-            }
-
-            else -> {
-                session.runUnattended(milliseconds)
-            }
+            session.world.goals.isNotEmpty() -> session.runForGoals(milliseconds, endsWhenDecided = false)
+            else -> session.runUnattended(milliseconds)
         }
     }
 
@@ -178,9 +173,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
 
     /** Prints an error and returns null if a program cannot be read. */
     private fun readOwn(names: List<String>): Submission? = when (val read = readSubmission(names, console)) {
-        is SubmissionResult.Read -> {
-            read.handIn
-        }
+        is SubmissionResult.Read -> read.handIn
 
         is SubmissionResult.Rejected -> {
             console.complain(read.reason)

@@ -135,9 +135,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     }
 
     private fun translateToNqc(program: String): ExitCode = when (val nqc = nqcOf(program, spoken.language)) {
-        is NqcOfFile.Failed -> {
-            refuse(nqc.lines, nqc.code)
-        }
+        is NqcOfFile.Failed -> refuse(nqc.lines, nqc.code)
 
         is NqcOfFile.Translated -> {
             (nqc.lost + nqc.changed).forEach(console::complain)
@@ -148,9 +146,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
     private fun translateToLasm(program: String): ExitCode =
         when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
-            is FirmwareImageOfFile.Failed -> {
-                refuse(built.lines, built.code)
-            }
+            is FirmwareImageOfFile.Failed -> refuse(built.lines, built.code)
 
             is FirmwareImageOfFile.Built -> {
                 built.warnings.forEach(console::complain)

@@ -44,9 +44,7 @@ class SiteServer private constructor(
                 exchange.sendResponseHeaders(METHOD_NOT_ALLOWED, NO_BODY)
             }
 
-            file == null -> {
-                exchange.sendResponseHeaders(NOT_FOUND, NO_BODY)
-            }
+            file == null -> exchange.sendResponseHeaders(NOT_FOUND, NO_BODY)
 
             else -> {
                 exchange.responseHeaders["Content-Type"] = TYPES[file.extension] ?: "application/octet-stream"

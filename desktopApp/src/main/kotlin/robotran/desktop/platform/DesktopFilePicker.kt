@@ -88,9 +88,7 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
 internal fun openedFile(path: Path, tell: (String) -> Unit): OpenedFile? {
     val location = path.toAbsolutePath().normalize()
     return when (val file = readFile(location, appLanguage(null))) {
-        is FileContent.Read -> {
-            OpenedFile(location.name, file.bytes, location.toString())
-        }
+        is FileContent.Read -> OpenedFile(location.name, file.bytes, location.toString())
 
         is FileContent.Rejected -> {
             tell(file.reason)

@@ -16,9 +16,7 @@ val LineForm.group: BlockGroup
             BlockGroup.DRIVE
         }
 
-        LineForm.PEN -> {
-            BlockGroup.PEN
-        }
+        LineForm.PEN -> BlockGroup.PEN
 
         LineForm.RESET_TIMER, LineForm.RESET_MOTOR, LineForm.ROBOT, LineForm.LIGHT_SENSOR, LineForm.BRICK,
         LineForm.SONAR, LineForm.COLOUR_SENSOR, LineForm.SOUND_SENSOR,
@@ -33,13 +31,8 @@ val LineForm.group: BlockGroup
             BlockGroup.CONTROL
         }
 
-        LineForm.DECLARE_VARIABLE, LineForm.DECLARE_CONSTANT, LineForm.ASSIGN -> {
-            BlockGroup.NUMBERS
-        }
-
-        LineForm.FOR_EACH, LineForm.ASSIGN_ELEMENT -> {
-            BlockGroup.LISTS
-        }
+        LineForm.DECLARE_VARIABLE, LineForm.DECLARE_CONSTANT, LineForm.ASSIGN -> BlockGroup.NUMBERS
+        LineForm.FOR_EACH, LineForm.ASSIGN_ELEMENT -> BlockGroup.LISTS
 
         LineForm.PROCEDURE, LineForm.FUNCTION, LineForm.CALL, LineForm.RETURN, LineForm.RETURN_VALUE -> {
             BlockGroup.OWN_COMMANDS
@@ -59,17 +52,9 @@ val ValueForm.group: BlockGroup
             BlockGroup.NUMBERS
         }
 
-        ValueForm.TRUTH, ValueForm.NOT, ValueForm.LOGIC, ValueForm.COMPARISON -> {
-            BlockGroup.CONTROL
-        }
-
-        ValueForm.LIST, ValueForm.ELEMENT -> {
-            BlockGroup.LISTS
-        }
-
-        ValueForm.CALL -> {
-            BlockGroup.OWN_COMMANDS
-        }
+        ValueForm.TRUTH, ValueForm.NOT, ValueForm.LOGIC, ValueForm.COMPARISON -> BlockGroup.CONTROL
+        ValueForm.LIST, ValueForm.ELEMENT -> BlockGroup.LISTS
+        ValueForm.CALL -> BlockGroup.OWN_COMMANDS
 
         ValueForm.BUMPER, ValueForm.LIGHT, ValueForm.SENSOR, ValueForm.BUTTON, ValueForm.TIMER, ValueForm.BATTERY,
         ValueForm.DISTANCE, ValueForm.LOUDNESS, ValueForm.COLOUR, ValueForm.COLOUR_NAME, ValueForm.TURNED,

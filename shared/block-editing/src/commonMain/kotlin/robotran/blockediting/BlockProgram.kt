@@ -109,7 +109,5 @@ private fun partAt(part: PhrasePart, span: SourceSpan): PhrasePart? = when {
         }
     }
 
-    else -> {
-        part.takeIf { it.span == span }
-    }
+    else -> part.takeIf { it.span == span }
 }

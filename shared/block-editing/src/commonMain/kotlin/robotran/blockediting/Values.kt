@@ -23,37 +23,22 @@ internal fun literalKind(form: ValueForm): ValueKind? = when (form) {
         ValueKind.CONDITION
     }
 
-    ValueForm.LIST -> {
-        ValueKind.LIST
-    }
-
-    ValueForm.COLOUR, ValueForm.COLOUR_NAME -> {
-        ValueKind.COLOUR
-    }
-
-    ValueForm.NAME, ValueForm.CALL, ValueForm.BRACKETS -> {
-        null
-    }
+    ValueForm.LIST -> ValueKind.LIST
+    ValueForm.COLOUR, ValueForm.COLOUR_NAME -> ValueKind.COLOUR
+    ValueForm.NAME, ValueForm.CALL, ValueForm.BRACKETS -> null
 }
 
 /** The type of [value] in this program, as far as it is known. */
 fun BlockProgram.kindOf(value: OutlineValue): ValueKind = when (value.form) {
-    ValueForm.BRACKETS -> {
-        value.parts.firstNotNullOfOrNull { it as? PhrasePart.Value }?.let { kindOf(it.value) }
-    }
+    ValueForm.BRACKETS -> value.parts.firstNotNullOfOrNull { it as? PhrasePart.Value }?.let { kindOf(it.value) }
 
     ValueForm.NAME, ValueForm.CALL -> {
         value.parts.firstNotNullOfOrNull { it as? PhrasePart.NamePart }?.let { nameAt(it.span)?.type }
     }
 
     // It is a colour if a colour sensor is on its port.
-    ValueForm.SENSOR -> {
-        ValueKind.NUMBER.takeIf { outline.lines.none { it.form == LineForm.COLOUR_SENSOR } }
-    }
-
-    else -> {
-        literalKind(value.form)
-    }
+    ValueForm.SENSOR -> ValueKind.NUMBER.takeIf { outline.lines.none { it.form == LineForm.COLOUR_SENSOR } }
+    else -> literalKind(value.form)
 } ?: ValueKind.UNKNOWN
 
 /** The declaration of the name that stands at [span]; null if it has none. */

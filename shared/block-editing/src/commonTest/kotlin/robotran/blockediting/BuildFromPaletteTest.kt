@@ -63,17 +63,9 @@ private class Builder(private val target: BlockProgram) {
 
     /** Takes a block from the palette and fills in its first line. */
     private fun begin(block: Block, place: BlockPlace): BlockId = when (block) {
-        is Block.Blank -> {
-            edit(BlockEdit.Insert("\n", place)).single()
-        }
-
-        is Block.Comment -> {
-            edit(BlockEdit.Insert(text(block.head), place)).single()
-        }
-
-        is Block.Loose -> {
-            error("a mistake: ${text(block.head)}")
-        }
+        is Block.Blank -> edit(BlockEdit.Insert("\n", place)).single()
+        is Block.Comment -> edit(BlockEdit.Insert(text(block.head), place)).single()
+        is Block.Loose -> error("a mistake: ${text(block.head)}")
 
         is Block.Command, is Block.Construct -> {
             val id = edit(BlockEdit.Insert(template(block.head, place), place)).single()

@@ -16,29 +16,12 @@ internal fun randomEdit(program: BlockProgram, random: Random): BlockEdit {
     val parts = program.outline.lines[block.head.index].parts.flatMap(::withInner)
     val part = parts.randomOrNull(random)?.span ?: SourceSpan(0, 0)
     return when (random.nextInt(19)) {
-        0, 1, 2 -> {
-            BlockEdit.Insert(templates.random(random).textFor(program), randomPlace(program, random))
-        }
-
-        3, 4, 5, 6 -> {
-            BlockEdit.Move(run, randomPlace(program, random))
-        }
-
-        7 -> {
-            BlockEdit.Duplicate(run)
-        }
-
-        8, 9 -> {
-            BlockEdit.Delete(setOf(block.id))
-        }
-
-        10 -> {
-            BlockEdit.Wrap(run, templates.filter { it.template.endsWith("end") }.random(random).template)
-        }
-
-        11 -> {
-            if (block is Block.Construct) BlockEdit.Unwrap(block.id) else BlockEdit.Duplicate(run)
-        }
+        0, 1, 2 -> BlockEdit.Insert(templates.random(random).textFor(program), randomPlace(program, random))
+        3, 4, 5, 6 -> BlockEdit.Move(run, randomPlace(program, random))
+        7 -> BlockEdit.Duplicate(run)
+        8, 9 -> BlockEdit.Delete(setOf(block.id))
+        10 -> BlockEdit.Wrap(run, templates.filter { it.template.endsWith("end") }.random(random).template)
+        11 -> if (block is Block.Construct) BlockEdit.Unwrap(block.id) else BlockEdit.Duplicate(run)
 
         12 -> {
             if (random.nextBoolean()) {
@@ -53,22 +36,15 @@ internal fun randomEdit(program: BlockProgram, random: Random): BlockEdit {
             }
         }
 
-        13 -> {
-            BlockEdit.Replace(part, VALUES.random(random))
-        }
-
-        14 -> {
-            BlockEdit.SetNote(block.lines.random(random), "note".takeIf { random.nextBoolean() })
-        }
+        13 -> BlockEdit.Replace(part, VALUES.random(random))
+        14 -> BlockEdit.SetNote(block.lines.random(random), "note".takeIf { random.nextBoolean() })
 
         15 -> {
             formsFor(block.head.form ?: LineForm.END).randomOrNull(random)
                 ?.let { BlockEdit.ChangeForm(block.head.index, it) } ?: BlockEdit.Duplicate(run)
         }
 
-        16 -> {
-            BlockEdit.UseNewName(part, program.freeName("name"))
-        }
+        16 -> BlockEdit.UseNewName(part, program.freeName("name"))
 
         17 -> {
             val names = program.outline.names
@@ -80,9 +56,7 @@ internal fun randomEdit(program: BlockProgram, random: Random): BlockEdit {
             }
         }
 
-        else -> {
-            if (random.nextInt(4) == 0) BlockEdit.ApplyFix(block.head.index) else BlockEdit.ClearValue(part)
-        }
+        else -> if (random.nextInt(4) == 0) BlockEdit.ApplyFix(block.head.index) else BlockEdit.ClearValue(part)
     }
 }
 

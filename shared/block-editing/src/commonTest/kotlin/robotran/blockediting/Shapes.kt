@@ -12,21 +12,10 @@ private fun StringBuilder.addShape(program: BlockProgram, blocks: List<Block>, i
     }
     for (block in blocks) {
         when (block) {
-            is Block.Command -> {
-                add("", block.head)
-            }
-
-            is Block.Comment -> {
-                add("", block.head)
-            }
-
-            is Block.Blank -> {
-                add("blank", block.head)
-            }
-
-            is Block.Loose -> {
-                add("loose ", block.head)
-            }
+            is Block.Command -> add("", block.head)
+            is Block.Comment -> add("", block.head)
+            is Block.Blank -> add("blank", block.head)
+            is Block.Loose -> add("loose ", block.head)
 
             is Block.Construct -> {
                 for (slot in block.slots) {

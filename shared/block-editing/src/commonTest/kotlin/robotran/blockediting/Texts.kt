@@ -22,11 +22,8 @@ internal fun spoiltText(random: Random): String {
         val index = random.nextInt(lines.size)
         when (random.nextInt(5)) {
             0 -> lines.removeAt(index)
-
             1 -> lines.add(index, lines.random(random))
-
             2 -> lines[index] = lines[index].drop(random.nextInt(lines[index].length + 1))
-
             3 -> lines[index] = " ".repeat(random.nextInt(5)) + lines[index].trim()
 
             else -> lines[index] =

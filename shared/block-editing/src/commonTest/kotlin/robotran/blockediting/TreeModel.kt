@@ -12,13 +12,8 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
     /** The tree after [edit] of [program]; null if this model does not know. */
     fun after(program: BlockProgram, edit: BlockEdit): String? {
         when (edit) {
-            is BlockEdit.Move -> {
-                move(program, edit)
-            }
-
-            is BlockEdit.Insert -> {
-                list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text)).nodes)
-            }
+            is BlockEdit.Move -> move(program, edit)
+            is BlockEdit.Insert -> list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text)).nodes)
 
             is BlockEdit.Duplicate -> {
                 val place = checkNotNull(program.placeOf(edit.run.first))
@@ -32,13 +27,8 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
                 list(program, place).removeAt(place.index)
             }
 
-            is BlockEdit.Wrap -> {
-                wrap(program, edit)
-            }
-
-            is BlockEdit.Unwrap -> {
-                unwrap(program, edit)
-            }
+            is BlockEdit.Wrap -> wrap(program, edit)
+            is BlockEdit.Unwrap -> unwrap(program, edit)
 
             is BlockEdit.AddElse -> {
                 val heads = node(program, edit.construct).heads
@@ -53,9 +43,7 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
                 node(program, edit.construct).slots.removeAt(edit.slot)
             }
 
-            else -> {
-                return null
-            }
+            else -> return null
         }
         return toString()
     }

@@ -79,9 +79,7 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
         }
 
         !Path.of(path).exists() -> OpenFailure.GONE
-
         !Files.isWritable(Path.of(path)) -> OpenFailure.NOT_ALLOWED
-
         else -> if (port.lastErrorCode in NO_DEVICE) OpenFailure.GONE else OpenFailure.BUSY
     }
 

@@ -82,17 +82,9 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
                 }
             }
 
-            kind != null -> {
-                jsonPartOf(kind, file, text)
-            }
-
-            isLink(text) -> {
-                linkedPartOf(text, language)
-            }
-
-            else -> {
-                Part.Unusable(OpenFilesError.UnknownKind(file.shownName))
-            }
+            kind != null -> jsonPartOf(kind, file, text)
+            isLink(text) -> linkedPartOf(text, language)
+            else -> Part.Unusable(OpenFilesError.UnknownKind(file.shownName))
         }
     }
 
@@ -116,9 +108,7 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
             Part.OfProject(OpenedProject(projectNameOfFile(file.shownName), result.project, place))
         }
 
-        is ProjectFileResult.Rejected -> {
-            unusable(file, result.message)
-        }
+        is ProjectFileResult.Rejected -> unusable(file, result.message)
     }
 
     private fun robotPartOf(file: GivenFile, text: String): Part = when (val result = readRobot(text, language)) {

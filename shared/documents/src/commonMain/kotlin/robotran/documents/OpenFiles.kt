@@ -106,7 +106,6 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
         programsOf(sources)
     return when {
         worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
-
         robots.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralRobots)
 
         programs.size > BrickProgram.MAX_PROGRAMS -> OpenFilesResult.Rejected(
@@ -136,9 +135,7 @@ suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): O
         )
 
         is LinkResult.OfWorld -> OpenFilesResult.Opened(emptyList(), result.world, emptyList())
-
         is LinkResult.OfCourse -> OpenFilesResult.Opened(emptyList(), null, emptyList(), listOf(result.course))
-
         is LinkResult.Rejected -> OpenFilesResult.Rejected(OpenFilesError.InLink(result.message))
     }
 

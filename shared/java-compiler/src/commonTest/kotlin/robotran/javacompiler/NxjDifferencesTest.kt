@@ -89,17 +89,11 @@ class NxjDifferencesTest {
 
     private fun argument(descriptor: String): String = when (descriptor) {
         "I" -> "7"
-
         "J" -> "7L"
-
         "F" -> "7.5f"
-
         "D" -> "7.5"
-
         "Z" -> "true"
-
         "[B" -> "new byte[2]"
-
         "[I" -> "new int[2]"
 
         else -> "(${descriptor.trimStart('[').drop(1).dropLast(1).replace('/', '.')}${"[]".repeat(

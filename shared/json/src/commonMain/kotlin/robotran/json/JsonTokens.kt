@@ -131,9 +131,7 @@ internal class JsonTokens(private val text: String) {
                 fail { textNeedsQuotes(it, content) }
             }
 
-            pasted != null && pasted.plain in QUOTES -> {
-                fail { curlyQuotes(it) }
-            }
+            pasted != null && pasted.plain in QUOTES -> fail { curlyQuotes(it) }
 
             pasted != null -> {
                 val line = line
@@ -163,11 +161,8 @@ internal class JsonTokens(private val text: String) {
 
             // A quote within a text ended it too early.
             startsWord && text[end.place - 1] == '"' && end.line == line -> fail { quoteInText(it) }
-
             !startsWord && !startsNumber && sign !in "\"{['" -> failAtSign()
-
             end.line == line -> fail { missingComma(it, follows) }
-
             else -> fail(end.line) { missingCommaAtEnd(it) }
         }
     }

@@ -70,7 +70,6 @@ private class JsonWriter(
             }
 
             element is JsonArray -> lines(element, "[", "]", indent) { write(it, indent + INDENT, before = 0) }
-
             else -> writeOnOneLine(element)
         }
     }
@@ -84,7 +83,6 @@ private class JsonWriter(
             }
 
             is JsonArray -> group(element, "[", "]") { writeOnOneLine(it) }
-
             is JsonPrimitive -> if (element.isString) writeText(element.content) else out.append(element.content)
         }
     }
@@ -95,7 +93,6 @@ private class JsonWriter(
             (indent == 0 || element.any { (name, value) -> isTall(name, value) || mustBreak(value, INDENT) })
 
         is JsonArray -> element.any { it is JsonObject || mustBreak(it, INDENT) }
-
         is JsonPrimitive -> false
     }
 

@@ -65,9 +65,7 @@ fun helpOn(
             WordHelp.of(language, code, text.substring(range.first, range.last + 1))
         }
 
-        ProgramLanguage.JAVA -> {
-            helpInJava(language, text, range, brickOfImports(text) ?: brick)
-        }
+        ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)
     }
 }
 

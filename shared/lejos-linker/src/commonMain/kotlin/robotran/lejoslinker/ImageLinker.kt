@@ -36,9 +36,7 @@ internal class ImageLinker(
         if (!errors.isEmpty) return refused()
         val place = CodePlace(entryClasses.firstOrNull() ?: files.first.orEmpty())
         when {
-            entryClasses.isEmpty() -> {
-                errors.add(place, messages.tinyVm.noMainMethod())
-            }
+            entryClasses.isEmpty() -> errors.add(place, messages.tinyVm.noMainMethod())
 
             entryClasses.size > ImageLimits.ENTRY_CLASSES -> {
                 errors.add(place, messages.tooManyPrograms(entryClasses.size, ImageLimits.ENTRY_CLASSES))

@@ -22,17 +22,11 @@ internal class Mutants(private val random: Random) {
         val end = minOf(text.length, start + random.nextInt(1, LONGEST))
         when (random.nextInt(CHANGES)) {
             in EXCHANGES -> exchange(text)
-
             0 -> text.deleteRange(start, end)
-
             1 -> text.insert(start, text.substring(start, end))
-
             2 -> text.insert(start, WORDS.random(random))
-
             3 -> text.insert(start, " ${WORDS.random(random)} ")
-
             4 -> text.insert(start, random.nextInt(' '.code, DELETE).toChar())
-
             5 -> text.insert(start, spliceOf(sources.random(random)))
 
             6 -> text.insert(

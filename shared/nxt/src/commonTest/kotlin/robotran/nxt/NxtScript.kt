@@ -45,17 +45,9 @@ internal class NxtScript(private val path: String, private val text: String) {
                 if (then.isNotEmpty()) perform(then)
             }
 
-            "wait" -> {
-                advance(rest.toLong())
-            }
-
-            in ACTIONS -> {
-                act(word, rest)
-            }
-
-            else -> {
-                compare(statement, rest, seen(word, rest))
-            }
+            "wait" -> advance(rest.toLong())
+            in ACTIONS -> act(word, rest)
+            else -> compare(statement, rest, seen(word, rest))
         }
     }
 
@@ -68,25 +60,15 @@ internal class NxtScript(private val path: String, private val text: String) {
         val words = rest.split(' ')
         when (action) {
             "programs" -> beginWith(words.map(::scriptedProgram))
-
             "robot" -> bricks[rest] = Bench(NxtBrick(emptyList(), network, rest))
-
             "on" -> bench = bricks.getValue(rest)
-
             "press" -> brick.press(buttonOf(rest))
-
             "release" -> brick.release(buttonOf(rest))
-
             "push" -> brick.push(buttonOf(rest))
-
             "stop" -> brick.stopProgram()
-
             "run-now" -> brick.runNow(checkNotNull(scriptedProgram(rest)))
-
             "call" -> result = brick.nxt.call(callOf(rest), TEST_LINE)
-
             "library" -> result = brick.nxt.call(callOf(rest), sourceLine = 0)
-
             "measure" -> brick.setAnalog(words[0].toInt() - 1, words[1].toInt())
 
             "colour" -> words.map { it.toInt() }.let { (port, r, g, b, n) ->
@@ -94,13 +76,9 @@ internal class NxtScript(private val path: String, private val text: String) {
             }
 
             "hub" -> brick.setHubDegrees(MotorPort.valueOf(words[0]), words[1].toInt())
-
             "motor" -> bench.motors += FreeMotor(MotorPort.valueOf(words[0]), words[1].toDouble())
-
             "battery" -> brick.setBattery(rest.toInt())
-
             "sonar" -> bench.plugSonar(words[0].toInt() - 1)
-
             "wall" -> bench.echoes = words.filter { it != "none" }.map { it.toDouble() }.toDoubleArray()
         }
     }
@@ -116,57 +94,19 @@ internal class NxtScript(private val path: String, private val text: String) {
         val state = brick.state
         val number = rest.substringBefore(' ').toIntOrNull() ?: 0
         return when (word) {
-            "result" -> {
-                "$result"
-            }
-
-            "line" -> {
-                "$number \"${state.display.lines[number]}\""
-            }
-
-            "texts" -> {
-                state.display.texts.joinToString(" / ").ifEmpty { "none" }
-            }
-
-            "dots" -> {
-                if (state.display.toArt() == displayGoldens["$rest.txt"]) rest else "\n${state.display.toArt()}"
-            }
-
-            "menu" -> {
-                state.menu?.run { "$title: ${entries.getOrElse(selected) { "nothing to choose" }}" } ?: "none"
-            }
-
-            "power" -> {
-                if (state.poweredOn) "on" else "off"
-            }
-
-            "program" -> {
-                wordFor(state.run)
-            }
-
-            "slot" -> {
-                "${state.selectedSlot}"
-            }
-
-            "sounds" -> {
-                bench.newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
-            }
-
-            "sounding" -> {
-                "${state.sounding}"
-            }
-
-            "volume" -> {
-                "${state.volume}"
-            }
-
-            "sound-left" -> {
-                "${brick.nxt.soundMillisecondsLeft()}"
-            }
-
-            "says" -> {
-                state.explanation ?: "nothing"
-            }
+            "result" -> "$result"
+            "line" -> "$number \"${state.display.lines[number]}\""
+            "texts" -> state.display.texts.joinToString(" / ").ifEmpty { "none" }
+            "dots" -> if (state.display.toArt() == displayGoldens["$rest.txt"]) rest else "\n${state.display.toArt()}"
+            "menu" -> state.menu?.run { "$title: ${entries.getOrElse(selected) { "nothing to choose" }}" } ?: "none"
+            "power" -> if (state.poweredOn) "on" else "off"
+            "program" -> wordFor(state.run)
+            "slot" -> "${state.selectedSlot}"
+            "sounds" -> bench.newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
+            "sounding" -> "${state.sounding}"
+            "volume" -> "${state.volume}"
+            "sound-left" -> "${brick.nxt.soundMillisecondsLeft()}"
+            "says" -> state.explanation ?: "nothing"
 
             "motors" -> {
                 state.motors.joinToString {
@@ -174,42 +114,20 @@ internal class NxtScript(private val path: String, private val text: String) {
                 }
             }
 
-            "degrees" -> {
-                state.motorDegrees.joinToString(" ")
-            }
+            "degrees" -> state.motorDegrees.joinToString(" ")
 
             "regulator" -> {
                 val regulator = brick.nxt.regulator(number)
                 "$number ${if (regulator.isMoving) "moving" else "still"}${if (regulator.isStalled) " stalled" else ""}"
             }
 
-            "limit" -> {
-                "$number ${brick.nxt.regulator(number).limit}"
-            }
-
-            "log" -> {
-                brick.log.entries.last().meaning
-            }
-
-            "log-line" -> {
-                lastLog().text
-            }
-
-            "group" -> {
-                lastLog().group.name.lowercase()
-            }
-
-            "outcome" -> {
-                lastLog().outcome.name.lowercase().replace('_', ' ')
-            }
-
-            "calls" -> {
-                "${brick.log.total}"
-            }
-
-            "analog" -> {
-                "$number ${brick.nxt.analog(number)}"
-            }
+            "limit" -> "$number ${brick.nxt.regulator(number).limit}"
+            "log" -> brick.log.entries.last().meaning
+            "log-line" -> lastLog().text
+            "group" -> lastLog().group.name.lowercase()
+            "outcome" -> lastLog().outcome.name.lowercase().replace('_', ' ')
+            "calls" -> "${brick.log.total}"
+            "analog" -> "$number ${brick.nxt.analog(number)}"
 
             "pin" -> {
                 rest.split(' ').let { (port, pin) ->
@@ -223,45 +141,20 @@ internal class NxtScript(private val path: String, private val text: String) {
                 }
             }
 
-            "sees" -> {
-                "$number ${brick.nxt.colour(number)?.run { "$red $green $blue $background $kind" } ?: "none"}"
-            }
-
-            "bus" -> {
-                "$number ${brick.nxt.i2cStatus(number)}"
-            }
-
-            "answer" -> {
-                answer(number)
-            }
-
-            "buttons" -> {
-                "${brick.nxt.buttons()}"
-            }
-
-            "millivolts" -> {
-                "${brick.nxt.batteryStatus()}"
-            }
-
-            "contrast" -> {
-                "${state.contrast}"
-            }
-
-            "refreshed" -> {
-                "${brick.nxt.refreshCompleteTime()}"
-            }
+            "sees" -> "$number ${brick.nxt.colour(number)?.run { "$red $green $blue $background $kind" } ?: "none"}"
+            "bus" -> "$number ${brick.nxt.i2cStatus(number)}"
+            "answer" -> answer(number)
+            "buttons" -> "${brick.nxt.buttons()}"
+            "millivolts" -> "${brick.nxt.batteryStatus()}"
+            "contrast" -> "${state.contrast}"
+            "refreshed" -> "${brick.nxt.refreshCompleteTime()}"
 
             "expects" -> {
                 brick.expectedSensors.joinToString { "${it.port} ${it.kind.name.lowercase()}" }.ifEmpty { "none" }
             }
 
-            "exception" -> {
-                state.exception?.run { "${failure.exceptionNumber} from $firstRow" } ?: "none"
-            }
-
-            "link" -> {
-                "$number ${brick.nxt.link(number)?.run { "${status.name.lowercase()} $partner" } ?: "none"}"
-            }
+            "exception" -> state.exception?.run { "${failure.exceptionNumber} from $firstRow" } ?: "none"
+            "link" -> "$number ${brick.nxt.link(number)?.run { "${status.name.lowercase()} $partner" } ?: "none"}"
 
             "links" -> {
                 state.bluetooth.joinToString {
@@ -269,21 +162,10 @@ internal class NxtScript(private val path: String, private val text: String) {
                 }.ifEmpty { "none" }
             }
 
-            "received" -> {
-                received(number)
-            }
-
-            "sending" -> {
-                "${state.isSending}"
-            }
-
-            "knows" -> {
-                if (brick.nxt.knowsRobot(rest)) rest else "nobody"
-            }
-
-            else -> {
-                error("$path:$line says \"$word\", which is no word of scripts")
-            }
+            "received" -> received(number)
+            "sending" -> "${state.isSending}"
+            "knows" -> if (brick.nxt.knowsRobot(rest)) rest else "nobody"
+            else -> error("$path:$line says \"$word\", which is no word of scripts")
         }
     }
 
@@ -361,9 +243,7 @@ internal class NxtScript(private val path: String, private val text: String) {
                     if (event.isFirmware) " by the brick" else ""
             }
 
-            is SoundEvent.Cut -> {
-                "cut"
-            }
+            is SoundEvent.Cut -> "cut"
         }
 
         /** `drawString "Hello" 0 0 0`, `i2cStartById 3 2 1 [42]`: name, text, numbers, bytes. */

@@ -57,9 +57,7 @@ internal fun waiting(milliseconds: Int): (Nxt) -> ProgramStatus = { nxt ->
 /** The programs that a script can load, by their names in the script. */
 internal fun scriptedProgram(name: String): NxtProgram? = when (name) {
     "none" -> null
-
     "endless" -> ScriptedProgram(emptyList(), ProgramStatus.Running, name)
-
     "short" -> ScriptedProgram(listOf(waiting(100)), name = name)
 
     "greeting" -> ScriptedProgram(
@@ -69,7 +67,6 @@ internal fun scriptedProgram(name: String): NxtProgram? = when (name) {
     )
 
     "driving" -> ScriptedProgram(listOf(DRIVE), ProgramStatus.Running, name)
-
     "driven" -> ScriptedProgram(listOf(DRIVE, waiting(100)), name = name)
 
     "failing" -> ScriptedProgram(
@@ -91,7 +88,6 @@ internal fun scriptedProgram(name: String): NxtProgram? = when (name) {
     )
 
     "orderly" -> OrderlyProgram(name)
-
     "tidy-thread" -> OrderlyProgram(name, fails = true)
 
     "switching-off" -> ScriptedProgram(

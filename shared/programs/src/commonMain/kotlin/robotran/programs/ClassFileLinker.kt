@@ -27,9 +27,7 @@ internal class ClassFileLinker(
     override fun link(program: CompiledProgram): ProgramResult {
         if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
         return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
-            is ImageResult.Refused -> {
-                ProgramResult.HasErrors(program.diagnosticsOf(image.errors))
-            }
+            is ImageResult.Refused -> ProgramResult.HasErrors(program.diagnosticsOf(image.errors))
 
             is ImageResult.Linked -> {
                 val warnings = image.warnings.map { ProgramDiagnostic(program.name, null, it) }
@@ -66,13 +64,8 @@ internal class ClassFileLinker(
             layout,
         )
         return when (result) {
-            is TinyVmResult.Rejected -> {
-                ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
-            }
-
-            is TinyVmResult.Ready -> {
-                ProgramResult.Ready(result.program, program.warnings + warnings, program.mainClass)
-            }
+            is TinyVmResult.Rejected -> ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
+            is TinyVmResult.Ready -> ProgramResult.Ready(result.program, program.warnings + warnings, program.mainClass)
         }
     }
 }

@@ -53,9 +53,7 @@ internal class ImageBuilder(
 
     private suspend fun compile(source: ProgramSource): CompiledSource = when (source) {
         is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
-
         is ProgramSource.ForLegoFirmware -> error("${source.name} is not for leJOS.")
-
         is ProgramSource.Java -> java.compile(source)
 
         is ProgramSource.Robolang -> when (

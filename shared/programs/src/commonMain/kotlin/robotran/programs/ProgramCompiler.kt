@@ -91,9 +91,7 @@ class ProgramCompiler private constructor(
 
     private fun compileUnverified(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
-
         is ProgramSource.Java -> javaCompiler().read(source)
-
         is ProgramSource.ForLegoFirmware -> firmwarePrograms.read(source)
 
         is ProgramSource.CompiledClasses -> when (target.kind) {

@@ -35,7 +35,6 @@ internal class FixedClockRom(private val sensors: List<SensorEvent>) : Rom {
         val boolean = if (raw < TRUE_BELOW) 1 else 0
         return when (request) {
             SensorRequest.RAW -> raw
-
             SensorRequest.BOOLEAN -> boolean
 
             SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) {

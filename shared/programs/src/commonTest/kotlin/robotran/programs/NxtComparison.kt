@@ -45,9 +45,7 @@ internal class NxtComparison {
     private suspend fun compare(path: String, text: String, physics: PhysicsEngine) {
         val interpreted = (compileRobolang(path, text, nxtTestTarget) as? RobolangResult.Ready)?.program ?: return
         val translated = when (val result = reader.readTranslation(ProgramSource.Robolang(path, text))) {
-            is ProgramResult.Ready -> {
-                result.program
-            }
+            is ProgramResult.Ready -> result.program
 
             is ProgramResult.HasErrors -> {
                 differences += "$path: ${result.diagnostics.first().message}"

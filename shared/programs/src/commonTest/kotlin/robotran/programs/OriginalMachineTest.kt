@@ -36,17 +36,13 @@ class OriginalMachineTest {
                 "after $same calls ${ownValues.drop(same).take(2)} instead of ${originalValues.drop(same).take(2)}"
             }
 
-            calls.size != original.calls.size -> {
-                "${calls.size} calls instead of ${original.calls.size}"
-            }
+            calls.size != original.calls.size -> "${calls.size} calls instead of ${original.calls.size}"
 
             ours.failures.map { it.second } != original.exceptions -> {
                 "exceptions ${ours.failures}, not ${original.exceptions}"
             }
 
-            else -> {
-                null
-            }
+            else -> null
         }
     }
 

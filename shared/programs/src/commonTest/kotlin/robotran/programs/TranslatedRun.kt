@@ -76,9 +76,7 @@ internal fun run(program: RcxProgram, rom: FixedClockRom, maxCalls: Int, lastMil
             }
 
             ProgramStatus.Ended -> return Outcome.Done
-
             is ProgramStatus.ThreadFailed -> return Outcome.Failed(status.failure.message)
-
             is ProgramStatus.Failed -> return Outcome.Failed(status.failure.message)
         }
     }

@@ -107,9 +107,7 @@ private class FilesBeside(private val language: Language, private val bytesOf: (
                 result.project
             }
 
-            is ProjectFileResult.Rejected -> {
-                throw JsonValidationException(null) { "$name: ${result.message}" }
-            }
+            is ProjectFileResult.Rejected -> throw JsonValidationException(null) { "$name: ${result.message}" }
         }
     }
 }

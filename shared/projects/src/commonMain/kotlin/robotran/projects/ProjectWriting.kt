@@ -124,13 +124,8 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
             robot(input.robot)
         }
 
-        is SessionInput.Stop -> {
-            text("kind", InputKind.STOP)
-        }
-
-        is SessionInput.RunNow -> {
-            error("A file has no programs that were sent to run at once.")
-        }
+        is SessionInput.Stop -> text("kind", InputKind.STOP)
+        is SessionInput.RunNow -> error("A file has no programs that were sent to run at once.")
 
         is SessionInput.PlaceRobot -> {
             text("kind", InputKind.PLACE_ROBOT)

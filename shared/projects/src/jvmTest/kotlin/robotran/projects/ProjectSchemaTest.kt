@@ -154,7 +154,6 @@ class ProjectSchemaTest {
             )
 
             is JsonArray -> JsonArray(element.map { withIds(it, files) })
-
             else -> element
         }
     }

@@ -43,21 +43,10 @@ internal class BrickScript(private val path: String, private val text: String) {
                 if (then.isNotEmpty()) perform(then)
             }
 
-            "wait" -> {
-                advance(rest.toLong())
-            }
-
-            "programs" -> {
-                brick = RcxBrick(rest.split(' ').map(::scriptedProgram), InfraredAir())
-            }
-
-            in ACTIONS -> {
-                act(word, rest)
-            }
-
-            else -> {
-                compare(statement, rest, seen(word, rest))
-            }
+            "wait" -> advance(rest.toLong())
+            "programs" -> brick = RcxBrick(rest.split(' ').map(::scriptedProgram), InfraredAir())
+            in ACTIONS -> act(word, rest)
+            else -> compare(statement, rest, seen(word, rest))
         }
     }
 
@@ -73,11 +62,8 @@ internal class BrickScript(private val path: String, private val text: String) {
         val words = rest.split(' ')
         when (action) {
             "press" -> brick.press(buttonOf(rest))
-
             "release" -> brick.release(buttonOf(rest))
-
             "push" -> brick.push(buttonOf(rest))
-
             "stop" -> brick.stopProgram()
 
             "call" -> brick.hardware.rom.call(
@@ -96,11 +82,8 @@ internal class BrickScript(private val path: String, private val text: String) {
             }
 
             "measure" -> brick.setRawSensorValue(words[0].toInt() - 1, words[1].toInt())
-
             "battery" -> brick.setBattery(rest.toInt())
-
             "mode" -> brick.hardware.rom.setSensorTypeAndMode(words[0].toInt() - 1, 0, numberOf(words[1]))
-
             "value" -> brick.hardware.rom.setSensorValue(words[0].toInt() - 1, words[1].toInt(), SensorField.VALUE)
 
             "tower-sends" -> check(
@@ -115,33 +98,19 @@ internal class BrickScript(private val path: String, private val text: String) {
 
     private fun seen(word: String, rest: String): String = when (word) {
         "lcd" -> "\"${brick.state.glass.text}\""
-
         "icons" -> brick.state.glass.iconsBesideText.joinToString { it.words }.ifEmpty { "none" }
-
         "power" -> if (brick.state.poweredOn) "on" else "off"
-
         "program" -> wordFor(brick.state.run)
-
         "slot" -> brick.state.selectedSlot.toString()
-
         "sounds" -> newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
-
         "says" -> brick.state.explanation ?: "nothing"
-
         "motors" -> brick.state.motors.joinToString { "${it.mode.name.lowercase()} ${it.power}" }
-
         "outputs" -> MotorPort.entries.joinToString { brick.motorOutput(it).name.lowercase() }
-
         "active" -> brick.state.sensors.filter { it.active }.joinToString { it.port.toString() }.ifEmpty { "none" }
-
         "log" -> brick.log.entries.last().meaning
-
         "outcome" -> brick.log.entries.last().outcome.name.lowercase().replace('_', ' ')
-
         "memory" -> memoryLike(rest)
-
         "sensor" -> brick.state.sensors[rest.first() - '1'].run { "$port = $raw $value ${if (boolean) 1 else 0}" }
-
         "infrared" -> brick.state.infrared.run { "${range.name.lowercase()} ${if (sending) "sending" else "idle"}" }
 
         "tower-heard" -> tower.heard.lastOrNull().orEmpty().joinToString(" ", transform = ::byteText).ifEmpty {
@@ -205,7 +174,6 @@ internal class BrickScript(private val path: String, private val text: String) {
 /** The programs that a script can load, by their names in the script. */
 private fun scriptedProgram(name: String): RcxProgram = when (name) {
     "endless" -> endlessProgram()
-
     "short" -> ScriptedProgram(listOf(waiting(100)))
 
     "driving" -> ScriptedProgram(

@@ -42,10 +42,7 @@ private fun kindOf(token: Token): SourceTokenKind = when (token.kind) {
     }
 
     TokenKind.NUMBER -> SourceTokenKind.NUMBER
-
     TokenKind.TEXT -> SourceTokenKind.TEXT
-
     TokenKind.COMMENT -> SourceTokenKind.COMMENT
-
     else -> SourceTokenKind.SIGN
 }

@@ -32,11 +32,8 @@ internal fun runOn(nxt: FakeNxt, program: NxtProgram, expected: Expectations): P
     repeat(MAX_RESUMES) {
         when (val status = run.resume(STEPS)) {
             ProgramStatus.Running -> Unit
-
             is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError("A pause or a thread.")
-
             ProgramStatus.Ended -> return null
-
             is ProgramStatus.Failed -> return status.failure
 
             is ProgramStatus.Waiting -> while (nxt.milliseconds < status.untilMilliseconds) {

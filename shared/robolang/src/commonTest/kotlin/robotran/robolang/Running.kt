@@ -56,11 +56,8 @@ internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): 
             )
 
             ProgramStatus.Ended -> return null
-
             is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
-
             is ProgramStatus.ThreadFailed -> throw AssertionError("Robolang has no threads.")
-
             is ProgramStatus.Failed -> return status.failure
         }
     }

@@ -43,11 +43,8 @@ class ProgramsTest {
         while (rom.milliseconds < 60_000) {
             when (val status = run.resume(1)) {
                 ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
-
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
-
                 ProgramStatus.Ended -> return emptyList()
-
                 is ProgramStatus.ThreadFailed -> error("Robolang has no threads.")
 
                 is ProgramStatus.Failed -> return listOf(

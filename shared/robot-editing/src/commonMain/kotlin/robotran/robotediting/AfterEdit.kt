@@ -11,23 +11,14 @@ fun RobotEditing.after(edit: RobotEdit): RobotEditing {
     val calm = copy(error = null)
     return when (edit) {
         is RobotEdit.Choose -> calm.dropped().copy(chosen = edit.element?.takeIf { robot.has(it) })
-
         is RobotEdit.ChooseNext -> calm.dropped().nextChosen(edit.backwards)
-
         is RobotEdit.StartDrag -> calm.dropped().taken(edit)
-
         is RobotEdit.DragTo -> calm.draggedTo(edit.at)
-
         RobotEdit.Drop -> calm.dropped()
-
         RobotEdit.CancelDrag -> calm.letGo()
-
         RobotEdit.FinishChange -> calm.copy(history = history.settled())
-
         RobotEdit.Undo -> calm.undone()
-
         RobotEdit.Redo -> calm.redone()
-
         is RobotEdit.Nudge,
         is RobotEdit.TurnBy,
         RobotEdit.Remove,
@@ -120,9 +111,7 @@ private fun RobotEditing.removed(element: RobotElement): Outcome = when (element
         }
     }
 
-    RobotElement.Pen -> {
-        Outcome.Made(robot.copy(pen = null), null)
-    }
+    RobotElement.Pen -> Outcome.Made(robot.copy(pen = null), null)
 
     RobotElement.Wheels, RobotElement.Brick, RobotElement.Mass, RobotElement.Chassis -> {
         Outcome.Refused(RobotEditError.NEEDED)

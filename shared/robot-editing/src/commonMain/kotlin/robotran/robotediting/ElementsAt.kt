@@ -63,21 +63,10 @@ private fun RobotDescription.distance(element: RobotElement, place: Point): Doub
         }
     }
 
-    is RobotElement.Caster -> {
-        beyond(casters[element.number], CASTER, place)
-    }
-
-    is RobotElement.Corner -> {
-        beyond(chassis.outline[element.number], 0.0, place)
-    }
-
-    RobotElement.Pen -> {
-        beyond(Point(0.0, 0.0), CASTER, place)
-    }
-
-    RobotElement.Mass -> {
-        beyond(chassis.massAt, 0.0, place)
-    }
+    is RobotElement.Caster -> beyond(casters[element.number], CASTER, place)
+    is RobotElement.Corner -> beyond(chassis.outline[element.number], 0.0, place)
+    RobotElement.Pen -> beyond(Point(0.0, 0.0), CASTER, place)
+    RobotElement.Mass -> beyond(chassis.massAt, 0.0, place)
 
     RobotElement.Wheels -> {
         val beside = abs(abs(place.y) - drive.track / 2) - drive.wheelWidth / 2
@@ -90,9 +79,7 @@ private fun RobotDescription.distance(element: RobotElement, place: Point): Doub
         }
     }
 
-    RobotElement.Chassis -> {
-        outside(chassisCorners, place)
-    }
+    RobotElement.Chassis -> outside(chassisCorners, place)
 }
 
 private fun outside(corners: List<Point>, place: Point): Double =

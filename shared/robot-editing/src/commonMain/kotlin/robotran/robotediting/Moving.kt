@@ -21,9 +21,7 @@ internal fun Point.movedBy(x: Double, y: Double) = Point(this.x + x, this.y + y)
 
 /** null if the element cannot move so. */
 internal fun RobotDescription.moved(element: RobotElement, x: Double, y: Double): RobotDescription? = when (element) {
-    is RobotElement.Part -> {
-        withThing(element.number) { (it.movedBy(x, y) ?: it).inRange() }
-    }
+    is RobotElement.Part -> withThing(element.number) { (it.movedBy(x, y) ?: it).inRange() }
 
     is RobotElement.Caster -> {
         copy(
@@ -41,18 +39,11 @@ internal fun RobotDescription.moved(element: RobotElement, x: Double, y: Double)
         )
     }
 
-    RobotElement.Wheels -> {
-        copy(drive = drive.copy(track = drive.track + 2 * y))
-    }
-
-    RobotElement.Brick -> {
-        copy(brickAt = brickAt.copy(at = brickAt.at.movedBy(x, y)))
-    }
+    RobotElement.Wheels -> copy(drive = drive.copy(track = drive.track + 2 * y))
+    RobotElement.Brick -> copy(brickAt = brickAt.copy(at = brickAt.at.movedBy(x, y)))
 
     // A mass beside the middle line is impossible.
-    RobotElement.Mass -> {
-        copy(chassis = chassis.copy(massAt = chassis.massAt.movedBy(x, 0.0)))
-    }
+    RobotElement.Mass -> copy(chassis = chassis.copy(massAt = chassis.massAt.movedBy(x, 0.0)))
 
     RobotElement.Chassis -> {
         val moved = chassis.outline.map { it.movedBy(x, y) }
@@ -60,9 +51,7 @@ internal fun RobotDescription.moved(element: RobotElement, x: Double, y: Double)
         copy(chassis = chassis.copy(outline = moved)).takeIf { fits }
     }
 
-    RobotElement.Pen -> {
-        null
-    }
+    RobotElement.Pen -> null
 }
 
 /** null if the element has no direction. */
@@ -72,13 +61,8 @@ internal fun RobotDescription.turned(element: RobotElement, degrees: Double): Ro
         directionOf(part)?.let { now -> withThing(element.number) { it.turnedTo(now + degrees).inRange() } }
     }
 
-    RobotElement.Brick -> {
-        copy(brickAt = brickAt.copy(turned = !brickAt.turned))
-    }
-
-    else -> {
-        null
-    }
+    RobotElement.Brick -> copy(brickAt = brickAt.copy(turned = !brickAt.turned))
+    else -> null
 }
 
 /** The direction of a bumper or of a sensor that looks ahead; null for other parts. */
@@ -98,13 +82,8 @@ private fun RobotPart.turnedTo(direction: Double): RobotPart = when (this) {
 internal fun RobotGesture.dragged(to: Point): RobotDescription? {
     val robot = before.robot
     return when (val handle = handle) {
-        is RobotHandle.Body -> {
-            dragBody(robot, handle.element, to)
-        }
-
-        is RobotHandle.Corner -> {
-            dragBody(robot, RobotElement.Corner(handle.number), to)
-        }
+        is RobotHandle.Body -> dragBody(robot, handle.element, to)
+        is RobotHandle.Corner -> dragBody(robot, RobotElement.Corner(handle.number), to)
 
         is RobotHandle.Direction -> {
             robot.withThing(handle.number) { part ->
@@ -123,13 +102,8 @@ internal fun RobotGesture.dragged(to: Point): RobotDescription? {
             }
         }
 
-        RobotHandle.Track -> {
-            robot.copy(drive = robot.drive.copy(track = 2 * snappedHalf(abs(to.y))))
-        }
-
-        RobotHandle.WheelDiameter -> {
-            robot.copy(drive = robot.drive.copy(wheelDiameter = 2 * snappedHalf(abs(to.x))))
-        }
+        RobotHandle.Track -> robot.copy(drive = robot.drive.copy(track = 2 * snappedHalf(abs(to.y))))
+        RobotHandle.WheelDiameter -> robot.copy(drive = robot.drive.copy(wheelDiameter = 2 * snappedHalf(abs(to.x))))
 
         RobotHandle.WheelWidth -> {
             val half = abs(abs(to.y) - robot.drive.track / 2)

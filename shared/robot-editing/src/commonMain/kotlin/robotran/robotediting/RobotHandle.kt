@@ -36,9 +36,7 @@ data class PlacedHandle(val handle: RobotHandle, val at: Point)
 
 /** The handles of the chosen element, besides itself. */
 fun RobotEditing.handles(): List<PlacedHandle> = when (val element = chosen) {
-    is RobotElement.Part -> {
-        partHandles(robot, element.number)
-    }
+    is RobotElement.Part -> partHandles(robot, element.number)
 
     RobotElement.Chassis, is RobotElement.Corner -> {
         robot.chassis.outline.mapIndexed { number, corner -> PlacedHandle(RobotHandle.Corner(number), corner) }
@@ -54,9 +52,7 @@ fun RobotEditing.handles(): List<PlacedHandle> = when (val element = chosen) {
         )
     }
 
-    else -> {
-        emptyList()
-    }
+    else -> emptyList()
 }
 
 private fun partHandles(robot: RobotDescription, number: Int): List<PlacedHandle> =
@@ -80,9 +76,7 @@ private fun partHandles(robot: RobotDescription, number: Int): List<PlacedHandle
             )
         }
 
-        else -> {
-            emptyList()
-        }
+        else -> emptyList()
     }
 
 /** From the place of a part to the handle that turns it, in centimetres. */

@@ -95,17 +95,9 @@ private fun RobotDescription.addedCaster(at: Point?): Outcome {
 private fun RobotDescription.addedPart(item: RobotItem, at: Point?): Outcome {
     val port = freePort
     val wanted: List<RobotPart> = when (item) {
-        RobotItem.BUMPER -> {
-            listOf(newBumper(at))
-        }
-
-        RobotItem.FINGER_TOUCH -> {
-            listOf(FingerTouchPart(null))
-        }
-
-        RobotItem.ROTATION -> {
-            BumperSide.entries.map { RotationPart(null, it) }
-        }
+        RobotItem.BUMPER -> listOf(newBumper(at))
+        RobotItem.FINGER_TOUCH -> listOf(FingerTouchPart(null))
+        RobotItem.ROTATION -> BumperSide.entries.map { RotationPart(null, it) }
 
         else -> {
             val usual = partFor(checkNotNull(item.sensor), port ?: 1) as SensorPart

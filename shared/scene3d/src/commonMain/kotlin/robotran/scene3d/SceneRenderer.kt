@@ -60,9 +60,7 @@ private class SceneRenderer(private val projection: Projection) {
 
     fun draw(node: SceneNode) {
         when (node) {
-            is SceneNode.Solid -> {
-                draw(node)
-            }
+            is SceneNode.Solid -> draw(node)
 
             is SceneNode.Group -> {
                 val order = drawingOrder(node.parts.map { it.footprint }, projection.view)

@@ -150,13 +150,8 @@ class BodyTest {
 
     private fun checkGroups(node: SceneNode) {
         when (node) {
-            is SceneNode.Solid -> {
-                Unit
-            }
-
-            is SceneNode.Stack -> {
-                node.levels.forEach(::checkGroups)
-            }
+            is SceneNode.Solid -> Unit
+            is SceneNode.Stack -> node.levels.forEach(::checkGroups)
 
             is SceneNode.Group -> {
                 node.parts.forEach(::checkGroups)

@@ -99,7 +99,6 @@ class ProjectionTest {
                 )
 
                 1 -> cameras.behind(pose, pose.heading, random.nextDouble(90.0), random.nextDouble(0.5, 4.0))
-
                 else -> cameras.eyeOf(pose)
             }
             check(camera, random)

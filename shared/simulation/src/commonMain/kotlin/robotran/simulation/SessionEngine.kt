@@ -96,9 +96,7 @@ internal class SessionEngine(
         latest = null
         when (input) {
             is SessionInput.Press -> robots.getOrNull(input.robot)?.brick?.press(input.button)
-
             is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
-
             SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
 
             is SessionInput.RunNow -> robots.getOrNull(input.robot)?.let {
@@ -115,13 +113,9 @@ internal class SessionEngine(
             }
 
             is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
-
             is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
-
             is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
-
             is SessionInput.ChangeTemperature -> simulation.temperature = input.celsius
-
             is SessionInput.TouchSensor -> robots.getOrNull(input.robot)?.ports?.touch(input.port, input.pressed)
         }
     }

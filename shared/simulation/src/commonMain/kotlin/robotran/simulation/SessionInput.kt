@@ -60,15 +60,10 @@ sealed interface SessionInput {
  */
 internal fun SessionInput.inThousandths(): SessionInput = when (this) {
     is SessionInput.PlaceRobot -> copy(pose = pose.inThousandths())
-
     is SessionInput.PlaceBlock -> copy(pose = pose.inThousandths())
-
     is SessionInput.MoveLamp -> copy(place = Point(roundToThousandths(place.x), roundToThousandths(place.y)))
-
     is SessionInput.ChangeAmbientLight -> copy(light = roundToThousandths(light))
-
     is SessionInput.ChangeTemperature -> copy(celsius = roundToThousandths(celsius))
-
     is SessionInput.Press,
     is SessionInput.Release,
     is SessionInput.SwitchLamp,

@@ -40,9 +40,7 @@ internal object HeavyWorlds {
 
         fun shape(kind: Int, size: Double, at: Point): Shape = when (kind % 4) {
             0 -> Shape.Rectangle(at, size, size * 0.7, from(-180.0, 180.0))
-
             1 -> Shape.Circle(at, size / 2)
-
             2 -> Shape.Polygon(listOf(at, Point(at.x + size, at.y), Point(at.x + size * 0.4, at.y + size * 0.8)))
 
             // Concave and clockwise.

@@ -92,11 +92,8 @@ class GoalProperties :
             val name = who.bind()
             when (Arb.int(0..9).bind()) {
                 0, 1 -> Goal(Reach(region, name, Arb.boolean().bind(), seconds.bind(), Arb.boolean().bind()))
-
                 2 -> Goal(StayOut(region, name, Arb.boolean().bind()))
-
                 3 -> Goal(StayIn(region, name, Arb.boolean().bind()))
-
                 4 -> Goal(NeverTouch(Arb.list(Arb.element(TouchKind.entries), 1..4).bind().toSet(), name))
 
                 5 -> Goal(

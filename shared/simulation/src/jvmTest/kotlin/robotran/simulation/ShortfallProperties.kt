@@ -200,9 +200,7 @@ class ShortfallProperties :
                         drawn(goal, before).status shouldBe GoalStatus.MET
                     }
 
-                    else -> {
-                        told shouldBe null
-                    }
+                    else -> told shouldBe null
                 }
             }
         }
@@ -280,9 +278,7 @@ class ShortfallProperties :
                         told.centimetres to told.moment
                     }
 
-                    else -> {
-                        told.shouldBeInstanceOf<LineShortfall.Unfinished>().let { it.centimetres to it.moment }
-                    }
+                    else -> told.shouldBeInstanceOf<LineShortfall.Unfinished>().let { it.centimetres to it.moment }
                 }
                 val last = way(until).last()
                 moment.place!!.x shouldBe (last plusOrMinus EXACT)

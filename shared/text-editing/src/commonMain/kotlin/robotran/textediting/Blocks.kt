@@ -32,13 +32,8 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
         )
     }
 
-    ProgramLanguage.NQC -> {
-        nqcBlockEffect(line).let { BlockEffect(it.closes, it.opens) }
-    }
-
-    ProgramLanguage.LASM -> {
-        BlockEffect(closes = false, opens = false)
-    }
+    ProgramLanguage.NQC -> nqcBlockEffect(line).let { BlockEffect(it.closes, it.opens) }
+    ProgramLanguage.LASM -> BlockEffect(closes = false, opens = false)
 }
 
 /** The braces of a line of Java outside strings and comments. */

@@ -60,9 +60,7 @@ class EditHistory private constructor(private val past: List<Step>, private val 
         val size: Int get() = edit.inserted.length + edit.removed.length
 
         fun joinedWith(next: Step): Step? = when {
-            kind != next.kind -> {
-                null
-            }
+            kind != next.kind -> null
 
             kind == EditKind.TYPING && continuesTyping(next.edit) -> {
                 joined(next, edit.copy(inserted = edit.inserted + next.edit.inserted))
@@ -72,9 +70,7 @@ class EditHistory private constructor(private val past: List<Step>, private val 
                 joined(next, edit.copy(next.edit.start, next.edit.removed + edit.removed))
             }
 
-            else -> {
-                null
-            }
+            else -> null
         }
 
         private fun joined(next: Step, edit: TextEdit) = copy(edit = edit, after = next.after)

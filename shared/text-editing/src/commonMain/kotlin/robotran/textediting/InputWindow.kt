@@ -61,9 +61,7 @@ data class InputWindow(val span: TextSpan, val containsSelection: Boolean) {
         )
 
         edit.start > span.end -> span
-
         edit.start + edit.removed.length < span.start -> TextSpan(span.start + edit.growth, span.end + edit.growth)
-
         else -> null
     }
 

@@ -25,7 +25,6 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
         val index = line - chosen.first
         when {
             line < chosen.first -> offset
-
             line > chosen.last -> offset + text.length - this.text.length
 
             else -> from + after.take(index).sumOf { it.length + 1 } +

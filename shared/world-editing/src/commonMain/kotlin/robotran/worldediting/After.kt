@@ -10,13 +10,9 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
     val calm = copy(error = null)
     return when (edit) {
         is Edit.TapAt, is Edit.Select, is Edit.SelectWithin, Edit.SelectAll, is Edit.SelectNext -> calm.chosen(edit)
-
         is Edit.StartDrag -> calm.grabbed(edit)
-
         is Edit.DragTo -> calm.dragged(edit)
-
         Edit.Drop -> calm.dropped()
-
         Edit.CancelDrag -> calm.letGo()
 
         is Edit.SelectTool -> calm.copy(
@@ -29,17 +25,11 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
         )
 
         is Edit.SelectSeveral -> calm.copy(several = edit.several)
-
         is Edit.Snap -> calm.copy(snapping = edit.snapping)
-
         Edit.FinishChange -> calm.copy(history = history.settled())
-
         is Edit.Batch -> calm.together(edit.edits)
-
         Edit.Undo -> calm.undone()
-
         Edit.Redo -> calm.redone()
-
         Edit.Copy -> if (selection.isEmpty()) calm else calm.copy(clipboard = selection.mapNotNull(world::piece))
 
         is Edit.Draw,

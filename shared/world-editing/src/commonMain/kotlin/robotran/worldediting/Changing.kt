@@ -9,33 +9,19 @@ import robotran.world.geometry.Pose
 /** The result of [edit]; null if there is nothing to do. */
 internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     is Edit.Draw -> drawn(edit.points)
-
     is Edit.Nudge -> each { it.movedBy(edit.x, edit.y) }
-
     is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.rotatedBy(edit.degrees, middle) } }
-
     is Edit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
-
     Edit.Duplicate -> added(selection.mapNotNull(world::piece), Point(STEP_ASIDE, -STEP_ASIDE))
-
     Edit.Delete -> deleted()
-
     is Edit.Paste -> pasted(edit.at)
-
     Edit.Group -> grouped()
-
     Edit.Ungroup -> Outcome.Made(moment.copy(groups = groups.filter { group -> group.none { it in selection } }))
-
     is Edit.Align -> aligned(edit.side)
-
     is Edit.Restack -> restacked(edit.order)
-
     is Edit.Put -> put(edit.piece, edit.at)
-
     is Edit.Change -> changed(edit.thing, edit.piece)
-
     is Edit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
-
     is Edit.AddCorner -> cornerAdded(edit)
 
     is Edit.RemoveCorner -> corners(edit.thing) { corners ->
@@ -45,19 +31,12 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     }
 
     is Edit.MakeCorners -> cornersMade(edit.thing)
-
     is Edit.AddGoal -> goalAdded(edit)
-
     is Edit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
-
     is Edit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
-
     is Edit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
-
     is Edit.ChangeSheet -> Outcome.Made(moment.copy(world = world.with(edit.figures)), part = "sheet")
-
     is Edit.NewWorld -> Outcome.Made(Moment(newWorld(edit.title), emptySet(), emptyList()))
-
     else -> null
 }
 
@@ -129,13 +108,8 @@ private fun WorldEditing.restacked(order: StackOrder): Outcome? {
 private fun restackedOrder(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
     val all = (0..<count).toMutableList()
     return when (order) {
-        StackOrder.TO_BACK -> {
-            all.filter { it in chosen } + all.filter { it !in chosen }
-        }
-
-        StackOrder.TO_FRONT -> {
-            all.filter { it !in chosen } + all.filter { it in chosen }
-        }
+        StackOrder.TO_BACK -> all.filter { it in chosen } + all.filter { it !in chosen }
+        StackOrder.TO_FRONT -> all.filter { it !in chosen } + all.filter { it in chosen }
 
         StackOrder.FORWARD -> {
             for (place in count - 2 downTo 0) if (all[place] in chosen && all[place + 1] !in chosen) all.swap(place)

@@ -84,9 +84,7 @@ internal fun Element.tidied(): Element {
         }
 
         is Element.OfMark -> placed.copy(placed.mark.tidied())
-
         is Element.OfGoal -> placed.copy(placed.goal.tidied())
-
         is Element.OfBarrier, is Element.OfStroke -> placed
     }
 }

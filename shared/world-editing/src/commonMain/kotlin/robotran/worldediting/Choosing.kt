@@ -1,9 +1,7 @@
 package robotran.worldediting
 
 internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
-    is Edit.TapAt -> {
-        tapped(edit)
-    }
+    is Edit.TapAt -> tapped(edit)
 
     is Edit.Select -> {
         when {
@@ -18,17 +16,9 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
         copy(selection = before + withGroups(world.elementsWithin(edit.area), groups))
     }
 
-    Edit.SelectAll -> {
-        copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
-    }
-
-    is Edit.SelectNext -> {
-        next(edit.backwards)
-    }
-
-    else -> {
-        this
-    }
+    Edit.SelectAll -> copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
+    is Edit.SelectNext -> next(edit.backwards)
+    else -> this
 }
 
 private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {

@@ -127,9 +127,7 @@ private val Form.anchor: Point
         }
 
         is Form.Way -> points.first()
-
         is Form.Start, is Form.Light -> middle
-
         is Form.Picture -> corner
     }
 

@@ -116,7 +116,6 @@ fun Form.scaledBy(factor: Double, about: Point): Form {
             )
 
             is Shape.Circle -> Form.Area(Shape.Circle(shape.centre.scaled(), shape.radius * factor))
-
             is Shape.Polygon -> Form.Area(shape.mapped(Point::scaled))
         }
 

@@ -85,7 +85,6 @@ private fun movedHere(goals: List<Goal>, place: Int, move: GoalMove): List<Goal>
     val others = goals.filterIndexed { number, _ -> number != place }
     return when (move) {
         GoalMove.UP -> if (place == 0) null else others.take(place - 1) + goal + others.drop(place - 1)
-
         GoalMove.DOWN -> if (place == goals.lastIndex) null else others.take(place + 1) + goal + others.drop(place + 1)
 
         GoalMove.IN -> others.getOrNull(place - 1)?.takeIf {
@@ -101,17 +100,13 @@ private fun List<Goal>.replaced(number: Int, change: (Goal) -> List<Goal>): List
     val wanted = allGoals(this)[number].goal
     return flatMap { goal ->
         when {
-            goal === wanted -> {
-                change(goal)
-            }
+            goal === wanted -> change(goal)
 
             goal.isGroup && allGoals(goal.parts).any { it.goal === wanted } -> {
                 listOf(goal.withParts(goal.parts.replacedOne(wanted, change)))
             }
 
-            else -> {
-                listOf(goal)
-            }
+            else -> listOf(goal)
         }
     }
 }

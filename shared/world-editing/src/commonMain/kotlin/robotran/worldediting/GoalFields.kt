@@ -47,7 +47,6 @@ fun fieldsOf(condition: GoalCondition, timeLimit: Int = World.DEFAULT_TIME_LIMIT
 private fun ownFieldsOf(condition: GoalCondition): List<GoalField> = with(condition) {
     when (this) {
         is GoalCondition.Reach -> listOf(GoalField.Flag(GoalFieldName.STAYS, stays) { copy(stays = it) })
-
         is GoalCondition.NeverTouch -> listOf(GoalField.TouchKinds(GoalFieldName.TOUCH_KINDS, what) { copy(what = it) })
 
         is GoalCondition.DrawTemplate -> listOf(

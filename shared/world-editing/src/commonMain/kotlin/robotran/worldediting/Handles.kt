@@ -86,9 +86,7 @@ fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
             if (form.canRotate) listOf(turnHandle(frame)) else emptyList()
 
         form is Form.Start -> listOf(turnHandle(form.middle, form.pose.heading, form.robot.box.right))
-
         form is Form.Light && form.turns -> listOf(turnHandle(form.place, form.direction, LAMP_RADIUS))
-
         else -> emptyList()
     }
 }

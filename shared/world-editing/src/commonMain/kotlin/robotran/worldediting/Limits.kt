@@ -86,7 +86,6 @@ private fun errorOf(form: Form): EditError? = when (form) {
 
 private fun errorOf(shape: Shape): EditError? = when (shape) {
     is Shape.Rectangle -> errorOf(shape.centre) ?: sizeError(shape.width) ?: sizeError(shape.height)
-
     is Shape.Circle -> errorOf(shape.centre) ?: sizeError(shape.radius)
 
     is Shape.Polygon -> when {
@@ -113,7 +112,6 @@ private fun sizeError(side: Double): EditError? =
 
 private fun valueError(piece: Element): EditError? = when (piece) {
     is Element.OfRobot -> errorOf(piece.robot)
-
     is Element.OfWall -> EditError.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
 
     is Element.OfBlock -> EditError.OutOfRange.takeIf {
@@ -122,11 +120,8 @@ private fun valueError(piece: Element): EditError? = when (piece) {
     }
 
     is Element.OfMark -> errorOf(piece.mark)
-
     is Element.OfLamp -> errorOf(piece.lamp)
-
     is Element.OfGoal -> errorOf(piece.goal)
-
     is Element.OfBarrier, is Element.OfStroke -> null
 }
 

@@ -44,15 +44,10 @@ val World.nextRobotColour: RobotColour
 /** A new element near the paper's lower left corner; [Edit.Put] moves it. */
 fun PaletteItem.piece(world: World): Element = when (this) {
     PaletteItem.WALL -> Element.OfWall(Wall(Point(0.0, 0.0), Point(30.0, 0.0), thickness = 1.0))
-
     PaletteItem.BOX -> Element.OfBarrier(Barrier(rectangle(16.0, 10.0)))
-
     PaletteItem.COLUMN -> Element.OfBarrier(Barrier(circle(5.0)))
-
     PaletteItem.CORNERED_BARRIER -> Element.OfBarrier(Barrier(triangle(16.0)))
-
     PaletteItem.BLOCK -> Element.OfBlock(Block(rectangle(8.0, 8.0)))
-
     PaletteItem.ROUND_BLOCK -> Element.OfBlock(Block(circle(4.0)))
 
     PaletteItem.LINE -> Element.OfMark(
@@ -60,19 +55,12 @@ fun PaletteItem.piece(world: World): Element = when (this) {
     )
 
     PaletteItem.AREA -> Element.OfMark(Mark(MarkFigure.Area(rectangle(20.0, 14.0))))
-
     PaletteItem.DOT -> Element.OfMark(Mark(MarkFigure.Area(circle(6.0))))
-
     PaletteItem.CORNERED_AREA -> Element.OfMark(Mark(MarkFigure.Area(triangle(20.0))))
-
     PaletteItem.LAMP -> Element.OfLamp(Lamp(Point(0.0, 0.0)))
-
     PaletteItem.TEMPLATE_LINE -> Element.OfStroke(listOf(Point(0.0, 0.0), Point(30.0, 0.0)))
-
     PaletteItem.GOAL_AREA -> Element.OfGoal(Goal(GoalCondition.Reach(rectangle(20.0, 20.0))))
-
     PaletteItem.FORBIDDEN_AREA -> Element.OfGoal(Goal(GoalCondition.StayOut(rectangle(20.0, 20.0))))
-
     PaletteItem.PERMITTED_AREA -> Element.OfGoal(Goal(GoalCondition.StayIn(rectangle(60.0, 40.0))))
 
     PaletteItem.ROBOT -> world.nextRobotColour.let {

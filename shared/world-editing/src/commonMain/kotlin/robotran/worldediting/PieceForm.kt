@@ -28,17 +28,9 @@ private val MarkFigure.form: Form
 
 /** The same element with another form; [form] must be of the element's type. Rounds values to thousandths. */
 fun Element.withForm(form: Form): Element = when (val rounded = form.rounded()) {
-    is Form.Area -> {
-        withShape(rounded.shape)
-    }
-
-    is Form.Way -> {
-        withWay(rounded)
-    }
-
-    is Form.Start -> {
-        if (this is Element.OfRobot) copy(robot.copy(start = rounded.pose)) else this
-    }
+    is Form.Area -> withShape(rounded.shape)
+    is Form.Way -> withWay(rounded)
+    is Form.Start -> if (this is Element.OfRobot) copy(robot.copy(start = rounded.pose)) else this
 
     is Form.Light -> {
         if (this is Element.OfLamp) copy(lamp.copy(place = rounded.place, direction = rounded.direction)) else this
@@ -52,7 +44,6 @@ fun Element.withForm(form: Form): Element = when (val rounded = form.rounded()) 
 
 private fun Element.withShape(shape: Shape): Element = when (this) {
     is Element.OfBarrier -> copy(barrier.copy(shape = shape, unknown = barrier.unknown.fitting(barrier.shape, shape)))
-
     is Element.OfBlock -> copy(block.copy(shape = shape, unknown = block.unknown.fitting(block.shape, shape)))
 
     is Element.OfMark -> copy(
@@ -60,27 +51,19 @@ private fun Element.withShape(shape: Shape): Element = when (this) {
     )
 
     is Element.OfGoal -> copy(goal.withRegion(shape))
-
     is Element.OfRobot, is Element.OfWall, is Element.OfLamp, is Element.OfStroke -> this
 }
 
 private fun Element.withWay(way: Form.Way): Element = when (this) {
-    is Element.OfWall -> {
-        copy(wall.copy(from = way.points.first(), to = way.points.last()))
-    }
+    is Element.OfWall -> copy(wall.copy(from = way.points.first(), to = way.points.last()))
 
     is Element.OfMark -> {
         val line = mark.figure as? MarkFigure.Line
         if (line == null) this else copy(mark.copy(figure = line.copy(points = way.points)))
     }
 
-    is Element.OfStroke -> {
-        copy(points = way.points)
-    }
-
-    is Element.OfRobot, is Element.OfBarrier, is Element.OfBlock, is Element.OfLamp, is Element.OfGoal -> {
-        this
-    }
+    is Element.OfStroke -> copy(points = way.points)
+    is Element.OfRobot, is Element.OfBarrier, is Element.OfBlock, is Element.OfLamp, is Element.OfGoal -> this
 }
 
 private val Mark.shape: Shape? get() = (figure as? MarkFigure.Area)?.shape

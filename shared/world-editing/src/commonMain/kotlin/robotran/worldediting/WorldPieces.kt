@@ -38,17 +38,11 @@ fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
 /** Replaces the element of its kind at index [number] by [piece]; the parts of a group of goals stay unchanged. */
 internal fun World.with(number: Int, piece: Element): World = when (piece) {
     is Element.OfRobot -> copy(robots = robots.with(number, piece.robot))
-
     is Element.OfWall -> copy(walls = walls.with(number, piece.wall))
-
     is Element.OfBarrier -> copy(barriers = barriers.with(number, piece.barrier))
-
     is Element.OfBlock -> copy(blocks = blocks.with(number, piece.block))
-
     is Element.OfMark -> copy(marks = marks.with(number, piece.mark))
-
     is Element.OfLamp -> copy(lamps = lamps.with(number, piece.lamp))
-
     is Element.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, piece.points)))
 
     is Element.OfGoal -> copy(
@@ -65,15 +59,10 @@ internal fun World.with(number: Int, piece: Element): World = when (piece) {
 /** Adds [piece] on top of the others of its kind. */
 internal fun World.plus(piece: Element): World = when (piece) {
     is Element.OfRobot -> copy(robots = robots + piece.robot)
-
     is Element.OfWall -> copy(walls = walls + piece.wall)
-
     is Element.OfBarrier -> copy(barriers = barriers + piece.barrier)
-
     is Element.OfBlock -> copy(blocks = blocks + piece.block)
-
     is Element.OfMark -> copy(marks = marks + piece.mark)
-
     is Element.OfLamp -> copy(lamps = lamps + piece.lamp)
 
     is Element.OfStroke -> copy(

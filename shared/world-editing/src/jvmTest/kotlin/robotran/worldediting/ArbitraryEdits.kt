@@ -16,41 +16,23 @@ import kotlin.random.Random
 internal class ArbitraryEdits(private val random: Random) {
     fun edit(): Edit = when (random.nextInt(KINDS)) {
         0 -> Edit.TapAt(place(), 2.0, random.nextBoolean())
-
         1 -> Edit.Select(thing(), random.nextBoolean())
-
         2 -> Edit.SelectWithin(area(), random.nextBoolean())
-
         3 -> Edit.SelectAll
-
         4 -> Edit.SelectNext(random.nextBoolean())
-
         5 -> Edit.StartDrag(grip(), place())
-
         6, 7 -> Edit.DragTo(place(), random.nextDouble(3.0))
-
         8 -> if (random.nextBoolean()) Edit.Drop else Edit.CancelDrag
-
         9 -> Edit.Draw(List(random.nextInt(5)) { place() })
-
         10 -> Edit.Nudge(number(), number())
-
         11 -> Edit.TurnBy(random.nextDouble(-800.0, 800.0))
-
         12 -> Edit.ScaleBy(random.nextDouble(0.2, 3.0))
-
         13 -> Edit.Duplicate
-
         14 -> Edit.Delete
-
         15 -> if (random.nextBoolean()) Edit.Copy else Edit.Paste(place().takeIf { random.nextBoolean() })
-
         16 -> if (random.nextBoolean()) Edit.Group else Edit.Ungroup
-
         17 -> Edit.Align(AlignSide.entries.random(random))
-
         18 -> Edit.Restack(StackOrder.entries.random(random))
-
         19, 20 -> Edit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
 
         21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let {
@@ -58,19 +40,12 @@ internal class ArbitraryEdits(private val random: Random) {
         }
 
         22 -> Edit.MoveCorner(thing(), random.nextInt(-1, 6), place())
-
         23 -> Edit.AddCorner(thing(), random.nextInt(-1, 6))
-
         24 -> Edit.RemoveCorner(thing(), random.nextInt(-1, 6))
-
         25 -> Edit.MakeCorners(thing())
-
         26 -> Edit.AddGoal(goal(), random.nextInt(5).takeIf { random.nextBoolean() })
-
         27 -> Edit.MoveGoal(random.nextInt(-1, 6), GoalMove.entries.random(random))
-
         28 -> Edit.WrapGoal(random.nextInt(-1, 6), GoalGroup.entries.random(random))
-
         29 -> Edit.UnwrapGoal(random.nextInt(-1, 6))
 
         30 -> Edit.ChangeSheet(
@@ -78,7 +53,6 @@ internal class ArbitraryEdits(private val random: Random) {
         )
 
         31 -> Edit.SelectTool(Tool.entries.random(random))
-
         32 -> Edit.SelectSeveral(random.nextBoolean())
 
         33 -> Edit.Snap(
@@ -86,13 +60,9 @@ internal class ArbitraryEdits(private val random: Random) {
         )
 
         34 -> Edit.FinishChange
-
         35 -> Edit.Batch(List(random.nextInt(3)) { edit() })
-
         36 -> Edit.Undo
-
         37 -> Edit.Redo
-
         else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.FinishChange
     }
 

@@ -42,13 +42,8 @@ private fun sensorOf(part: RobotPart): PortSensor? = when (part) {
         if (isLeft) PortSensor.LEFT_BUMPER else PortSensor.RIGHT_BUMPER
     }
 
-    is FingerTouchPart -> {
-        PortSensor.TOUCH
-    }
-
-    is RotationPart -> {
-        if (part.wheel == BumperSide.LEFT) PortSensor.LEFT_ROTATION else PortSensor.RIGHT_ROTATION
-    }
+    is FingerTouchPart -> PortSensor.TOUCH
+    is RotationPart -> if (part.wheel == BumperSide.LEFT) PortSensor.LEFT_ROTATION else PortSensor.RIGHT_ROTATION
 
     is SensorPart -> {
         when (part.sensor) {

@@ -32,9 +32,7 @@ internal class WebTowers : TowerPorts {
     }
 
     override suspend fun choose(kind: TowerKind): TowerDevice? = when (kind) {
-        TowerKind.SERIAL -> {
-            serial?.requestPort()?.outcome()?.value?.let(::deviceOf)
-        }
+        TowerKind.SERIAL -> serial?.requestPort()?.outcome()?.value?.let(::deviceOf)
 
         TowerKind.USB -> {
             val request = usb?.requestDevice(onlyDevice(UsbTower.VENDOR, UsbTower.PRODUCT))
@@ -102,7 +100,6 @@ internal class WebTowers : TowerPorts {
 /** Why `open` of a serial port was rejected with [error]. */
 private fun serialFailure(error: String): OpenFailure = when (error) {
     "NotFoundError" -> OpenFailure.GONE
-
     "SecurityError", "NotAllowedError" -> OpenFailure.NOT_ALLOWED
 
     // NetworkError: the system refuses the port. InvalidStateError: this page has it open.
@@ -115,9 +112,7 @@ private fun usbFailure(error: String): OpenFailure = when (error) {
 
     // Chromium says so of a device whose driver, or whose rights on Linux, keep it from the browser.
     "SecurityError" -> OpenFailure.HELD_BY_DRIVER
-
     "NotAllowedError" -> OpenFailure.NOT_ALLOWED
-
     else -> OpenFailure.BUSY
 }
 

@@ -51,13 +51,8 @@ private class AccessibilityElement(first: AccessibilityNode) {
         element.id = first.id
         for ((name, value) in STYLE) element.style.setProperty(name, value)
         when (first.tag) {
-            "button" -> {
-                element.addEventListener("click") { press() }
-            }
-
-            "input" -> {
-                element.addEventListener("input") { slide() }
-            }
+            "button" -> element.addEventListener("click") { press() }
+            "input" -> element.addEventListener("input") { slide() }
 
             "textarea" -> {
                 element.addEventListener("focus") { enter() }

@@ -74,9 +74,7 @@ internal class PagePointers(
                 if (id in fingers) fingers[id] = placeOf(event) else return
             }
 
-            else -> {
-                return
-            }
+            else -> return
         }
         val isUp = type == PointerEventType.Release
         val pointers = fingers.map { (finger, position) ->

@@ -134,7 +134,6 @@ abstract class PackageDesktopApp
                     )
 
                     "msi" -> listOf("--win-menu", "--win-shortcut", "--win-per-user-install")
-
                     else -> emptyList()
                 }
             return common + associations + ofSystem

@@ -30,30 +30,17 @@ private fun javaTypes(text: String): List<JavaType> {
     var before = ""
     for (word in javaWords(text)) {
         when {
-            word == "{" -> {
-                depth++
-            }
+            word == "{" -> depth++
 
             word == "}" -> {
                 depth--
                 isPublic = false
             }
 
-            depth > 0 -> {
-                Unit
-            }
-
-            word == ";" -> {
-                isPublic = false
-            }
-
-            word == "public" -> {
-                isPublic = true
-            }
-
-            before in DECLARATIONS -> {
-                types += JavaType(word, isPublic)
-            }
+            depth > 0 -> Unit
+            word == ";" -> isPublic = false
+            word == "public" -> isPublic = true
+            before in DECLARATIONS -> types += JavaType(word, isPublic)
         }
         before = word
     }

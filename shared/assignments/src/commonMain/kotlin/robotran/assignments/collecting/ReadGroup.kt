@@ -83,13 +83,8 @@ internal class GroupReader(
             val reading = readText(file.name, bytes) as? TextReading.Read
             val text = reading?.text
             when {
-                text == null -> {
-                    problems += messages.notText(file.name)
-                }
-
-                file.kind == FoundKind.TEXT -> {
-                    addText(file, text)
-                }
+                text == null -> problems += messages.notText(file.name)
+                file.kind == FoundKind.TEXT -> addText(file, text)
 
                 isTooLong(text) -> {
                     problems += messages.programTooLong(file.name, ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS)

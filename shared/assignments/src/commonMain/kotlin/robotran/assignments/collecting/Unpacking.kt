@@ -15,21 +15,14 @@ internal class Unpacking(private val messages: CollectingMessages) {
             val path = pathOf(file.path) ?: continue
             if (found.size >= CollectingLimits.MAXIMUM_FILES) break
             when {
-                isNoFile(file.path, path) -> {
-                    Unit
-                }
+                isNoFile(file.path, path) -> Unit
 
                 FoundKind.of(path.last()) == FoundKind.ZIP -> {
                     found += unpacked(file.bytes, path, CollectingLimits.MAXIMUM_ZIP_BYTES, 1)
                 }
 
-                FoundKind.of(path.last()) == FoundKind.OTHER -> {
-                    found += FoundFile(path, FoundContent.Ignored)
-                }
-
-                else -> {
-                    found += FoundFile(path, FoundContent.Bytes(file.bytes))
-                }
+                FoundKind.of(path.last()) == FoundKind.OTHER -> found += FoundFile(path, FoundContent.Ignored)
+                else -> found += FoundFile(path, FoundContent.Bytes(file.bytes))
             }
         }
         return found + emptyFolders()

@@ -33,17 +33,13 @@ class GradingSession(private val grader: HandInGrader, submissions: List<Submiss
         val (row, submission) = board.begin() ?: return
         when (val preparation = grader.prepare(submission)) {
             // It may have been cancelled while it was compiled.
-            is Preparation.Ready -> {
-                if (!board.isCancelled) current = RunningHandIn(row, preparation)
-            }
+            is Preparation.Ready -> if (!board.isCancelled) current = RunningHandIn(row, preparation)
 
             is Preparation.HasMistakes -> {
                 board.finish(row, GradedHandIn.HasMistakes(preparation.submission, preparation.reasons))
             }
 
-            is Preparation.Failed -> {
-                board.finish(row, GradedHandIn.Failed(preparation.submission, preparation.reasons))
-            }
+            is Preparation.Failed -> board.finish(row, GradedHandIn.Failed(preparation.submission, preparation.reasons))
         }
     }
 

@@ -17,7 +17,6 @@ private fun linesOfCode(program: ProjectProgram): Int = program.files.sumOf { fi
         }
 
         ProgramLanguage.JAVA, ProgramLanguage.NQC -> javaLines(file.text)
-
         ProgramLanguage.LASM -> file.text.lineSequence().count { it.substringBefore(';').isNotBlank() }
     }
 }

@@ -39,9 +39,7 @@ class GradingSessionTest {
             }}"
 
             is GradedHandIn.HasMistakes -> "${result.submission.name} ${result.reasons}"
-
             is GradedHandIn.Failed -> "${result.submission.name} failed"
-
             is GradedHandIn.Unusable -> "${result.submission.name} unusable"
         }
     }

@@ -87,22 +87,15 @@ fun describe(program: BlockProgram, id: BlockId, slot: Int, messages: BlockMessa
 fun describe(program: BlockProgram, part: PhrasePart, messages: BlockMessages): PartDescription {
     val text = part.span.textIn(program.text)
     return when (part) {
-        is PhrasePart.Word -> {
-            PartDescription(BlockRole.TEXT, text)
-        }
-
-        is PhrasePart.Choice -> {
-            PartDescription(BlockRole.MENU, "$text, ${messages.choice(part.options)}")
-        }
+        is PhrasePart.Word -> PartDescription(BlockRole.TEXT, text)
+        is PhrasePart.Choice -> PartDescription(BlockRole.MENU, "$text, ${messages.choice(part.options)}")
 
         is PhrasePart.Value -> {
             val unit = part.use.unit?.let { " $it" }.orEmpty()
             PartDescription(BlockRole.INPUT, "$text$unit, ${messages.kind(part.use.kind)}")
         }
 
-        is PhrasePart.NamePart, is PhrasePart.Text -> {
-            PartDescription(BlockRole.INPUT, text)
-        }
+        is PhrasePart.NamePart, is PhrasePart.Text -> PartDescription(BlockRole.INPUT, text)
     }
 }
 

@@ -100,13 +100,9 @@ private fun inWords(program: BlockProgram, blocks: List<Block>, messages: BlockM
 private val BlockEdit.deed: BlockDeed
     get() = when (this) {
         is BlockEdit.Insert -> BlockDeed.ADDED
-
         is BlockEdit.Move -> BlockDeed.MOVED
-
         is BlockEdit.Duplicate -> BlockDeed.DOUBLED
-
         is BlockEdit.Delete -> BlockDeed.DELETED
-
         is BlockEdit.Wrap, is BlockEdit.Unwrap, is BlockEdit.AddElse, is BlockEdit.RemoveElse, is BlockEdit.Replace,
         is BlockEdit.MoveValue, is BlockEdit.ClearValue, is BlockEdit.UseNewName, is BlockEdit.ChangeForm,
         is BlockEdit.AddItem, is BlockEdit.RemoveItem, is BlockEdit.AddParameter, is BlockEdit.RemoveParameter,

@@ -21,77 +21,40 @@ object EnglishBlockMessages : BlockMessages {
     }
 
     override fun editError(error: BlockEditError) = when (error) {
-        BlockEditError.NotFound -> {
-            "This block is no longer there. Try again."
-        }
-
-        BlockEditError.IntoItself -> {
-            "A block cannot go into itself. Put it somewhere else."
-        }
+        BlockEditError.NotFound -> "This block is no longer there. Try again."
+        BlockEditError.IntoItself -> "A block cannot go into itself. Put it somewhere else."
 
         BlockEditError.OnlyOutermost -> {
             "This block cannot stand inside another block. Put it above or below the other blocks."
         }
 
-        BlockEditError.SettingOutsideRobot -> {
-            "This block belongs into a \"robot\" block. Put it there."
-        }
+        BlockEditError.SettingOutsideRobot -> "This block belongs into a \"robot\" block. Put it there."
 
         BlockEditError.OnlySettings -> {
             "In a \"robot\" block there are only lines about the brick and its sensors. Put the block below it."
         }
 
-        BlockEditError.SecondRobot -> {
-            "The program already has a \"robot\" block. Change that one."
-        }
-
-        BlockEditError.TooDeep -> {
-            "Too many blocks would be inside each other. Make an own command of some of them."
-        }
-
-        BlockEditError.TooLong -> {
-            "The program would be too long. Delete something first."
-        }
+        BlockEditError.SecondRobot -> "The program already has a \"robot\" block. Change that one."
+        BlockEditError.TooDeep -> "Too many blocks would be inside each other. Make an own command of some of them."
+        BlockEditError.TooLong -> "The program would be too long. Delete something first."
 
         BlockEditError.LooseEnd -> {
             "There is an \"end\" or \"else\" that belongs to no block. Delete it or put it right, then try again."
         }
 
-        BlockEditError.NoSuchConstruct -> {
-            "This works only with a block that has others inside. Choose another one."
-        }
-
-        BlockEditError.ElseExists -> {
-            "This \"if\" already has an \"else\". Put your blocks in there."
-        }
+        BlockEditError.NoSuchConstruct -> "This works only with a block that has others inside. Choose another one."
+        BlockEditError.ElseExists -> "This \"if\" already has an \"else\". Put your blocks in there."
 
         is BlockEditError.NoValue -> {
             error.mistake?.message ?: "${quoted(error.text)} is no value. Write a number, such as \"20\"."
         }
 
-        BlockEditError.NumberNeeded -> {
-            "A number goes here, such as \"20\" or \"light\"."
-        }
-
-        BlockEditError.ConditionNeeded -> {
-            "A condition goes here, such as \"left bumper\" or \"light < 40\"."
-        }
-
-        BlockEditError.ListNeeded -> {
-            "A list goes here, such as \"[1, 2, 3]\"."
-        }
-
-        BlockEditError.LastItem -> {
-            "A list has at least one number. Change it or delete the whole block."
-        }
-
-        BlockEditError.NoSuchForm -> {
-            "This block cannot become that one. Take a new block from the palette."
-        }
-
-        is BlockEditError.NoChoice -> {
-            "Choose ${listed(error.options.map(::quoted), "or")}."
-        }
+        BlockEditError.NumberNeeded -> "A number goes here, such as \"20\" or \"light\"."
+        BlockEditError.ConditionNeeded -> "A condition goes here, such as \"left bumper\" or \"light < 40\"."
+        BlockEditError.ListNeeded -> "A list goes here, such as \"[1, 2, 3]\"."
+        BlockEditError.LastItem -> "A list has at least one number. Change it or delete the whole block."
+        BlockEditError.NoSuchForm -> "This block cannot become that one. Take a new block from the palette."
+        is BlockEditError.NoChoice -> "Choose ${listed(error.options.map(::quoted), "or")}."
 
         is BlockEditError.NoName -> {
             "${quoted(
@@ -99,25 +62,11 @@ object EnglishBlockMessages : BlockMessages {
             )} cannot be a name. Take letters and digits, with a letter first, and no word of Robolang."
         }
 
-        is BlockEditError.NameTaken -> {
-            "Something else is called ${quoted(error.name)}. Take another name."
-        }
-
-        BlockEditError.NoText -> {
-            "A text is one line without quotation marks. Leave them out."
-        }
-
-        BlockEditError.NoFix -> {
-            "Nothing can be put right here automatically. Change the line yourself."
-        }
-
-        BlockEditError.NoNote -> {
-            "Put the line right before you write a note on it."
-        }
-
-        BlockEditError.NothingToInsert -> {
-            "There is nothing to paste. Copy a block first."
-        }
+        is BlockEditError.NameTaken -> "Something else is called ${quoted(error.name)}. Take another name."
+        BlockEditError.NoText -> "A text is one line without quotation marks. Leave them out."
+        BlockEditError.NoFix -> "Nothing can be put right here automatically. Change the line yourself."
+        BlockEditError.NoNote -> "Put the line right before you write a note on it."
+        BlockEditError.NothingToInsert -> "There is nothing to paste. Copy a block first."
 
         BlockEditError.NoPlaceForValue -> {
             "This is a value. Touch the place in a block where it goes, then take it again, or carry it there."
@@ -131,9 +80,7 @@ object EnglishBlockMessages : BlockMessages {
             "${quoted(error.name)} has a value only in the whole program. Press Run, or put a number there."
         }
 
-        is BlockEditError.Mistaken -> {
-            "Line ${error.line}: ${error.message}"
-        }
+        is BlockEditError.Mistaken -> "Line ${error.line}: ${error.message}"
     }
 
     override fun level(level: Int) = "level $level"

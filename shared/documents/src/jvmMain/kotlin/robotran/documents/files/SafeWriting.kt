@@ -24,7 +24,6 @@ fun writeSafely(path: Path, bytes: ByteArray): StoreResult = writeSafely(path, b
 internal fun writeSafely(path: Path, bytes: ByteArray, open: (Path) -> TemporaryFile): StoreResult = try {
     when {
         Files.isDirectory(path) -> StoreResult.Failed("$path: Is a directory")
-
         Files.exists(path) && !Files.isRegularFile(path) -> writeThrough(path, bytes)
 
         else -> replaceContent(

@@ -20,15 +20,10 @@ internal class BrickAdvisor(private val messages: JavaMessages) {
 
     private fun brickAdvice(problem: EcjProblem): ProblemExplanation? = when (problem.number) {
         ProblemId.SWITCH -> ProblemExplanation(messages.noSwitch(), messages.useIf())
-
         ProblemId.LONG_ARITHMETIC -> ProblemExplanation(messages.noLongArithmetic(), messages.useInt())
-
         ProblemId.FLOAT_REMAINDER -> ProblemExplanation(messages.noFloatRemainder(), messages.useIntRemainder())
-
         ProblemId.ARRAY_TYPE_TEST -> ProblemExplanation(messages.noArrayTypeTest(), messages.useArrayItself())
-
         ProblemId.CLASS_LITERAL -> ProblemExplanation(messages.noClassLiteral(), messages.useInstanceof())
-
         ProblemId.TEXT_JOINED_IN_LOOP -> ProblemExplanation(messages.textJoinedInLoop(), messages.makeTextOnce())
 
         ProblemId.DIVISOR_TOO_LARGE -> ProblemExplanation(

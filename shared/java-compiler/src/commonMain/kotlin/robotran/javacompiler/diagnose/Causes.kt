@@ -12,14 +12,11 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
         val written = source.words(problem.start, problem.end)
         when {
             problem in syntaxErrors || BrickAdvisor.isOnlyNewer(problem) -> true
-
             problem.isSyntax -> false
-
             problem.number == ProblemId.UNDEFINED_TYPE && newerFeature(written) != null -> true
 
             // Code that contains or follows a syntax error may have been parsed wrongly.
             problem.end > firstSyntaxError -> false
-
             problem.number == ProblemId.UNDEFINED_TYPE -> unknown.add(written)
 
             problem.number == ProblemId.CLASS_MUST_BE_ABSTRACT -> problems.none {

@@ -11,9 +11,7 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
 
         fun argument(index: Int) = shortened(problem.arguments[index])
         return when (problem.number) {
-            ProblemId.PUBLIC_CLASS_MUST_MATCH_FILE_NAME -> {
-                ProblemExplanation(messages.wrongFileName(argument(1)))
-            }
+            ProblemId.PUBLIC_CLASS_MUST_MATCH_FILE_NAME -> ProblemExplanation(messages.wrongFileName(argument(1)))
 
             ProblemId.MISSING_RETURN_TYPE -> {
                 ProblemExplanation(
@@ -23,9 +21,7 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
                 )
             }
 
-            ProblemId.CLASS_IS_ABSTRACT -> {
-                cannotInstantiate(argument(0))
-            }
+            ProblemId.CLASS_IS_ABSTRACT -> cannotInstantiate(argument(0))
 
             ProblemId.METHOD_NOT_WRITTEN -> {
                 val method = shortened("${problem.arguments[0]}(${problem.arguments[1]})")
@@ -35,21 +31,14 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
                 )
             }
 
-            ProblemId.REDUCED_VISIBILITY -> {
-                ProblemExplanation(messages.mustBePublic(word))
-            }
+            ProblemId.REDUCED_VISIBILITY -> ProblemExplanation(messages.mustBePublic(word))
 
             ProblemId.DUPLICATE_TYPE, ProblemId.DUPLICATE_FIELD -> {
                 ProblemExplanation(messages.declaredTwice(argument(1)))
             }
 
-            ProblemId.DUPLICATE_METHOD -> {
-                ProblemExplanation(messages.declaredTwice(word))
-            }
-
-            else -> {
-                null
-            }
+            ProblemId.DUPLICATE_METHOD -> ProblemExplanation(messages.declaredTwice(word))
+            else -> null
         }
     }
 

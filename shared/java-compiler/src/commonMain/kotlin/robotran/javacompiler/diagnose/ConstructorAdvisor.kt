@@ -7,9 +7,7 @@ import robotran.javacompiler.messages.JavaMessages
 /** Explains constructors that a class does not have, or not for all. */
 internal class ConstructorAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
-        ProblemId.UNDEFINED_CONSTRUCTOR -> {
-            undefined(problem, source)
-        }
+        ProblemId.UNDEFINED_CONSTRUCTOR -> undefined(problem, source)
 
         ProblemId.CONSTRUCTOR_NOT_VISIBLE -> {
             val name = shortened(problem.arguments[0])
@@ -20,9 +18,7 @@ internal class ConstructorAdvisor(private val messages: JavaMessages) {
             )
         }
 
-        else -> {
-            null
-        }
+        else -> null
     }
 
     private fun undefined(problem: EcjProblem, source: SourceText): ProblemExplanation {

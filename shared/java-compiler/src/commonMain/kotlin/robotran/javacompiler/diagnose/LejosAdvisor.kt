@@ -28,9 +28,7 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
         )
 
         ProblemId.TEXT_AND_NUMBER -> ProblemExplanation(messages.textAndNumber(), messages.makeRoomForNumber())
-
         ProblemId.LARGE_STEP -> largeStep(problem, source)
-
         else -> null
     }
 

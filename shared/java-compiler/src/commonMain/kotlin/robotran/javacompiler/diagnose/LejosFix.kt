@@ -26,9 +26,7 @@ internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int,
                 .takeIf { words.startsWith("new ") && words.endsWith(')') }
         }
 
-        LejosRemedy.INTEGER_TO_STRING -> {
-            charactersFix(start, source, "Integer.toString(", ").toCharArray()")
-        }
+        LejosRemedy.INTEGER_TO_STRING -> charactersFix(start, source, "Integer.toString(", ").toCharArray()")
 
         LejosRemedy.APPEND_TO_STRING_BUFFER -> {
             charactersFix(start, source, "new StringBuffer(20).append(", ").getChars()")
@@ -39,9 +37,7 @@ internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int,
                 .takeIf { words.startsWith("new ") && words.endsWith(')') }
         }
 
-        LejosRemedy.SEND_BYTES -> {
-            JavaFix(source.range(start, end), "sendBytes").takeIf { words == member }
-        }
+        LejosRemedy.SEND_BYTES -> JavaFix(source.range(start, end), "sendBytes").takeIf { words == member }
 
         LejosRemedy.CHECKED_EXCEPTION,
         LejosRemedy.LAST_INDEX_OF,

@@ -7,21 +7,10 @@ import robotran.javacompiler.messages.JavaMessages
 /** Explains what is too much for the compiler or for a class file. */
 internal class LimitAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem): ProblemExplanation? = when (problem.number) {
-        ProblemId.SOURCE_TOO_LONG -> {
-            ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
-        }
-
-        ProblemId.NESTED_TOO_DEEPLY -> {
-            ProblemExplanation(messages.nestedTooDeeply())
-        }
-
-        ProblemId.TOO_MANY_IMPORTS -> {
-            ProblemExplanation(messages.tooManyImports(problem.arguments.first()))
-        }
-
-        ProblemId.TOO_MANY_CLASSES -> {
-            ProblemExplanation(messages.tooManyClasses(problem.arguments.first()))
-        }
+        ProblemId.SOURCE_TOO_LONG -> ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
+        ProblemId.NESTED_TOO_DEEPLY -> ProblemExplanation(messages.nestedTooDeeply())
+        ProblemId.TOO_MANY_IMPORTS -> ProblemExplanation(messages.tooManyImports(problem.arguments.first()))
+        ProblemId.TOO_MANY_CLASSES -> ProblemExplanation(messages.tooManyClasses(problem.arguments.first()))
 
         ProblemId.TOO_MUCH_WORK -> {
             ProblemExplanation(
@@ -41,8 +30,6 @@ internal class LimitAdvisor(private val messages: JavaMessages) {
             ProblemExplanation(messages.methodTooLong())
         }
 
-        else -> {
-            null
-        }
+        else -> null
     }
 }

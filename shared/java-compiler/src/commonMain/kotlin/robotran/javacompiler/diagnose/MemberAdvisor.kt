@@ -16,7 +16,6 @@ internal class MemberAdvisor(
         val name = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemId.UNDEFINED_FIELD -> field(problem, source, name)
-
             ProblemId.UNDEFINED_METHOD -> method(problem, source, name)
 
             ProblemId.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0])
@@ -26,7 +25,6 @@ internal class MemberAdvisor(
                 ?: field(problem, source, name)
 
             ProblemId.PARAMETER_MISMATCH -> otherParameters(problem, source, name)
-
             ProblemId.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
 
             ProblemId.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(
@@ -117,9 +115,7 @@ internal class MemberAdvisor(
                 ProblemExplanation(messages.callWithBrackets(shortened(name)))
             }
 
-            else -> {
-                null
-            }
+            else -> null
         }
     }
 

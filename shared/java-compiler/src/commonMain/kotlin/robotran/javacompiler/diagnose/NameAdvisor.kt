@@ -87,13 +87,8 @@ internal class NameAdvisor(
         val home = library.packageOf(name)
         val message = messages.unknownClass(shortened(name))
         return when {
-            newer != null -> {
-                ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
-            }
-
-            instead != null -> {
-                ProblemExplanation(message, instead)
-            }
+            newer != null -> ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
+            instead != null -> ProblemExplanation(message, instead)
 
             home != null && source.imports(name, home) -> {
                 val constants = gaps.constants.filterValues { it == name }.keys.joinToString { "$name.$it" }

@@ -29,7 +29,6 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
             )
 
             ProblemId.FINAL_LOCAL_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(0)))
-
             ProblemId.FINAL_FIELD_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(1)))
 
             ProblemId.NON_STATIC_FIELD -> ProblemExplanation(
@@ -38,36 +37,19 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
             )
 
             ProblemId.THIS_IN_STATIC -> ProblemExplanation(messages.staticNeeded("this"))
-
             ProblemId.ASSIGNMENT_HAS_NO_EFFECT -> ProblemExplanation(messages.noEffect())
-
             ProblemId.POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT -> ProblemExplanation(messages.compareWithTwoSigns())
-
             else -> null
         }
     }
 
     /** Explains problems with control flow, exceptions and instance methods in static code. */
     private fun way(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
-        ProblemId.NON_STATIC_METHOD -> {
-            nonStatic(problem, source)
-        }
-
-        ProblemId.VOID_METHOD_RETURNS_VALUE -> {
-            ProblemExplanation(messages.returnsNothing())
-        }
-
-        ProblemId.SHOULD_RETURN_VALUE -> {
-            ProblemExplanation(messages.mustReturn(), messages.returnValue())
-        }
-
-        ProblemId.CODE_CANNOT_BE_REACHED -> {
-            ProblemExplanation(messages.neverReached())
-        }
-
-        ProblemId.UNHANDLED_EXCEPTION -> {
-            unhandled(problem, source)
-        }
+        ProblemId.NON_STATIC_METHOD -> nonStatic(problem, source)
+        ProblemId.VOID_METHOD_RETURNS_VALUE -> ProblemExplanation(messages.returnsNothing())
+        ProblemId.SHOULD_RETURN_VALUE -> ProblemExplanation(messages.mustReturn(), messages.returnValue())
+        ProblemId.CODE_CANNOT_BE_REACHED -> ProblemExplanation(messages.neverReached())
+        ProblemId.UNHANDLED_EXCEPTION -> unhandled(problem, source)
 
         ProblemId.EXCEPTION_NEVER_THROWN, ProblemId.UNREACHABLE_CATCH -> {
             ProblemExplanation(messages.neverThrown(shortened(problem.arguments[0])), messages.removeCatch())
@@ -87,9 +69,7 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
             ProblemExplanation(messages.emptyStatement(), fix = fix.takeIf { isBeforeBlock })
         }
 
-        else -> {
-            null
-        }
+        else -> null
     }
 
     private fun nonStatic(problem: EcjProblem, source: SourceText): ProblemExplanation {
@@ -98,22 +78,15 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
         val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
         val message = messages.staticNeeded(name)
         return when {
-            onClass -> {
-                ProblemExplanation(messages.objectNeeded(name, owner))
-            }
-
-            owner == OBJECT -> {
-                ofObject(problem, source, name, message)
-            }
+            onClass -> ProblemExplanation(messages.objectNeeded(name, owner))
+            owner == OBJECT -> ofObject(problem, source, name, message)
 
             // It is inherited from the library.
             owner in library.simpleNames && owner != source.className -> {
                 ProblemExplanation(message, messages.callOnNew(shortened(source.className), name))
             }
 
-            else -> {
-                ProblemExplanation(message, messages.makeItStatic())
-            }
+            else -> ProblemExplanation(message, messages.makeItStatic())
         }
     }
 

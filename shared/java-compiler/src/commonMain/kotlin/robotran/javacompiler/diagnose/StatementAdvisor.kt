@@ -62,9 +62,7 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         source: SourceText,
         expected: String,
     ): ProblemExplanation? = when {
-        word in CONDITIONAL && expected == "(" -> {
-            ProblemExplanation(messages.conditionInBrackets(word))
-        }
+        word in CONDITIONAL && expected == "(" -> ProblemExplanation(messages.conditionInBrackets(word))
 
         word == "else" && problem.number == ProblemId.PARSING_ERROR_DELETE -> {
             ProblemExplanation(messages.elseWithoutIf())
@@ -74,17 +72,13 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             ProblemExplanation(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
         }
 
-        expected != "AssignmentOperator" || problem.number != ProblemId.INVALID_TOKEN -> {
-            null
-        }
+        expected != "AssignmentOperator" || problem.number != ProblemId.INVALID_TOKEN -> null
 
         word == "==" -> {
             ProblemExplanation(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
         }
 
-        else -> {
-            ProblemExplanation(messages.noStatement())
-        }
+        else -> ProblemExplanation(messages.noStatement())
     }
 
     private fun noStatement(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
@@ -100,17 +94,9 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
                 )
             }
 
-            missing.startsWith("AssignmentOperator") && endsHere -> {
-                ProblemExplanation(messages.noStatement())
-            }
-
-            missing.startsWith("... VariableDeclaratorId") -> {
-                ProblemExplanation(messages.typeOfParameter())
-            }
-
-            else -> {
-                null
-            }
+            missing.startsWith("AssignmentOperator") && endsHere -> ProblemExplanation(messages.noStatement())
+            missing.startsWith("... VariableDeclaratorId") -> ProblemExplanation(messages.typeOfParameter())
+            else -> null
         }
     }
 
@@ -126,11 +112,8 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             isNumber && source.codeBefore(
                 problem.start,
             ) == '[' && after == ']' -> ProblemExplanation(messages.lengthOfArray())
-
             isNumber && after?.isJavaLetter() == true -> ProblemExplanation(messages.nameBeginsWithLetter())
-
             word in KEYWORDS && expected == "VariableDeclaratorId" -> ProblemExplanation(messages.reservedWord(word))
-
             else -> null
         }
     }

@@ -35,9 +35,7 @@ internal class StructureAdvisor(private val messages: JavaMessages) {
             )
 
             ProblemId.CONDITION_WITHOUT_BRACKETS -> condition(problem, source, word)
-
             ProblemId.RESERVED_NAME -> ProblemExplanation(messages.reservedWord(word))
-
             else -> null
         }
     }

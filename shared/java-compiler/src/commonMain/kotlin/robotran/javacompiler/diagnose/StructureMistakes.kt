@@ -32,9 +32,7 @@ internal class StructureMistakes(private val source: SourceText) {
         val first = item.tokens.first()
         val miscased = item.tokens.filter { keywordInOtherCase(it.text) != null }
         return when {
-            !first.isWord || first.text in FILE_WORDS -> {
-                null
-            }
+            !first.isWord || first.text in FILE_WORDS -> null
 
             miscased.isNotEmpty() && isTypeHeader(item) -> {
                 val last = miscased.last()
@@ -43,23 +41,17 @@ internal class StructureMistakes(private val source: SourceText) {
                 problem(ProblemId.WORD_IN_OTHER_CASE, miscased.first().start, last.end, corrected)
             }
 
-            item.has(CodeItems.TYPE_WORDS) -> {
-                nameOfSeveralWords(item)
-            }
+            item.has(CodeItems.TYPE_WORDS) -> nameOfSeveralWords(item)
 
             // Most likely a misspelt word before the name of the class.
-            item.end == "{" && item.tokens.all { it.isWord } -> {
-                null
-            }
+            item.end == "{" && item.tokens.all { it.isWord } -> null
 
             isPaired || className.isEmpty() -> {
                 val kind = METHOD.takeIf { item.end == "{" && item.has(setOf("(")) }
                 problem(ProblemId.OUTSIDE_CLASS, first.start, item.tokens.last().end, className, kind)
             }
 
-            else -> {
-                null
-            }
+            else -> null
         }
     }
 

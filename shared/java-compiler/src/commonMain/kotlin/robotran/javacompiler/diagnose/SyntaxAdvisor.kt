@@ -25,11 +25,8 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         val word = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemId.PARSING_ERROR_INSERT_TO_COMPLETE -> missing(problem.arguments.first(), problem, source, word)
-
             ProblemId.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
-
             ProblemId.PARSING_ERROR_DELETE, ProblemId.UNMATCHED_BRACKET -> extra(word)
-
             ProblemId.PARSING_ERROR, ProblemId.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
 
             ProblemId.UNTERMINATED_COMMENT -> ProblemExplanation(
@@ -38,7 +35,6 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
             )
 
             ProblemId.UNTERMINATED_STRING -> ProblemExplanation(messages.unclosedString(), messages.closeString())
-
             ProblemId.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
 
             ProblemId.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> ProblemExplanation(

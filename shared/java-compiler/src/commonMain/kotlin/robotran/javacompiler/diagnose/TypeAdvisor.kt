@@ -36,9 +36,7 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
                 )
             }
 
-            given == "void" -> {
-                ProblemExplanation(messages.givesNothing())
-            }
+            given == "void" -> ProblemExplanation(messages.givesNothing())
 
             given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
                 ProblemExplanation(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
@@ -48,9 +46,7 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
                 ProblemExplanation(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
             }
 
-            given in NUMBERS && needed == "boolean" -> {
-                ProblemExplanation(message, messages.compareWithZero())
-            }
+            given in NUMBERS && needed == "boolean" -> ProblemExplanation(message, messages.compareWithZero())
 
             isBoxing(given, needed) -> {
                 ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING).takeUnless { boxes })
@@ -60,13 +56,8 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
                 ProblemExplanation(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
             }
 
-            needed == "String" -> {
-                ProblemExplanation(message, messages.makeText())
-            }
-
-            else -> {
-                ProblemExplanation(message)
-            }
+            needed == "String" -> ProblemExplanation(message, messages.makeText())
+            else -> ProblemExplanation(message)
         }
     }
 
@@ -101,9 +92,7 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
                 ProblemExplanation(message, messages.countsMilliseconds(), milliseconds(problem, source))
             }
 
-            given in NUMBERS && needed in NUMBERS -> {
-                ProblemExplanation(message, messages.castNumber(needed))
-            }
+            given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
 
             isBoxing(given, needed) -> {
                 ProblemExplanation(
@@ -114,13 +103,8 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
                 )
             }
 
-            needed == "String" && given in NUMBERS -> {
-                ProblemExplanation(message, messages.makeText())
-            }
-
-            else -> {
-                ProblemExplanation(message)
-            }
+            needed == "String" && given in NUMBERS -> ProblemExplanation(message, messages.makeText())
+            else -> ProblemExplanation(message)
         }
     }
 

@@ -9,73 +9,23 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
                 "list.elementAt(0)."
         }
 
-        NewerJava.FOR_EACH -> {
-            "Count instead: for (int i = 0; i < values.length; i++)."
-        }
-
-        NewerJava.VARARGS -> {
-            "Use an array, such as int[]."
-        }
-
-        NewerJava.ANNOTATION -> {
-            "Leave it away."
-        }
-
-        NewerJava.ENUM -> {
-            "Use numbers with names: static final int RED = 0, GREEN = 1;"
-        }
-
-        NewerJava.STATIC_IMPORT -> {
-            "Import the class, and write its name before the method."
-        }
-
-        NewerJava.INTERFACE_METHOD_BODY -> {
-            "Write the method in a class."
-        }
-
-        NewerJava.LAMBDA -> {
-            "Write a class for it, such as new Thread() { public void run() { ... } }."
-        }
-
-        NewerJava.MULTI_CATCH -> {
-            "Write a \"catch\" for each."
-        }
-
-        NewerJava.TRY_WITH_RESOURCES -> {
-            "Write the statement before the \"try\"."
-        }
-
-        NewerJava.SWITCH_EXPRESSION -> {
-            "Use \"if\" and \"else\"."
-        }
-
-        NewerJava.AUTOBOXING -> {
-            "Use \"int\", or \"new Integer(...)\" to put a number into a Vector."
-        }
-
-        NewerJava.DIAMOND -> {
-            "Write the types in the brackets, too, such as new ArrayList<String>()."
-        }
-
-        NewerJava.TEXT_IN_SWITCH -> {
-            "Use \"if\" and \"equals\": if (word.equals(\"go\"))."
-        }
-
-        NewerJava.ASSERT -> {
-            "Use \"if\"."
-        }
-
-        NewerJava.VAR -> {
-            "Write the type, such as \"int\"."
-        }
-
-        NewerJava.TEXT_BLOCK -> {
-            "Write a text between two quotation marks, on one line."
-        }
-
-        NewerJava.NUMBER_STYLE -> {
-            "Write the number with digits only."
-        }
+        NewerJava.FOR_EACH -> "Count instead: for (int i = 0; i < values.length; i++)."
+        NewerJava.VARARGS -> "Use an array, such as int[]."
+        NewerJava.ANNOTATION -> "Leave it away."
+        NewerJava.ENUM -> "Use numbers with names: static final int RED = 0, GREEN = 1;"
+        NewerJava.STATIC_IMPORT -> "Import the class, and write its name before the method."
+        NewerJava.INTERFACE_METHOD_BODY -> "Write the method in a class."
+        NewerJava.LAMBDA -> "Write a class for it, such as new Thread() { public void run() { ... } }."
+        NewerJava.MULTI_CATCH -> "Write a \"catch\" for each."
+        NewerJava.TRY_WITH_RESOURCES -> "Write the statement before the \"try\"."
+        NewerJava.SWITCH_EXPRESSION -> "Use \"if\" and \"else\"."
+        NewerJava.AUTOBOXING -> "Use \"int\", or \"new Integer(...)\" to put a number into a Vector."
+        NewerJava.DIAMOND -> "Write the types in the brackets, too, such as new ArrayList<String>()."
+        NewerJava.TEXT_IN_SWITCH -> "Use \"if\" and \"equals\": if (word.equals(\"go\"))."
+        NewerJava.ASSERT -> "Use \"if\"."
+        NewerJava.VAR -> "Write the type, such as \"int\"."
+        NewerJava.TEXT_BLOCK -> "Write a text between two quotation marks, on one line."
+        NewerJava.NUMBER_STYLE -> "Write the number with digits only."
     }
 
     private fun name(what: NewerJava) = when (what) {
@@ -104,13 +54,8 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
             "The brick shows numbers with LCD.showNumber(7) and up to five letters with TextLCD.print(\"hello\")."
         }
 
-        UnsupportedOnBrick.KEYBOARD -> {
-            "The brick has no keyboard. Ask its buttons, such as Button.VIEW.isPressed()."
-        }
-
-        UnsupportedOnBrick.COLLECTIONS -> {
-            "Use an array, such as int[], or a Vector from java.util."
-        }
+        UnsupportedOnBrick.KEYBOARD -> "The brick has no keyboard. Ask its buttons, such as Button.VIEW.isPressed()."
+        UnsupportedOnBrick.COLLECTIONS -> "Use an array, such as int[], or a Vector from java.util."
 
         UnsupportedOnBrick.VECTOR_METHODS -> {
             "A brick's Vector has addElement(), elementAt(), setElementAt(), removeElementAt() and size()."
@@ -120,49 +65,25 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
             "A Hashtable on the brick has put() and get(), and get() gives null for what is not in it."
         }
 
-        UnsupportedOnBrick.RUNNABLE -> {
-            "Write \"extends Thread\" instead, with a method \"public void run()\"."
-        }
-
-        UnsupportedOnBrick.FORMATTING -> {
-            "The brick cannot format texts. Show a number with LCD.showNumber(7)."
-        }
+        UnsupportedOnBrick.RUNNABLE -> "Write \"extends Thread\" instead, with a method \"public void run()\"."
+        UnsupportedOnBrick.FORMATTING -> "The brick cannot format texts. Show a number with LCD.showNumber(7)."
 
         UnsupportedOnBrick.TEXT_METHODS -> {
             "A text on the brick has length(), charAt(), toCharArray() and equals(), and little more."
         }
 
-        UnsupportedOnBrick.PARSING -> {
-            "The brick cannot read numbers from texts."
-        }
-
-        UnsupportedOnBrick.WRAPPERS -> {
-            "Use boolean, char, int or float itself."
-        }
+        UnsupportedOnBrick.PARSING -> "The brick cannot read numbers from texts."
+        UnsupportedOnBrick.WRAPPERS -> "Use boolean, char, int or float itself."
 
         UnsupportedOnBrick.WRITING_NUMBERS -> {
             "Integer.toString(number) makes a text of a whole number. LCD.showNumber(number) shows it without one."
         }
 
-        UnsupportedOnBrick.SYSTEM_METHODS -> {
-            "System.currentTimeMillis() is the time, and memory is never taken back."
-        }
-
-        UnsupportedOnBrick.ARRAY_COPYING -> {
-            "Copy one element after the other in a \"for\"."
-        }
-
-        UnsupportedOnBrick.WAITING -> {
-            "Thread.sleep(1000) waits a second."
-        }
-
-        UnsupportedOnBrick.FILES -> {
-            "The brick has no files."
-        }
-
-        UnsupportedOnBrick.WINDOWS -> {
-            "The brick has no windows. It shows numbers and short texts with LCD and TextLCD."
-        }
+        UnsupportedOnBrick.SYSTEM_METHODS -> "System.currentTimeMillis() is the time, and memory is never taken back."
+        UnsupportedOnBrick.ARRAY_COPYING -> "Copy one element after the other in a \"for\"."
+        UnsupportedOnBrick.WAITING -> "Thread.sleep(1000) waits a second."
+        UnsupportedOnBrick.FILES -> "The brick has no files."
+        UnsupportedOnBrick.WINDOWS -> "The brick has no windows. It shows numbers and short texts with LCD and TextLCD."
 
         UnsupportedOnBrick.MOTOR_DIRECTIONS -> {
             "A motor has forward(), backward() and stop(), such as Motor.A.forward();"
@@ -172,13 +93,8 @@ internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
             "A motor of an RCX counts no degrees. Let it turn for a time: forward(), Thread.sleep(500), stop()"
         }
 
-        UnsupportedOnBrick.MOTOR_POWER -> {
-            "A motor has setPower(), from 0 to 7."
-        }
-
-        UnsupportedOnBrick.OTHER_BRICKS -> {
-            "That is for newer bricks. The classes of this one are in josx.platform.rcx."
-        }
+        UnsupportedOnBrick.MOTOR_POWER -> "A motor has setPower(), from 0 to 7."
+        UnsupportedOnBrick.OTHER_BRICKS -> "That is for newer bricks. The classes of this one are in josx.platform.rcx."
     }
 
     override fun noSwitch() = "The brick's Java has no \"switch\"."

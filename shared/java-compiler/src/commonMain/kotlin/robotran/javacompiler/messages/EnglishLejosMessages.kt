@@ -20,61 +20,24 @@ internal object EnglishLejosMessages : LejosMessages {
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
-        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
-            "Write \"new $owner()\", or take Exception, which can have a text."
-        }
-
-        LejosRemedy.EXCEPTION_WITH_TEXT -> {
-            "Write new $owner(\"text\")."
-        }
-
-        LejosRemedy.SEND_BYTES -> {
-            "Write LLC.sendBytes, which also waits until all is sent."
-        }
-
-        LejosRemedy.CHECKED_EXCEPTION -> {
-            catchException()
-        }
-
-        LejosRemedy.STRING_BUFFER -> {
-            "StringBuffer can do the same."
-        }
-
-        LejosRemedy.INTEGER_TO_STRING -> {
-            "Write Integer.toString(number).toCharArray()."
-        }
-
-        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
-            "Write new StringBuffer(20).append(number).getChars()."
-        }
-
-        LejosRemedy.LAST_INDEX_OF -> {
-            "Calculate it: stack.size() - stack.lastIndexOf(object)."
-        }
-
-        LejosRemedy.SENSOR_CONSTANTS -> {
-            "Write SensorConstants.$member."
-        }
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> "Write \"new $owner()\", or take Exception, which can have a text."
+        LejosRemedy.EXCEPTION_WITH_TEXT -> "Write new $owner(\"text\")."
+        LejosRemedy.SEND_BYTES -> "Write LLC.sendBytes, which also waits until all is sent."
+        LejosRemedy.CHECKED_EXCEPTION -> catchException()
+        LejosRemedy.STRING_BUFFER -> "StringBuffer can do the same."
+        LejosRemedy.INTEGER_TO_STRING -> "Write Integer.toString(number).toCharArray()."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> "Write new StringBuffer(20).append(number).getChars()."
+        LejosRemedy.LAST_INDEX_OF -> "Calculate it: stack.size() - stack.lastIndexOf(object)."
+        LejosRemedy.SENSOR_CONSTANTS -> "Write SensorConstants.$member."
 
         LejosRemedy.SERIAL_PACKETS -> {
             "Send a packet of two bytes with Serial.sendPacket, and receive it with Serial.readPacket."
         }
 
-        LejosRemedy.VECTOR -> {
-            "There, use a Vector with addElement, elementAt, removeElementAt and isEmpty."
-        }
-
-        LejosRemedy.LOOP_FROM_THE_END -> {
-            "There, go through the elements from the last one to the first."
-        }
-
-        LejosRemedy.LEAVE_OUT -> {
-            "Leave it out: it does nothing."
-        }
-
-        LejosRemedy.PACKAGE_OF_2_1 -> {
-            "There, import it from josx.platform.rcx.remotecontrol."
-        }
+        LejosRemedy.VECTOR -> "There, use a Vector with addElement, elementAt, removeElementAt and isEmpty."
+        LejosRemedy.LOOP_FROM_THE_END -> "There, go through the elements from the last one to the first."
+        LejosRemedy.LEAVE_OUT -> "Leave it out: it does nothing."
+        LejosRemedy.PACKAGE_OF_2_1 -> "There, import it from josx.platform.rcx.remotecontrol."
     }
 
     override fun builderOfCompiler() =

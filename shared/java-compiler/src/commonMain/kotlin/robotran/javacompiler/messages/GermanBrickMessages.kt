@@ -8,73 +8,23 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
             "Lass das \"<...>\" weg. Wenn du etwas herausholst, schreib seinen Typ davor: (String) list.elementAt(0)."
         }
 
-        NewerJava.FOR_EACH -> {
-            "Zähl stattdessen: for (int i = 0; i < values.length; i++)."
-        }
-
-        NewerJava.VARARGS -> {
-            "Nimm ein Array, zum Beispiel int[]."
-        }
-
-        NewerJava.ANNOTATION -> {
-            "Lass sie weg."
-        }
-
-        NewerJava.ENUM -> {
-            "Nimm Zahlen mit Namen: static final int RED = 0, GREEN = 1;"
-        }
-
-        NewerJava.STATIC_IMPORT -> {
-            "Importier die Klasse und schreib ihren Namen vor die Methode."
-        }
-
-        NewerJava.INTERFACE_METHOD_BODY -> {
-            "Schreib die Methode in eine Klasse."
-        }
-
-        NewerJava.LAMBDA -> {
-            "Schreib dafür eine Klasse, zum Beispiel new Thread() { public void run() { ... } }."
-        }
-
-        NewerJava.MULTI_CATCH -> {
-            "Schreib für jede ein \"catch\"."
-        }
-
-        NewerJava.TRY_WITH_RESOURCES -> {
-            "Schreib die Anweisung vor das \"try\"."
-        }
-
-        NewerJava.SWITCH_EXPRESSION -> {
-            "Nimm \"if\" und \"else\"."
-        }
-
-        NewerJava.AUTOBOXING -> {
-            "Nimm \"int\", oder \"new Integer(...)\", um eine Zahl in einen Vector zu legen."
-        }
-
-        NewerJava.DIAMOND -> {
-            "Schreib die Typen hinein, zum Beispiel new ArrayList<String>()."
-        }
-
-        NewerJava.TEXT_IN_SWITCH -> {
-            "Nimm \"if\" und \"equals\": if (wort.equals(\"los\"))."
-        }
-
-        NewerJava.ASSERT -> {
-            "Nimm \"if\"."
-        }
-
-        NewerJava.VAR -> {
-            "Schreib den Typ, zum Beispiel \"int\"."
-        }
-
-        NewerJava.TEXT_BLOCK -> {
-            "Schreib den Text zwischen zwei Anführungszeichen, in eine Zeile."
-        }
-
-        NewerJava.NUMBER_STYLE -> {
-            "Schreib die Zahl nur mit Ziffern."
-        }
+        NewerJava.FOR_EACH -> "Zähl stattdessen: for (int i = 0; i < values.length; i++)."
+        NewerJava.VARARGS -> "Nimm ein Array, zum Beispiel int[]."
+        NewerJava.ANNOTATION -> "Lass sie weg."
+        NewerJava.ENUM -> "Nimm Zahlen mit Namen: static final int RED = 0, GREEN = 1;"
+        NewerJava.STATIC_IMPORT -> "Importier die Klasse und schreib ihren Namen vor die Methode."
+        NewerJava.INTERFACE_METHOD_BODY -> "Schreib die Methode in eine Klasse."
+        NewerJava.LAMBDA -> "Schreib dafür eine Klasse, zum Beispiel new Thread() { public void run() { ... } }."
+        NewerJava.MULTI_CATCH -> "Schreib für jede ein \"catch\"."
+        NewerJava.TRY_WITH_RESOURCES -> "Schreib die Anweisung vor das \"try\"."
+        NewerJava.SWITCH_EXPRESSION -> "Nimm \"if\" und \"else\"."
+        NewerJava.AUTOBOXING -> "Nimm \"int\", oder \"new Integer(...)\", um eine Zahl in einen Vector zu legen."
+        NewerJava.DIAMOND -> "Schreib die Typen hinein, zum Beispiel new ArrayList<String>()."
+        NewerJava.TEXT_IN_SWITCH -> "Nimm \"if\" und \"equals\": if (wort.equals(\"los\"))."
+        NewerJava.ASSERT -> "Nimm \"if\"."
+        NewerJava.VAR -> "Schreib den Typ, zum Beispiel \"int\"."
+        NewerJava.TEXT_BLOCK -> "Schreib den Text zwischen zwei Anführungszeichen, in eine Zeile."
+        NewerJava.NUMBER_STYLE -> "Schreib die Zahl nur mit Ziffern."
     }
 
     private fun name(what: NewerJava) = when (what) {
@@ -107,9 +57,7 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
             "Der Stein hat keine Tastatur. Frag seine Tasten, zum Beispiel Button.VIEW.isPressed()."
         }
 
-        UnsupportedOnBrick.COLLECTIONS -> {
-            "Nimm ein Array, zum Beispiel int[], oder einen Vector aus java.util."
-        }
+        UnsupportedOnBrick.COLLECTIONS -> "Nimm ein Array, zum Beispiel int[], oder einen Vector aus java.util."
 
         UnsupportedOnBrick.VECTOR_METHODS -> {
             "Der Vector eines Steins hat addElement(), elementAt(), setElementAt(), removeElementAt() und size()."
@@ -123,41 +71,23 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
             "Schreib stattdessen \"extends Thread\", mit einer Methode \"public void run()\"."
         }
 
-        UnsupportedOnBrick.FORMATTING -> {
-            "Der Stein kann Texte nicht formatieren. Zeig eine Zahl mit LCD.showNumber(7)."
-        }
+        UnsupportedOnBrick.FORMATTING -> "Der Stein kann Texte nicht formatieren. Zeig eine Zahl mit LCD.showNumber(7)."
 
         UnsupportedOnBrick.TEXT_METHODS -> {
             "Ein Text hat auf dem Stein length(), charAt(), toCharArray() und equals(), und nicht viel mehr."
         }
 
-        UnsupportedOnBrick.PARSING -> {
-            "Der Stein kann keine Zahlen aus Texten lesen."
-        }
-
-        UnsupportedOnBrick.WRAPPERS -> {
-            "Nimm boolean, char, int oder float selbst."
-        }
+        UnsupportedOnBrick.PARSING -> "Der Stein kann keine Zahlen aus Texten lesen."
+        UnsupportedOnBrick.WRAPPERS -> "Nimm boolean, char, int oder float selbst."
 
         UnsupportedOnBrick.WRITING_NUMBERS -> {
             "Integer.toString(number) macht aus einer ganzen Zahl einen Text. LCD.showNumber(number) zeigt sie ohne."
         }
 
-        UnsupportedOnBrick.SYSTEM_METHODS -> {
-            "System.currentTimeMillis() ist die Zeit, und Speicher kommt nie zurück."
-        }
-
-        UnsupportedOnBrick.ARRAY_COPYING -> {
-            "Kopier in einem \"for\" ein Element nach dem anderen."
-        }
-
-        UnsupportedOnBrick.WAITING -> {
-            "Thread.sleep(1000) wartet eine Sekunde."
-        }
-
-        UnsupportedOnBrick.FILES -> {
-            "Der Stein hat keine Dateien."
-        }
+        UnsupportedOnBrick.SYSTEM_METHODS -> "System.currentTimeMillis() ist die Zeit, und Speicher kommt nie zurück."
+        UnsupportedOnBrick.ARRAY_COPYING -> "Kopier in einem \"for\" ein Element nach dem anderen."
+        UnsupportedOnBrick.WAITING -> "Thread.sleep(1000) wartet eine Sekunde."
+        UnsupportedOnBrick.FILES -> "Der Stein hat keine Dateien."
 
         UnsupportedOnBrick.WINDOWS -> {
             "Der Stein hat keine Fenster. Er zeigt Zahlen und kurze Texte mit LCD und TextLCD."
@@ -171,9 +101,7 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
             "Ein Motor eines RCX zählt keine Grad. Lass ihn eine Zeit lang laufen: forward(), Thread.sleep(500), stop()"
         }
 
-        UnsupportedOnBrick.MOTOR_POWER -> {
-            "Ein Motor hat setPower(), von 0 bis 7."
-        }
+        UnsupportedOnBrick.MOTOR_POWER -> "Ein Motor hat setPower(), von 0 bis 7."
 
         UnsupportedOnBrick.OTHER_BRICKS -> {
             "Das ist für neuere Steine. Die Klassen von diesem stehen in josx.platform.rcx."

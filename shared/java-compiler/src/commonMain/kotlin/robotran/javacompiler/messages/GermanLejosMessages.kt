@@ -24,57 +24,23 @@ internal object GermanLejosMessages : LejosMessages {
             "Schreib \"new $owner()\", oder nimm Exception, die einen Text haben kann."
         }
 
-        LejosRemedy.EXCEPTION_WITH_TEXT -> {
-            "Schreib new $owner(\"text\")."
-        }
-
-        LejosRemedy.SEND_BYTES -> {
-            "Schreib LLC.sendBytes, das auch wartet, bis alles gesendet ist."
-        }
-
-        LejosRemedy.CHECKED_EXCEPTION -> {
-            catchException()
-        }
-
-        LejosRemedy.STRING_BUFFER -> {
-            "StringBuffer kann dasselbe."
-        }
-
-        LejosRemedy.INTEGER_TO_STRING -> {
-            "Schreib Integer.toString(zahl).toCharArray()."
-        }
-
-        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
-            "Schreib new StringBuffer(20).append(zahl).getChars()."
-        }
-
-        LejosRemedy.LAST_INDEX_OF -> {
-            "Rechne es aus: stack.size() - stack.lastIndexOf(object)."
-        }
-
-        LejosRemedy.SENSOR_CONSTANTS -> {
-            "Schreib SensorConstants.$member."
-        }
+        LejosRemedy.EXCEPTION_WITH_TEXT -> "Schreib new $owner(\"text\")."
+        LejosRemedy.SEND_BYTES -> "Schreib LLC.sendBytes, das auch wartet, bis alles gesendet ist."
+        LejosRemedy.CHECKED_EXCEPTION -> catchException()
+        LejosRemedy.STRING_BUFFER -> "StringBuffer kann dasselbe."
+        LejosRemedy.INTEGER_TO_STRING -> "Schreib Integer.toString(zahl).toCharArray()."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> "Schreib new StringBuffer(20).append(zahl).getChars()."
+        LejosRemedy.LAST_INDEX_OF -> "Rechne es aus: stack.size() - stack.lastIndexOf(object)."
+        LejosRemedy.SENSOR_CONSTANTS -> "Schreib SensorConstants.$member."
 
         LejosRemedy.SERIAL_PACKETS -> {
             "Sende mit Serial.sendPacket ein Paket von zwei Bytes und empfange es mit Serial.readPacket."
         }
 
-        LejosRemedy.VECTOR -> {
-            "Nimm dort einen Vector mit addElement, elementAt, removeElementAt und isEmpty."
-        }
-
-        LejosRemedy.LOOP_FROM_THE_END -> {
-            "Geh dort die Elemente vom letzten zum ersten durch."
-        }
-
-        LejosRemedy.LEAVE_OUT -> {
-            "Lass es weg: Es tut nichts."
-        }
-
-        LejosRemedy.PACKAGE_OF_2_1 -> {
-            "Importiere es dort aus josx.platform.rcx.remotecontrol."
-        }
+        LejosRemedy.VECTOR -> "Nimm dort einen Vector mit addElement, elementAt, removeElementAt und isEmpty."
+        LejosRemedy.LOOP_FROM_THE_END -> "Geh dort die Elemente vom letzten zum ersten durch."
+        LejosRemedy.LEAVE_OUT -> "Lass es weg: Es tut nichts."
+        LejosRemedy.PACKAGE_OF_2_1 -> "Importiere es dort aus josx.platform.rcx.remotecontrol."
     }
 
     override fun builderOfCompiler() =

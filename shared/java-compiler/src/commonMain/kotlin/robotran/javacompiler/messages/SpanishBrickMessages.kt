@@ -8,73 +8,23 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "Quita el \"<...>\". Cuando saques algo, escribe su tipo delante: (String) list.elementAt(0)."
         }
 
-        NewerJava.FOR_EACH -> {
-            "Mejor cuenta: for (int i = 0; i < values.length; i++)."
-        }
-
-        NewerJava.VARARGS -> {
-            "Usa un array, como int[]."
-        }
-
-        NewerJava.ANNOTATION -> {
-            "Quítala."
-        }
-
-        NewerJava.ENUM -> {
-            "Usa números con nombre: static final int RED = 0, GREEN = 1;"
-        }
-
-        NewerJava.STATIC_IMPORT -> {
-            "Importa la clase y escribe su nombre delante del método."
-        }
-
-        NewerJava.INTERFACE_METHOD_BODY -> {
-            "Escribe el método en una clase."
-        }
-
-        NewerJava.LAMBDA -> {
-            "Escribe una clase para eso, como new Thread() { public void run() { ... } }."
-        }
-
-        NewerJava.MULTI_CATCH -> {
-            "Escribe un \"catch\" para cada una."
-        }
-
-        NewerJava.TRY_WITH_RESOURCES -> {
-            "Escribe la instrucción delante del \"try\"."
-        }
-
-        NewerJava.SWITCH_EXPRESSION -> {
-            "Usa \"if\" y \"else\"."
-        }
-
-        NewerJava.AUTOBOXING -> {
-            "Usa \"int\", o \"new Integer(...)\" para meter un número en un Vector."
-        }
-
-        NewerJava.DIAMOND -> {
-            "Escribe los tipos dentro, por ejemplo new ArrayList<String>()."
-        }
-
-        NewerJava.TEXT_IN_SWITCH -> {
-            "Usa \"if\" y \"equals\": if (palabra.equals(\"ya\"))."
-        }
-
-        NewerJava.ASSERT -> {
-            "Usa \"if\"."
-        }
-
-        NewerJava.VAR -> {
-            "Escribe el tipo, como \"int\"."
-        }
-
-        NewerJava.TEXT_BLOCK -> {
-            "Escribe el texto entre dos comillas, en una sola línea."
-        }
-
-        NewerJava.NUMBER_STYLE -> {
-            "Escribe el número solo con cifras."
-        }
+        NewerJava.FOR_EACH -> "Mejor cuenta: for (int i = 0; i < values.length; i++)."
+        NewerJava.VARARGS -> "Usa un array, como int[]."
+        NewerJava.ANNOTATION -> "Quítala."
+        NewerJava.ENUM -> "Usa números con nombre: static final int RED = 0, GREEN = 1;"
+        NewerJava.STATIC_IMPORT -> "Importa la clase y escribe su nombre delante del método."
+        NewerJava.INTERFACE_METHOD_BODY -> "Escribe el método en una clase."
+        NewerJava.LAMBDA -> "Escribe una clase para eso, como new Thread() { public void run() { ... } }."
+        NewerJava.MULTI_CATCH -> "Escribe un \"catch\" para cada una."
+        NewerJava.TRY_WITH_RESOURCES -> "Escribe la instrucción delante del \"try\"."
+        NewerJava.SWITCH_EXPRESSION -> "Usa \"if\" y \"else\"."
+        NewerJava.AUTOBOXING -> "Usa \"int\", o \"new Integer(...)\" para meter un número en un Vector."
+        NewerJava.DIAMOND -> "Escribe los tipos dentro, por ejemplo new ArrayList<String>()."
+        NewerJava.TEXT_IN_SWITCH -> "Usa \"if\" y \"equals\": if (palabra.equals(\"ya\"))."
+        NewerJava.ASSERT -> "Usa \"if\"."
+        NewerJava.VAR -> "Escribe el tipo, como \"int\"."
+        NewerJava.TEXT_BLOCK -> "Escribe el texto entre dos comillas, en una sola línea."
+        NewerJava.NUMBER_STYLE -> "Escribe el número solo con cifras."
     }
 
     private fun name(what: NewerJava) = when (what) {
@@ -107,9 +57,7 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "El ladrillo no tiene teclado. Pregunta a sus botones, como Button.VIEW.isPressed()."
         }
 
-        UnsupportedOnBrick.COLLECTIONS -> {
-            "Usa un array, como int[], o un Vector de java.util."
-        }
+        UnsupportedOnBrick.COLLECTIONS -> "Usa un array, como int[], o un Vector de java.util."
 
         UnsupportedOnBrick.VECTOR_METHODS -> {
             "El Vector de un ladrillo tiene addElement(), elementAt(), setElementAt(), removeElementAt() y size()."
@@ -119,9 +67,7 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "Una Hashtable en el ladrillo tiene put() y get(), y get() da null para lo que no está en ella."
         }
 
-        UnsupportedOnBrick.RUNNABLE -> {
-            "Escribe en su lugar \"extends Thread\", con un método \"public void run()\"."
-        }
+        UnsupportedOnBrick.RUNNABLE -> "Escribe en su lugar \"extends Thread\", con un método \"public void run()\"."
 
         UnsupportedOnBrick.FORMATTING -> {
             "El ladrillo no puede dar formato a los textos. Muestra un número con LCD.showNumber(7)."
@@ -131,33 +77,17 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "Un texto en el ladrillo tiene length(), charAt(), toCharArray() y equals(), y poco más."
         }
 
-        UnsupportedOnBrick.PARSING -> {
-            "El ladrillo no puede leer números de los textos."
-        }
-
-        UnsupportedOnBrick.WRAPPERS -> {
-            "Usa directamente boolean, char, int o float."
-        }
+        UnsupportedOnBrick.PARSING -> "El ladrillo no puede leer números de los textos."
+        UnsupportedOnBrick.WRAPPERS -> "Usa directamente boolean, char, int o float."
 
         UnsupportedOnBrick.WRITING_NUMBERS -> {
             "Integer.toString(number) hace un texto de un número entero. LCD.showNumber(number) lo muestra sin hacerlo."
         }
 
-        UnsupportedOnBrick.SYSTEM_METHODS -> {
-            "System.currentTimeMillis() es la hora, y la memoria no se recupera nunca."
-        }
-
-        UnsupportedOnBrick.ARRAY_COPYING -> {
-            "Copia los elementos uno tras otro en un \"for\"."
-        }
-
-        UnsupportedOnBrick.WAITING -> {
-            "Thread.sleep(1000) espera un segundo."
-        }
-
-        UnsupportedOnBrick.FILES -> {
-            "El ladrillo no tiene archivos."
-        }
+        UnsupportedOnBrick.SYSTEM_METHODS -> "System.currentTimeMillis() es la hora, y la memoria no se recupera nunca."
+        UnsupportedOnBrick.ARRAY_COPYING -> "Copia los elementos uno tras otro en un \"for\"."
+        UnsupportedOnBrick.WAITING -> "Thread.sleep(1000) espera un segundo."
+        UnsupportedOnBrick.FILES -> "El ladrillo no tiene archivos."
 
         UnsupportedOnBrick.WINDOWS -> {
             "El ladrillo no tiene ventanas. Muestra números y textos cortos con LCD y TextLCD."
@@ -171,9 +101,7 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
             "Un motor de un RCX no cuenta grados. Déjalo girar un tiempo: forward(), Thread.sleep(500), stop()"
         }
 
-        UnsupportedOnBrick.MOTOR_POWER -> {
-            "Un motor tiene setPower(), de 0 a 7."
-        }
+        UnsupportedOnBrick.MOTOR_POWER -> "Un motor tiene setPower(), de 0 a 7."
 
         UnsupportedOnBrick.OTHER_BRICKS -> {
             "Eso es para ladrillos más nuevos. Las clases de este están en josx.platform.rcx."

@@ -20,61 +20,24 @@ internal object SpanishLejosMessages : LejosMessages {
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
-        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
-            "Escribe \"new $owner()\", o usa Exception, que puede tener un texto."
-        }
-
-        LejosRemedy.EXCEPTION_WITH_TEXT -> {
-            "Escribe new $owner(\"text\")."
-        }
-
-        LejosRemedy.SEND_BYTES -> {
-            "Escribe LLC.sendBytes, que también espera hasta que todo se ha enviado."
-        }
-
-        LejosRemedy.CHECKED_EXCEPTION -> {
-            catchException()
-        }
-
-        LejosRemedy.STRING_BUFFER -> {
-            "StringBuffer puede hacer lo mismo."
-        }
-
-        LejosRemedy.INTEGER_TO_STRING -> {
-            "Escribe Integer.toString(numero).toCharArray()."
-        }
-
-        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
-            "Escribe new StringBuffer(20).append(numero).getChars()."
-        }
-
-        LejosRemedy.LAST_INDEX_OF -> {
-            "Calcúlalo: stack.size() - stack.lastIndexOf(object)."
-        }
-
-        LejosRemedy.SENSOR_CONSTANTS -> {
-            "Escribe SensorConstants.$member."
-        }
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> "Escribe \"new $owner()\", o usa Exception, que puede tener un texto."
+        LejosRemedy.EXCEPTION_WITH_TEXT -> "Escribe new $owner(\"text\")."
+        LejosRemedy.SEND_BYTES -> "Escribe LLC.sendBytes, que también espera hasta que todo se ha enviado."
+        LejosRemedy.CHECKED_EXCEPTION -> catchException()
+        LejosRemedy.STRING_BUFFER -> "StringBuffer puede hacer lo mismo."
+        LejosRemedy.INTEGER_TO_STRING -> "Escribe Integer.toString(numero).toCharArray()."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> "Escribe new StringBuffer(20).append(numero).getChars()."
+        LejosRemedy.LAST_INDEX_OF -> "Calcúlalo: stack.size() - stack.lastIndexOf(object)."
+        LejosRemedy.SENSOR_CONSTANTS -> "Escribe SensorConstants.$member."
 
         LejosRemedy.SERIAL_PACKETS -> {
             "Envía un paquete de dos bytes con Serial.sendPacket y recíbelo con Serial.readPacket."
         }
 
-        LejosRemedy.VECTOR -> {
-            "Allí, usa un Vector con addElement, elementAt, removeElementAt e isEmpty."
-        }
-
-        LejosRemedy.LOOP_FROM_THE_END -> {
-            "Allí, recorre los elementos desde el último hasta el primero."
-        }
-
-        LejosRemedy.LEAVE_OUT -> {
-            "Quítalo: no hace nada."
-        }
-
-        LejosRemedy.PACKAGE_OF_2_1 -> {
-            "Allí, impórtalo de josx.platform.rcx.remotecontrol."
-        }
+        LejosRemedy.VECTOR -> "Allí, usa un Vector con addElement, elementAt, removeElementAt e isEmpty."
+        LejosRemedy.LOOP_FROM_THE_END -> "Allí, recorre los elementos desde el último hasta el primero."
+        LejosRemedy.LEAVE_OUT -> "Quítalo: no hace nada."
+        LejosRemedy.PACKAGE_OF_2_1 -> "Allí, impórtalo de josx.platform.rcx.remotecontrol."
     }
 
     override fun builderOfCompiler() =

@@ -44,13 +44,8 @@ internal class SchemaFile(definition: JsonElement) {
             )
         }
 
-        is JsonArray -> {
-            JsonArray(element.map(::closed))
-        }
-
-        else -> {
-            element
-        }
+        is JsonArray -> JsonArray(element.map(::closed))
+        else -> element
     }
 
     private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
@@ -63,7 +58,6 @@ internal class SchemaFile(definition: JsonElement) {
         }.toSet()
 
         is JsonArray -> element.flatMap(::fieldsOf).toSet()
-
         else -> emptySet()
     }
 }

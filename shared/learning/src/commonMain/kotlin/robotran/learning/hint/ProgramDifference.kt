@@ -51,9 +51,7 @@ internal fun differences(program: List<CodeLine>, solution: List<CodeLine>): Lis
                 found += ProgramDifference.Missing(if (mine > 0) program[mine - 1].number else 0, solution[meant++])
             }
 
-            else -> {
-                found += ProgramDifference.Extra(program[mine++])
-            }
+            else -> found += ProgramDifference.Extra(program[mine++])
         }
     }
     return found.takeIf { common * 2 >= maxOf(program.size, solution.size) }

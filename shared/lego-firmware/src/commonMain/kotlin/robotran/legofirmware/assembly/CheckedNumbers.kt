@@ -19,9 +19,7 @@ internal class CheckedNumbers(private val sink: AssemblySink, private val messag
                 sink.error(AssemblyProblem.NUMBER_OUT_OF_RANGE, token, message)
             }
 
-            else -> {
-                return number
-            }
+            else -> return number
         }
         return null
     }

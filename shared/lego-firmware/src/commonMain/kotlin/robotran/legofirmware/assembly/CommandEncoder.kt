@@ -24,9 +24,7 @@ internal class CommandEncoder(
         val bytes = ByteSink()
         for (command in chunk.commands) {
             when (val content = command.content) {
-                is AssembledChunk.Content.Bytes -> {
-                    content.bytes.forEach { bytes.byte(it) }
-                }
+                is AssembledChunk.Content.Bytes -> content.bytes.forEach { bytes.byte(it) }
 
                 is AssembledChunk.Content.Instruction -> {
                     val instruction = instructionOf(chunk, command, content)
@@ -88,9 +86,7 @@ internal class CommandEncoder(
                 sink.error(AssemblyProblem.TOO_FAR, command.word, message, longForm)
             }
 
-            else -> {
-                return Operand.Address(address)
-            }
+            else -> return Operand.Address(address)
         }
         return null
     }

@@ -34,9 +34,7 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         val chunk = open
         val firstLine = labelLines[label.text]
         when {
-            chunk == null -> {
-                sink.error(AssemblyProblem.OUTSIDE_CHUNK, label, messages.outsideChunk(label.text))
-            }
+            chunk == null -> sink.error(AssemblyProblem.OUTSIDE_CHUNK, label, messages.outsideChunk(label.text))
 
             firstLine != null -> {
                 sink.error(AssemblyProblem.LABEL_TWICE, label, messages.labelTwice(short(label.text), firstLine))
@@ -88,21 +86,14 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         val content = if (name == BYTES_MNEMONIC) bytes(word, operands) else instruction(word, name, operands)
         val chunk = open
         when {
-            content == null -> {
-                return
-            }
-
-            chunk == null -> {
-                sink.error(AssemblyProblem.OUTSIDE_CHUNK, word, messages.outsideChunk(short(word.text)))
-            }
+            content == null -> return
+            chunk == null -> sink.error(AssemblyProblem.OUTSIDE_CHUNK, word, messages.outsideChunk(short(word.text)))
 
             chunk.size + content.size > FirmwareLimits.CHUNK_BYTES -> {
                 sink.error(AssemblyProblem.CODE_TOO_LONG, chunk.start, messages.codeTooLong(FirmwareLimits.CHUNK_BYTES))
             }
 
-            else -> {
-                chunk.add(word, content)
-            }
+            else -> chunk.add(word, content)
         }
     }
 

@@ -22,9 +22,7 @@ internal class Names {
         val number = words[1].toIntOrNull()?.takeIf { it in 0..GREATEST_NUMBER } ?: return
         val isFit = { name: String -> name.length <= FirmwareLimits.NAME_CHARACTERS && name.all { it.code in NAME } }
         when (words[0]) {
-            "Var" -> {
-                if (isFit(words.last())) variables += Symbol(SymbolKind.VARIABLE, number, words.last())
-            }
+            "Var" -> if (isFit(words.last())) variables += Symbol(SymbolKind.VARIABLE, number, words.last())
 
             "Task", "Sub" -> {
                 val name = words.last().substringBefore(", size:")

@@ -47,9 +47,7 @@ internal fun tokensOf(text: String, line: Int): List<Token> {
         val start = position++
         val first = text[start]
         when {
-            first.isWhitespace() || first == BYTE_ORDER_MARK -> {
-                continue
-            }
+            first.isWhitespace() || first == BYTE_ORDER_MARK -> continue
 
             isWordStart(first) || first.isAsciiDigit || first == '-' || first == '+' -> {
                 while (position < text.length && isWordPart(text[position])) position++

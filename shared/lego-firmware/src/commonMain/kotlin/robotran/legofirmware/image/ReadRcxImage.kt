@@ -86,9 +86,7 @@ private class RcxImageReader(private val bytes: ByteArray) {
                 warnings += ImageFault.NameWithoutChunk(name)
             }
 
-            else -> {
-                symbols += Symbol(kind, number, name)
-            }
+            else -> symbols += Symbol(kind, number, name)
         }
         return true
     }

@@ -42,13 +42,8 @@ object FirstFirmware {
                 operand.left.source.takeIf { it in refusedLeft } ?: operand.right.source.takeIf { it in refusedRight }
             }
 
-            is Operand.Value -> {
-                operand.source.takeIf { it !in allowed.getOrElse(instruction.opcode) { setOf(it) } }
-            }
-
-            else -> {
-                null
-            }
+            is Operand.Value -> operand.source.takeIf { it !in allowed.getOrElse(instruction.opcode) { setOf(it) } }
+            else -> null
         }
     }
 }

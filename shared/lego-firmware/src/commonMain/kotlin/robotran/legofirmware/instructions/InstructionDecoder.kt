@@ -16,17 +16,9 @@ internal class InstructionDecoder(private val code: CodeBytes, start: Int) {
     }
 
     private fun read(kind: OperandKind): Operand? = when (kind) {
-        OperandKind.VALUE -> {
-            Operand.Value(byte(), word().toShort().toInt())
-        }
-
-        OperandKind.BYTE_VALUE, OperandKind.PLACE -> {
-            Operand.Value(byte(), byte())
-        }
-
-        OperandKind.TEST -> {
-            readTest()
-        }
+        OperandKind.VALUE -> Operand.Value(byte(), word().toShort().toInt())
+        OperandKind.BYTE_VALUE, OperandKind.PLACE -> Operand.Value(byte(), byte())
+        OperandKind.TEST -> readTest()
 
         OperandKind.ZERO -> {
             position++

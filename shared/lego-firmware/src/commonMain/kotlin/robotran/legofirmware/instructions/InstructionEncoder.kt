@@ -16,9 +16,7 @@ internal class InstructionEncoder(private val address: Int) {
     }
 
     private fun write(kind: OperandKind, operand: Operand) = when (operand) {
-        is Operand.Value -> {
-            writeValue(kind, operand)
-        }
+        is Operand.Value -> writeValue(kind, operand)
 
         is Operand.Test -> {
             require(kind == OperandKind.TEST) { "$kind is no test." }

@@ -17,7 +17,6 @@ object OperandNumbers {
     /** The names and ranges of the numbers of an operand of this [kind]; empty for an address. */
     fun rangesOf(kind: OperandKind): List<NumberRange> = when (kind) {
         OperandKind.VALUE -> listOf(source, argument)
-
         OperandKind.BYTE_VALUE, OperandKind.PLACE -> listOf(source, NumberRange("argument", byte.range))
 
         OperandKind.TEST -> listOf(
@@ -29,31 +28,20 @@ object OperandNumbers {
         )
 
         OperandKind.VARIABLE -> listOf(NumberRange("variable", byte.range))
-
         OperandKind.MOTORS -> listOf(mask)
-
         OperandKind.OUTPUT -> listOf(mask, NumberRange("mode", 0..TOP_MODE))
-
         OperandKind.DIRECTION -> listOf(NumberRange("direction", 0..TOP_MODE), mask)
-
         OperandKind.SENSOR -> listOf(NumberRange("sensor", byte.range))
-
         OperandKind.SENSOR_TYPE -> listOf(NumberRange("type", byte.range))
-
         OperandKind.SENSOR_MODE -> listOf(NumberRange("mode", 0..GREATEST_MODE), NumberRange("slope", 0..SLOPE_MASK))
-
         OperandKind.BYTE -> listOf(byte)
-
         OperandKind.WORD -> listOf(NumberRange("number", -0x8000..0xFFFF))
-
         else -> emptyList()
     }
 
     /** The numbers of an [operand] of this [kind]; bits that have no meaning are left out. */
     fun of(operand: Operand, kind: OperandKind): List<Int> = when (operand) {
-        is Operand.Value -> {
-            listOf(operand.source, operand.argument)
-        }
+        is Operand.Value -> listOf(operand.source, operand.argument)
 
         is Operand.Test -> {
             listOf(
@@ -65,9 +53,7 @@ object OperandNumbers {
             )
         }
 
-        is Operand.Address -> {
-            emptyList()
-        }
+        is Operand.Address -> emptyList()
 
         is Operand.Number -> {
             val number = operand.value
@@ -84,7 +70,6 @@ object OperandNumbers {
     /** The operand of this [kind] that has [numbers], each within its range. Not for an address. */
     fun toOperand(numbers: List<Int>, kind: OperandKind): Operand = when (kind) {
         OperandKind.VALUE -> Operand.Value(numbers[0], numbers[1].toShort().toInt())
-
         OperandKind.BYTE_VALUE, OperandKind.PLACE -> Operand.Value(numbers[0], numbers[1])
 
         OperandKind.TEST -> Operand.Test(
@@ -94,13 +79,9 @@ object OperandNumbers {
         )
 
         OperandKind.OUTPUT -> Operand.Number(numbers[1] shl TOP_BITS or numbers[0])
-
         OperandKind.DIRECTION -> Operand.Number(numbers[0] shl TOP_BITS or numbers[1])
-
         OperandKind.SENSOR_MODE -> Operand.Number(numbers[0] shl MODE_BITS or numbers[1])
-
         OperandKind.WORD -> Operand.Number(numbers[0] and 0xFFFF)
-
         else -> Operand.Number(numbers[0])
     }
 

@@ -42,9 +42,7 @@ private fun codeLine(chunk: Chunk, part: CodePart): String {
 }
 
 private fun CodePart.text(): String = when (this) {
-    is CodePart.Unknown -> {
-        "?"
-    }
+    is CodePart.Unknown -> "?"
 
     is CodePart.Command -> {
         placed.instruction.opcode.mnemonic.padEnd(MNEMONIC_COLUMNS) + " " + placed.instruction.plainOperands()

@@ -45,7 +45,6 @@ private fun motors(mask: Int): String =
 
 private fun plainValue(value: Operand.Value): String = when (val source = ValueSource.of(value.source)) {
     ValueSource.CONSTANT -> "${value.argument}"
-
     ValueSource.VARIABLE, ValueSource.INDIRECT, ValueSource.UART -> "${source.listingName}[${value.argument}]"
 
     null -> if (value.source > ValueSource.GREATEST_CODE) {

@@ -63,9 +63,7 @@ internal class Display(private val core: Core) {
     private fun mainNumber(): MainNumber {
         val viewing = devices.viewing
         return when (val view = viewing.number) {
-            in Viewing.FIRST_SENSOR until Viewing.FIRST_MOTOR -> {
-                sensor(view - Viewing.FIRST_SENSOR)
-            }
+            in Viewing.FIRST_SENSOR until Viewing.FIRST_MOTOR -> sensor(view - Viewing.FIRST_SENSOR)
 
             in Viewing.FIRST_MOTOR..Viewing.LAST_PORT -> {
                 MainNumber(RomCode.LCD_SIGNED, devices.outputs.powerOfMotor(view - Viewing.FIRST_MOTOR), 0)

@@ -12,21 +12,10 @@ internal class EventCommands(private val core: Core) {
     /** Returns false if [instruction] is not one of these. */
     fun execute(instruction: Instruction, task: Task, chunk: LoadedChunk?): Boolean {
         when (instruction.opcode) {
-            Opcode.SETE -> {
-                core.events.define(instruction.number(0), instruction.number(1), instruction.number(2))
-            }
-
-            Opcode.DELE -> {
-                core.events.clear()
-            }
-
-            Opcode.CALE -> {
-                calibrate(instruction)
-            }
-
-            Opcode.EVENT -> {
-                core.events.fire(core.values.read(instruction.value(0), task))
-            }
+            Opcode.SETE -> core.events.define(instruction.number(0), instruction.number(1), instruction.number(2))
+            Opcode.DELE -> core.events.clear()
+            Opcode.CALE -> calibrate(instruction)
+            Opcode.EVENT -> core.events.fire(core.values.read(instruction.value(0), task))
 
             Opcode.MONE, Opcode.MONEL -> {
                 val mask = core.values.read(instruction.value(0), task)
@@ -34,21 +23,14 @@ internal class EventCommands(private val core: Core) {
                 task.monitor = monitor(instruction, mask, task, chunk)
             }
 
-            Opcode.MONEX -> {
-                task.monitor = null
-            }
+            Opcode.MONEX -> task.monitor = null
 
             Opcode.MONAL -> {
                 monitor(instruction, instruction.number(0), task, chunk)?.let { core.access.request(task, it) }
             }
 
-            Opcode.MONAX -> {
-                task.access = null
-            }
-
-            else -> {
-                return false
-            }
+            Opcode.MONAX -> task.access = null
+            else -> return false
         }
         return true
     }

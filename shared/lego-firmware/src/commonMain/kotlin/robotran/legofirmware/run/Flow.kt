@@ -41,13 +41,8 @@ internal class Flow(private val core: Core) {
         val isSub = task.location?.chunk?.id?.kind == ChunkKind.SUB
         val returnTo = task.returnTo
         when {
-            !isSub -> {
-                task.stop()
-            }
-
-            returnTo == null -> {
-                tasks.stopAll()
-            }
+            !isSub -> task.stop()
+            returnTo == null -> tasks.stopAll()
 
             else -> {
                 task.location = returnTo

@@ -38,15 +38,10 @@ internal class Requests(private val core: Core, private val interpreter: Interpr
         core.at(null)
         when (instruction.opcode) {
             Opcode.MSGS -> core.setMessage(instruction.number(0))
-
             Opcode.REMOTE -> remote.press(instruction.number(0))
-
             Opcode.POLL -> answerValue(code, core.values.read(instruction.value(0), core.requests))
-
             Opcode.POLLB -> answerValue(code, core.devices.power.readBattery())
-
             Opcode.POLLP -> answer(code, VERSIONS)
-
             Opcode.POLLD -> Unit
 
             else -> if (instruction.opcode.use == OpcodeUse.ANYWHERE) {

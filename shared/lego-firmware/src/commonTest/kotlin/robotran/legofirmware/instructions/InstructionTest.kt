@@ -15,7 +15,6 @@ class InstructionTest {
         for (opcode in Opcode.entries) {
             val expected = when (opcode) {
                 Opcode.CHK -> 6
-
                 Opcode.CHKL -> 7
 
                 else -> when (val low = opcode.code and 7) {

@@ -70,45 +70,16 @@ internal class BrickScript(private val name: String, private val source: String)
                 brick.release(button)
             }
 
-            "sensor" -> {
-                brick.setRawSensorValue(words[1].toInt() - 1, words[2].toInt())
-            }
-
-            "battery" -> {
-                brick.setBattery(words[1].toInt())
-            }
-
-            "hear" -> {
-                assertTrue(tower.send(words.drop(1).map { it.toInt(16) }), line)
-            }
-
-            "runs" -> {
-                assertTrue(brick.state.run is RunState.Running, "$name: $line")
-            }
-
-            "over" -> {
-                assertEquals<RunState>(RunState.Ended(stopped = false), brick.state.run, "$name: $line")
-            }
-
-            "stopped" -> {
-                assertEquals<RunState>(RunState.Ended(stopped = true), brick.state.run, "$name: $line")
-            }
-
-            "off" -> {
-                assertTrue(!brick.state.poweredOn, "$name: $line")
-            }
-
-            "lit" -> {
-                assertTrue(brick.state.glass.isLit(LcdIcon.valueOf(words[1])), "$name: $line")
-            }
-
-            "dark" -> {
-                assertTrue(!brick.state.glass.isLit(LcdIcon.valueOf(words[1])), "$name: $line")
-            }
-
-            else -> {
-                error(line)
-            }
+            "sensor" -> brick.setRawSensorValue(words[1].toInt() - 1, words[2].toInt())
+            "battery" -> brick.setBattery(words[1].toInt())
+            "hear" -> assertTrue(tower.send(words.drop(1).map { it.toInt(16) }), line)
+            "runs" -> assertTrue(brick.state.run is RunState.Running, "$name: $line")
+            "over" -> assertEquals<RunState>(RunState.Ended(stopped = false), brick.state.run, "$name: $line")
+            "stopped" -> assertEquals<RunState>(RunState.Ended(stopped = true), brick.state.run, "$name: $line")
+            "off" -> assertTrue(!brick.state.poweredOn, "$name: $line")
+            "lit" -> assertTrue(brick.state.glass.isLit(LcdIcon.valueOf(words[1])), "$name: $line")
+            "dark" -> assertTrue(!brick.state.glass.isLit(LcdIcon.valueOf(words[1])), "$name: $line")
+            else -> error(line)
         }
     }
 
@@ -116,21 +87,13 @@ internal class BrickScript(private val name: String, private val source: String)
         val state = brick.firmwareState as FirmwareState
         val actual = when (words[0]) {
             "var" -> "${state.variables[words[1].toInt()]}"
-
             "motor" -> brick.motor(MotorPort.valueOf(words[1])).let { "${it.mode.name.lowercase()} ${it.power}" }
-
             "display" -> brick.state.screen.text
-
             "slot" -> "${state.slot}"
-
             "message" -> "${state.message}"
-
             "watch" -> "${state.watchMinutes}"
-
             "tasks" -> state.tasks.joinToString(" ") { "${it.number}" }
-
             "line" -> "${(brick.state.run as RunState.Running).sourceLine}"
-
             "datalog" -> state.datalog.joinToString(" ") { it.type.toString(HEX) + ":" + it.value }
 
             "sensor" -> brick.state.sensors[words[1].toInt() - 1].let {
@@ -144,9 +107,7 @@ internal class BrickScript(private val name: String, private val source: String)
             }
 
             "range" -> brick.state.infrared.range.name
-
             "calls" -> brick.log.entries.filter { it.sourceLine == words[1].toInt() }.size.toString()
-
             else -> error(line)
         }
         assertEquals(line.substringAfter("= "), actual, "$name: $line")

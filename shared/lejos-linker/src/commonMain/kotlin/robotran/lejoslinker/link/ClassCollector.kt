@@ -65,17 +65,13 @@ internal class ClassCollector(
         try {
             for (constant in constants.all) {
                 val name = when {
-                    constant is Constant.ClassName -> {
-                        constants.text(constant.textIndex)
-                    }
+                    constant is Constant.ClassName -> constants.text(constant.textIndex)
 
                     constant is Constant.Member && constant.kind == MemberKind.METHOD -> {
                         constants.className(constant.classIndex)
                     }
 
-                    else -> {
-                        continue
-                    }
+                    else -> continue
                 }
                 if (!name.startsWith("[")) add(name, place)
             }

@@ -44,9 +44,7 @@ internal class ClassFiles(
 
     private fun read(bytes: ByteArray, name: String): ClassFile? =
         when (val result = readClassFile(bytes, name.replace('/', '.'), messages.tinyVm)) {
-            is ClassFileResult.Read -> {
-                result.classFile
-            }
+            is ClassFileResult.Read -> result.classFile
 
             is ClassFileResult.Rejected -> {
                 errors.add(CodePlace(name), result.refusal.message)

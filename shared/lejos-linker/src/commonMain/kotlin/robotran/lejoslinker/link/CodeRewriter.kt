@@ -43,33 +43,17 @@ internal class CodeRewriter(private val tables: LinkedTables, private val method
 
     private fun rewriteInstruction(opcode: Int) {
         when (opcode) {
-            Opcode.LDC -> {
-                set(1, operands.loadedConstant(byteAt(position + 1), method))
-            }
-
-            Opcode.LDC2_W -> {
-                setShort(1, operands.wideConstant(index()))
-            }
+            Opcode.LDC -> set(1, operands.loadedConstant(byteAt(position + 1), method))
+            Opcode.LDC2_W -> setShort(1, operands.wideConstant(index()))
 
             Opcode.NEW, Opcode.CHECKCAST, Opcode.INSTANCEOF -> {
                 setShort(1, operands.classNumber(index(), isTest = opcode != Opcode.NEW))
             }
 
-            Opcode.GETSTATIC, Opcode.PUTSTATIC -> {
-                setShort(1, operands.staticField(index(), method))
-            }
-
-            Opcode.GETFIELD, Opcode.PUTFIELD -> {
-                setShort(1, operands.instanceField(index()))
-            }
-
-            Opcode.INVOKESTATIC, Opcode.INVOKESPECIAL -> {
-                setShort(1, operands.exactMethod(index()))
-            }
-
-            Opcode.INVOKEVIRTUAL -> {
-                setShort(1, operands.virtualMethod(index()))
-            }
+            Opcode.GETSTATIC, Opcode.PUTSTATIC -> setShort(1, operands.staticField(index(), method))
+            Opcode.GETFIELD, Opcode.PUTFIELD -> setShort(1, operands.instanceField(index()))
+            Opcode.INVOKESTATIC, Opcode.INVOKESPECIAL -> setShort(1, operands.exactMethod(index()))
+            Opcode.INVOKEVIRTUAL -> setShort(1, operands.virtualMethod(index()))
 
             Opcode.INVOKEINTERFACE -> {
                 setShort(1, operands.virtualMethod(index()))
@@ -83,9 +67,7 @@ internal class CodeRewriter(private val tables: LinkedTables, private val method
                 setShort(1, REFERENCE_NOP)
             }
 
-            Opcode.MULTIANEWARRAY -> {
-                setShort(1, operands.arrayClass(index(), byteAt(position + DIMENSIONS_OF_ARRAY)))
-            }
+            Opcode.MULTIANEWARRAY -> setShort(1, operands.arrayClass(index(), byteAt(position + DIMENSIONS_OF_ARRAY)))
         }
     }
 

@@ -52,25 +52,11 @@ internal class UsedParts(private val files: ClassFiles, entryClasses: List<Strin
 
     private fun follow(pool: ConstantPool, opcode: Int, index: Int) {
         when (opcode) {
-            Opcode.LDC, Opcode.LDC2_W -> {
-                ConstantTable.valueOf(pool.constant(index), pool)?.let { values += it }
-            }
-
-            Opcode.NEW, Opcode.CHECKCAST, Opcode.INSTANCEOF, Opcode.ANEWARRAY -> {
-                use(pool.className(index))
-            }
-
-            Opcode.GETSTATIC, Opcode.PUTSTATIC -> {
-                useStatic(pool.member(index))
-            }
-
-            Opcode.GETFIELD, Opcode.PUTFIELD -> {
-                use(pool.member(index).owner)
-            }
-
-            Opcode.INVOKESTATIC, Opcode.INVOKESPECIAL -> {
-                callExactly(pool.member(index))
-            }
+            Opcode.LDC, Opcode.LDC2_W -> ConstantTable.valueOf(pool.constant(index), pool)?.let { values += it }
+            Opcode.NEW, Opcode.CHECKCAST, Opcode.INSTANCEOF, Opcode.ANEWARRAY -> use(pool.className(index))
+            Opcode.GETSTATIC, Opcode.PUTSTATIC -> useStatic(pool.member(index))
+            Opcode.GETFIELD, Opcode.PUTFIELD -> use(pool.member(index).owner)
+            Opcode.INVOKESTATIC, Opcode.INVOKESPECIAL -> callExactly(pool.member(index))
 
             Opcode.INVOKEVIRTUAL, Opcode.INVOKEINTERFACE -> {
                 val member = pool.member(index)

@@ -80,13 +80,8 @@ internal class CaretPlace private constructor(
             val last = tokens.lastOrNull() ?: return CaretContext.OUTSIDE
             val isInside = tokens.count { it.isSign("{") } > tokens.count { it.isSign("}") }
             return when {
-                last.keyword == Keyword.START || last.keyword == Keyword.STOP -> {
-                    CaretContext.TASK_NAME
-                }
-
-                last.keyword?.group == KeywordGroup.UNIT || last.keyword == Keyword.INT -> {
-                    CaretContext.NEW_NAME
-                }
+                last.keyword == Keyword.START || last.keyword == Keyword.STOP -> CaretContext.TASK_NAME
+                last.keyword?.group == KeywordGroup.UNIT || last.keyword == Keyword.INT -> CaretContext.NEW_NAME
 
                 last.isSign("{") || last.isSign("}") || last.isSign(";") || last.isSign(":") ||
                     last.kind == TokenKind.END_OF_DIRECTIVE || endsHead(tokens) ||
@@ -94,9 +89,7 @@ internal class CaretPlace private constructor(
                     if (isInside) CaretContext.STATEMENT else CaretContext.OUTSIDE
                 }
 
-                else -> {
-                    CaretContext.VALUE
-                }
+                else -> CaretContext.VALUE
             }
         }
 
@@ -121,26 +114,16 @@ internal class CaretPlace private constructor(
             for (index in tokens.indices.reversed()) {
                 val token = tokens[index]
                 when {
-                    token.isSign(";") || token.isSign("{") || token.isSign("}") -> {
-                        return null
-                    }
-
-                    token.isSign(")") -> {
-                        depth++
-                    }
-
-                    token.isSign("(") && depth > 0 -> {
-                        depth--
-                    }
+                    token.isSign(";") || token.isSign("{") || token.isSign("}") -> return null
+                    token.isSign(")") -> depth++
+                    token.isSign("(") && depth > 0 -> depth--
 
                     token.isSign("(") -> {
                         val name = tokens.getOrNull(index - 1)?.takeIf { it.kind == TokenKind.NAME } ?: return null
                         return name.text to commas
                     }
 
-                    token.isSign(",") && depth == 0 -> {
-                        commas++
-                    }
+                    token.isSign(",") && depth == 0 -> commas++
                 }
             }
             return null

@@ -52,9 +52,7 @@ private fun isInDeclaration(tokens: List<Token>, index: Int): Boolean {
         val token = tokens[place]
         when {
             token.isSign(")") || token.isSign("]") -> depth++
-
             token.isSign("(") || token.isSign("[") -> if (--depth < 0) return false
-
             depth == 0 && token.keyword == Keyword.INT -> return true
 
             token.kind == TokenKind.DIRECTIVE || token.isSign(

@@ -17,9 +17,7 @@ internal class ConditionEmitter(private val emitter: Emitter, private val values
         emitter.work(1)
         val constant = expression.constant
         when {
-            constant != null -> {
-                if ((constant != 0) == isWanted) emitter.jump(label)
-            }
+            constant != null -> if ((constant != 0) == isWanted) emitter.jump(label)
 
             expression is Unary && expression.operator == UnaryOperator.NOT -> {
                 branch(expression.operand, label, !isWanted)
@@ -33,9 +31,7 @@ internal class ConditionEmitter(private val emitter: Emitter, private val values
                 comparison(expression, label, isWanted)
             }
 
-            else -> {
-                truth(expression, label, isWanted)
-            }
+            else -> truth(expression, label, isWanted)
         }
     }
 
@@ -70,13 +66,8 @@ internal class ConditionEmitter(private val emitter: Emitter, private val values
         if (!isWanted) operator = OPPOSITES.getValue(operator)
         val relation = RELATIONS[operator]
         when {
-            relation != null -> {
-                emitter.test(left, relation, right, label)
-            }
-
-            left.isConstant -> {
-                strict(left, operator, right, label)
-            }
+            relation != null -> emitter.test(left, relation, right, label)
+            left.isConstant -> strict(left, operator, right, label)
 
             else -> {
                 val around = emitter.buffer.label()

@@ -119,9 +119,7 @@ internal class StatementEmitter(
     fun assign(target: Expression, value: Expression) {
         val place = if (target.constant == null) values.any(target) else Emitter.constant(0)
         when {
-            place.isVariable -> {
-                values.to(value, place.data)
-            }
+            place.isVariable -> values.to(value, place.data)
 
             isWritable(place) -> {
                 val source = values.any(value)
@@ -129,9 +127,7 @@ internal class StatementEmitter(
                 emitter.release(source)
             }
 
-            else -> {
-                emitter.report(NqcDiagnosticCode.NOT_ASSIGNABLE, target.range, sink.messages.notAssignable())
-            }
+            else -> emitter.report(NqcDiagnosticCode.NOT_ASSIGNABLE, target.range, sink.messages.notAssignable())
         }
         emitter.release(place)
     }

@@ -251,7 +251,6 @@ private object EnglishNameMessages : NqcNameMessages {
 
     override fun argumentCount(name: String, needed: Int, given: Int, call: String) = when (needed) {
         0 -> "${quoted(name)} takes nothing in its brackets: $name()."
-
         1 -> "${quoted(name)} takes one argument, but here are $given. Write it like this: $call;"
 
         else -> "${quoted(name)} takes $needed arguments, but here ${if (given == 1) "is 1" else "are $given"}. " +

@@ -263,7 +263,6 @@ private object GermanNameMessages : NqcNameMessages {
 
     override fun argumentCount(name: String, needed: Int, given: Int, call: String) = when (needed) {
         0 -> "${quoted(name)} hat nichts in den Klammern: $name()."
-
         1 -> "${quoted(name)} braucht ein Argument, hier sind es $given. Schreib es so: $call;"
 
         else -> "${quoted(

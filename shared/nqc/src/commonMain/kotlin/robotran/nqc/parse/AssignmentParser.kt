@@ -56,13 +56,8 @@ internal class AssignmentParser(private val reader: TokenReader, private val exp
     private fun combined(operator: String, target: Expression, value: Expression): Expression {
         val range: SourceRange = value.range
         return when (operator) {
-            "||=" -> {
-                Unary(UnaryOperator.ABSOLUTE, value, range)
-            }
-
-            "+-=" -> {
-                Unary(UnaryOperator.SIGN, value, range)
-            }
+            "||=" -> Unary(UnaryOperator.ABSOLUTE, value, range)
+            "+-=" -> Unary(UnaryOperator.SIGN, value, range)
 
             else -> {
                 val binary = checkNotNull(BinaryOperator.of(operator.dropLast(1)))

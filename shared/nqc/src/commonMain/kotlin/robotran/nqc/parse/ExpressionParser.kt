@@ -77,26 +77,16 @@ internal class ExpressionParser(private val reader: TokenReader, names: NameReso
                 limited(Unary(operator, operand, token.range.to(operand.range)))
             }
 
-            reader.isSign("@") -> {
-                source()
-            }
+            reader.isSign("@") -> source()
 
             reader.isSign("++") || reader.isSign("--") -> {
                 reader.advance()
                 step(unary(), token.text == "++", isPrefix = true)
             }
 
-            reader.isSign("&") -> {
-                operands.addressOf()
-            }
-
-            reader.isSign("*") -> {
-                operands.pointedAt()
-            }
-
-            else -> {
-                postfix()
-            }
+            reader.isSign("&") -> operands.addressOf()
+            reader.isSign("*") -> operands.pointedAt()
+            else -> postfix()
         }
     }
 

@@ -87,25 +87,15 @@ internal class ProgramParser(
                 reader.semicolon()
             }
 
-            Keyword.TASK -> {
-                task()
-            }
-
-            Keyword.SUB -> {
-                sub()
-            }
-
-            Keyword.VOID, Keyword.NO_LISTING -> {
-                function(isApi)
-            }
+            Keyword.TASK -> task()
+            Keyword.SUB -> sub()
+            Keyword.VOID, Keyword.NO_LISTING -> function(isApi)
 
             Keyword.RESOURCE -> {
                 reader.fail(NqcDiagnosticCode.RESOURCE_WRITTEN, token.range, sink.messages.resourceWritten())
             }
 
-            else -> {
-                notAUnit(token)
-            }
+            else -> notAUnit(token)
         }
     }
 

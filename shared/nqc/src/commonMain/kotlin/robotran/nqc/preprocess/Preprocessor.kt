@@ -66,21 +66,10 @@ internal class Preprocessor(
     }
 
     private fun act(directive: Token) = when (directive.text) {
-        "include" -> {
-            include(directive)
-        }
-
-        "define" -> {
-            definitions.define(directive, restOfLine())
-        }
-
-        "undef" -> {
-            definitions.undefine(directive, restOfLine())
-        }
-
-        "pragma" -> {
-            pragmas.read(directive, restOfLine())
-        }
+        "include" -> include(directive)
+        "define" -> definitions.define(directive, restOfLine())
+        "undef" -> definitions.undefine(directive, restOfLine())
+        "pragma" -> pragmas.read(directive, restOfLine())
 
         "error" -> {
             sink.report(

@@ -141,13 +141,8 @@ internal class RandomPrograms(private val random: Random, private val variables:
                     bodies[1].run(it)
                 }
 
-                1 -> {
-                    bodies[1].run(it)
-                }
-
-                else -> {
-                    bodies[2].run(it)
-                }
+                1 -> bodies[1].run(it)
+                else -> bodies[2].run(it)
             }
         }
     }

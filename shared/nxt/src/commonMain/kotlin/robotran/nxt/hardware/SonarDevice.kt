@@ -90,13 +90,9 @@ class SonarDevice(private val echoes: Echoes, private val clock: Clock) : I2cDev
     /** A text has its own register, so the ones within a text mean something else. */
     private fun bytesFrom(register: Int): List<Int> = when (register) {
         VERSION -> text("V1.0")
-
         VENDOR -> text("LEGO")
-
         PRODUCT -> text("Sonar")
-
         in FACTORY..FACTORY + FACTORY_DATA.lastIndex -> FACTORY_DATA.drop(register - FACTORY)
-
         UNITS -> text("10E-2m")
 
         in INTERVAL..LAST -> (

@@ -31,13 +31,8 @@ object EnglishNxtMessages : NxtMessages, PlaceMessages by EnglishPlaceMessages {
             "motor ${port.name} ${mode.name.lowercase()} $power" + if (brakesInPauses) "" else ", rolling in the pauses"
         }
 
-        MotorMode.BRAKE -> {
-            "motor ${port.name} brakes"
-        }
-
-        MotorMode.FLOAT -> {
-            "motor ${port.name} rolls"
-        }
+        MotorMode.BRAKE -> "motor ${port.name} brakes"
+        MotorMode.FLOAT -> "motor ${port.name} rolls"
     }
 
     override fun resetTachoCount(port: MotorPort) = "motor ${port.name} counts from 0"

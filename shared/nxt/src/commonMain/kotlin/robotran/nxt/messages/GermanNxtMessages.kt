@@ -37,13 +37,8 @@ object GermanNxtMessages : NxtMessages, PlaceMessages by GermanPlaceMessages {
             "Motor ${port.name} $way $power" + if (brakesInPauses) "" else ", rollt in den Pausen"
         }
 
-        MotorMode.BRAKE -> {
-            "Motor ${port.name} bremst"
-        }
-
-        MotorMode.FLOAT -> {
-            "Motor ${port.name} rollt aus"
-        }
+        MotorMode.BRAKE -> "Motor ${port.name} bremst"
+        MotorMode.FLOAT -> "Motor ${port.name} rollt aus"
     }
 
     override fun resetTachoCount(port: MotorPort) = "Motor ${port.name} zählt ab 0"

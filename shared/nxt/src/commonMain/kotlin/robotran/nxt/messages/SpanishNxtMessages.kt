@@ -37,13 +37,8 @@ object SpanishNxtMessages : NxtMessages, PlaceMessages by SpanishPlaceMessages {
             "motor ${port.name} $way $power" + if (brakesInPauses) "" else ", suelto en las pausas"
         }
 
-        MotorMode.BRAKE -> {
-            "motor ${port.name} frena"
-        }
-
-        MotorMode.FLOAT -> {
-            "motor ${port.name} suelto"
-        }
+        MotorMode.BRAKE -> "motor ${port.name} frena"
+        MotorMode.FLOAT -> "motor ${port.name} suelto"
     }
 
     override fun resetTachoCount(port: MotorPort) = "el motor ${port.name} cuenta desde 0"

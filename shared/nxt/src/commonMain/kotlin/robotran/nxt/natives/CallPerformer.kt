@@ -34,17 +34,13 @@ internal class CallPerformer(private val hardware: NxtHardware) {
                 performOnDisplay(call)
             }
 
-            NxtNative.PLAY_FREQ -> {
-                done { hardware.speaker.play(call.numbers[0], call.numbers[1], call.numbers[2]) }
-            }
+            NxtNative.PLAY_FREQ -> done { hardware.speaker.play(call.numbers[0], call.numbers[1], call.numbers[2]) }
 
             NxtNative.PLAY_QUEUED_SAMPLE -> {
                 call.bytes?.let { hardware.speaker.playSamples(it, call.numbers[0], call.numbers[1]) }
             }
 
-            NxtNative.SHUT_DOWN -> {
-                done { hardware.isToShutDown = true }
-            }
+            NxtNative.SHUT_DOWN -> done { hardware.isToShutDown = true }
 
             NxtNative.OPEN, NxtNative.LISTEN, NxtNative.WRITE, NxtNative.CLOSE, NxtNative.OPEN_CABLE,
             NxtNative.LISTEN_CABLE,
@@ -56,9 +52,7 @@ internal class CallPerformer(private val hardware: NxtHardware) {
                 call.bytes?.let { if (hardware.flash.writePage(call.numbers[0], it)) 0 else -1 }
             }
 
-            NxtNative.EXIT, NxtNative.EXCEPTION, NxtNative.CONSOLE_LINE -> {
-                0
-            }
+            NxtNative.EXIT, NxtNative.EXCEPTION, NxtNative.CONSOLE_LINE -> 0
         }
     }
 
@@ -74,17 +68,11 @@ internal class CallPerformer(private val hardware: NxtHardware) {
             }
 
             NxtNative.REGULATE -> bit(regulator.start(call.speed, n[2], limit = n[3], hold = n[4] != 0))
-
             NxtNative.REGULATOR_SPEED -> done { regulator.setSpeed(call.speed) }
-
             NxtNative.REGULATOR_ACCELERATION -> done { regulator.setAcceleration(n[1]) }
-
             NxtNative.REGULATOR_ROLL -> done { regulator.roll() }
-
             NxtNative.REGULATOR_SUSPEND -> bit(regulator.suspend())
-
             NxtNative.REGULATOR_STALL -> done { regulator.setStallThreshold(n[1], n[2]) }
-
             else -> null
         }
     }
@@ -96,33 +84,17 @@ internal class CallPerformer(private val hardware: NxtHardware) {
                 if (n[1] in SensorPower.NONE..SensorPower.NINE_VOLTS) done { port.setPower(n[1]) } else null
             }
 
-            NxtNative.SET_SENSOR_PIN_MODE -> {
-                if (n[1] in 0..<SensorPort.PINS) 0 else null
-            }
+            NxtNative.SET_SENSOR_PIN_MODE -> if (n[1] in 0..<SensorPort.PINS) 0 else null
 
             NxtNative.SET_SENSOR_PIN -> {
                 if (n[1] in 0..<SensorPort.PINS) done { port.setPin(n[1], high = n[2] != 0) } else null
             }
 
-            NxtNative.SET_TYPE -> {
-                if (SensorType.isKnown(n[1])) done { port.setType(n[1]) } else null
-            }
-
-            NxtNative.I2C_ENABLE -> {
-                done { port.i2c.enable(n[1]) }
-            }
-
-            NxtNative.I2C_DISABLE -> {
-                done { port.i2c.disable() }
-            }
-
-            NxtNative.I2C_START -> {
-                port.i2c.start(n[1], call.bytes ?: NO_BYTES, readLength = n[2])
-            }
-
-            else -> {
-                null
-            }
+            NxtNative.SET_TYPE -> if (SensorType.isKnown(n[1])) done { port.setType(n[1]) } else null
+            NxtNative.I2C_ENABLE -> done { port.i2c.enable(n[1]) }
+            NxtNative.I2C_DISABLE -> done { port.i2c.disable() }
+            NxtNative.I2C_START -> port.i2c.start(n[1], call.bytes ?: NO_BYTES, readLength = n[2])
+            else -> null
         }
     }
 
@@ -135,13 +107,9 @@ internal class CallPerformer(private val hardware: NxtHardware) {
             }
 
             NxtNative.DRAW_INT -> done { Drawing.drawInt(display.memory, n[0], n[1], n[2], n[3]) }
-
             NxtNative.CLEAR -> done { Drawing.clear(display.memory) }
-
             NxtNative.ASYNC_REFRESH -> done { display.refresh() }
-
             NxtNative.SET_AUTO_REFRESH_PERIOD -> display.setAutoRefreshPeriod(n[0])
-
             NxtNative.SET_CONTRAST -> done { display.setContrast(n[0]) }
 
             // A picture is no number: see VirtualNxt.bitBlt.

@@ -100,17 +100,13 @@ internal class VirtualNxt(private val hardware: NxtHardware) : Nxt {
     private fun tellExpectations(call: NxtCall, sourceLine: Int, sourceFile: String?) {
         val numbers = call.numbers
         when (call.native) {
-            NxtNative.SET_TYPE -> {
-                hardware.expectations.typeSet(numbers[0], numbers[1], sourceLine, sourceFile)
-            }
+            NxtNative.SET_TYPE -> hardware.expectations.typeSet(numbers[0], numbers[1], sourceLine, sourceFile)
 
             NxtNative.I2C_START -> {
                 hardware.expectations.addressed(numbers[0], numbers[1], call.sensor, sourceLine, sourceFile)
             }
 
-            else -> {
-                Unit
-            }
+            else -> Unit
         }
     }
 }

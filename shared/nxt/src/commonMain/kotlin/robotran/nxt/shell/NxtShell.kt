@@ -88,9 +88,7 @@ internal class NxtShell(
     fun pressed(button: BrickButton) {
         when {
             !poweredOn -> if (button == BrickButton.ENTER) powerUp()
-
             splashUntil > 0 -> return
-
             exceptionScreen != null -> pressedOnException(button)
 
             run != null -> if (button in STOP_BUTTONS &&

@@ -36,17 +36,9 @@ internal class CodeRebuilder(
     private fun rebuild(at: Int, opcode: Int) {
         val original = guide.bytes[at].toInt() and 0xFF
         when (opcode) {
-            LDC -> {
-                result[at + 1] = loaded(at).also { check(it <= 0xFF) { "too many constants" } }
-            }
-
-            LDC2_W -> {
-                set(at + 1, loadedWide(at))
-            }
-
-            NEW, CHECKCAST, INSTANCEOF -> {
-                set(at + 1, builder.type(names.classNamed(code[at + 2])))
-            }
+            LDC -> result[at + 1] = loaded(at).also { check(it <= 0xFF) { "too many constants" } }
+            LDC2_W -> set(at + 1, loadedWide(at))
+            NEW, CHECKCAST, INSTANCEOF -> set(at + 1, builder.type(names.classNamed(code[at + 2])))
 
             in GETSTATIC..PUTSTATIC -> {
                 val field = rebuilder.staticField(code[at + 1], code[at + 2])
@@ -68,9 +60,7 @@ internal class CodeRebuilder(
                 )
             }
 
-            INVOKEVIRTUAL -> {
-                invoke(at, isInterface = original == INVOKEINTERFACE)
-            }
+            INVOKEVIRTUAL -> invoke(at, isInterface = original == INVOKEINTERFACE)
 
             NEWARRAY -> {
                 if (original == ANEWARRAY) {

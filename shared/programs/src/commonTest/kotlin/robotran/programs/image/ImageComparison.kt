@@ -82,17 +82,9 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
                 "after $same calls ${made.calls.drop(same).take(2)} instead of ${wanted.calls.drop(same).take(2)}"
             }
 
-            wanted.failures != made.failures -> {
-                "it fails with ${made.failures} instead of ${wanted.failures}"
-            }
-
-            wanted.isOver != made.isOver -> {
-                "it is over: ${made.isOver} instead of ${wanted.isOver}"
-            }
-
-            else -> {
-                null
-            }
+            wanted.failures != made.failures -> "it fails with ${made.failures} instead of ${wanted.failures}"
+            wanted.isOver != made.isOver -> "it is over: ${made.isOver} instead of ${wanted.isOver}"
+            else -> null
         }
     }
 

@@ -38,17 +38,11 @@ internal fun markersIn(arguments: List<Any?>): List<String> = arguments.flatMap 
 
 private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     String::class.java -> listOf(marker(number), null)
-
     Int::class.javaPrimitiveType -> listOf(LARGE + number, 1, 0)
-
     Int::class.javaObjectType -> listOf(LARGE + number, 1, null)
-
     Long::class.javaPrimitiveType -> listOf(LARGE.toLong() + number)
-
     Double::class.javaPrimitiveType -> listOf(0.5, 1.0, 2.5)
-
     Boolean::class.javaPrimitiveType -> listOf(true, false)
-
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
 
     Region::class.java -> listOf(Region("marker-region", PaperSector.TOP)) +
@@ -59,7 +53,6 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     }
 
     PastedCharacter::class.java -> PASTED.map { checkNotNull(pastedCharacter(it)) }
-
     is WildcardType -> choicesOf(type.upperBounds.single(), number)
 
     is ParameterizedType -> if (type.rawType == Map::class.java) {
@@ -69,7 +62,6 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     }
 
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
-
     else -> error("No argument of type $type is known.")
 }
 

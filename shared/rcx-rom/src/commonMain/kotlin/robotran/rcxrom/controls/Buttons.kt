@@ -19,11 +19,8 @@ internal class Buttons(private val memory: RcxMemory) {
         pressed = if (down) pressed + button else pressed - button
         when (button) {
             BrickButton.ON_OFF -> memory.setBits(Registers.PORT_4, Registers.ON_OFF_RELEASED_BIT, !down)
-
             BrickButton.RUN -> memory.setBits(Registers.PORT_4, Registers.RUN_BIT, down)
-
             BrickButton.VIEW -> memory.setBits(Registers.PORT_7, Registers.VIEW_BIT, down)
-
             BrickButton.PRGM -> memory.setBits(Registers.PORT_7, Registers.PRGM_BIT, down)
 
             BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error(

@@ -41,11 +41,8 @@ internal class LcdSegmentRoutines(
     private fun clear(code: Int): RomEffect {
         when (code) {
             RomCode.SEGMENT_STANDING_MAN -> lcd.light(LcdIcon.STANDING_MAN, on = false)
-
             RomCode.SEGMENT_WALKING_MAN -> lcd.light(LcdIcon.WALKING_MAN, on = false)
-
             RomCode.SEGMENT_DATALOG -> restart(LcdLayout.CIRCLE_STEP, CIRCLE)
-
             RomCode.SEGMENT_DOWNLOAD, RomCode.SEGMENT_UPLOAD -> restart(LcdLayout.DOTS_STEP, DOTS)
 
             RomCode.SEGMENT_INFRARED_SHORT, RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach {

@@ -67,7 +67,6 @@ internal class SoundRoutines(
 
     private fun name(sound: Sound): String = when (sound.kind) {
         Sound.PAUSE -> messages.pause(milliseconds(sound))
-
         Sound.SYSTEM_SOUND -> systemSoundName(sound.value)
 
         else -> when (val hertz = ToneTimer.hertz(sound.kind, sound.control)) {

@@ -48,13 +48,9 @@ internal object SensorReading {
             }
 
             raw < slope -> 1
-
             raw > SensorCode.OPEN_RAW - slope -> 0
-
             rawBefore - raw >= slope -> 1
-
             raw - rawBefore > slope -> 0
-
             else -> before
         }
     }

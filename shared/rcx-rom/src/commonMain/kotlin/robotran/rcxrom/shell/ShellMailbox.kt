@@ -28,7 +28,6 @@ internal class ShellMailbox(
         val opcode = memory.readByte(FirmwareMemory.MESSAGE)
         return when (opcode and SerialReceiver.TOGGLE_BIT.inv()) {
             ALIVE -> reply(opcode)
-
             GET_VERSIONS -> reply(opcode, VERSIONS)
 
             REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 != 0) {
@@ -38,7 +37,6 @@ internal class ShellMailbox(
             }
 
             GET_VALUE, TRANSFER_DATA, DELETE_FIRMWARE -> report()
-
             else -> ShellAction.UNKNOWN
         }
     }

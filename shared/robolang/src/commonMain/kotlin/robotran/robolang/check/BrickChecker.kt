@@ -42,7 +42,6 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     private fun setting(setting: RobotSetting) {
         when (setting) {
             is BrickSetting -> Unit
-
             is LightSensorSetting -> port(setting.port, setting.range)
 
             is SensorSetting -> lacks(

@@ -85,9 +85,7 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
     /** The value of [expression] if it is a known constant; otherwise null. */
     fun constantOf(expression: Expression): NumberValue? = when (expression) {
         is Expression.Number -> expression.value
-
         is Expression.Brackets -> constantOf(expression.inner)
-
         is Expression.Variable -> draftsByName[expression.name.range]?.constant
 
         is Expression.Unary -> if (expression.operator == UnaryOperator.MINUS) {

@@ -42,9 +42,7 @@ internal class EndlessRecursion(private val context: CheckContext) {
                 (statement.otherwise != null && statement.bodies.all(::areCertainIn))
 
             is Statement.RepeatForever -> areCertainIn(statement.body)
-
             is Statement.Call -> isSelf(statement.name) || statement.arguments.any(::isCertainIn)
-
             else -> statement.expressions.any(::isCertainIn)
         }
 

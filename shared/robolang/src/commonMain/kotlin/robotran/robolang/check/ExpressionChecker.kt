@@ -22,15 +22,10 @@ internal class ExpressionChecker(private val context: CheckContext) {
         expression.parts.forEach(::check)
         when (expression) {
             is Expression.ListOf -> list(expression)
-
             is Expression.ListElement -> element(expression)
-
             is Expression.Unary -> unary(expression)
-
             is Expression.Binary -> binary(expression)
-
             is Expression.Call -> call(expression)
-
             is Expression.Number,
             is Expression.BooleanLiteral,
             is Expression.ColourLiteral,

@@ -50,11 +50,8 @@ internal class ParameterTypeInference(private val context: CheckContext) {
             }
 
             is Expression.Binary -> settleOperands(expression)
-
             is Expression.ListElement -> need(expression.list, ValueType.LIST_OF_WHOLE)
-
             is Expression.Call -> handedOver(expression.name, expression.arguments)
-
             else -> Unit
         }
         expression.parts.forEach(::settle)

@@ -39,19 +39,12 @@ internal class StatementChecker(
         statement.expressions.forEach(expressions::check)
         when (statement) {
             is Statement.Repeat -> count(statement.count)
-
             is Statement.RepeatWhile -> expressions.needCondition(statement.condition)
-
             is Statement.RepeatUntil -> expressions.needCondition(statement.condition)
-
             is Statement.ForRange -> counter(statement)
-
             is Statement.ForEach -> expressions.needList(statement.list)
-
             is Statement.If -> statement.branches.forEach { expressions.needCondition(it.condition) }
-
             is Statement.Assign -> assignments.check(statement)
-
             is Statement.Call -> call(statement)
 
             is Statement.Return -> statement.value?.let { value ->
@@ -75,9 +68,7 @@ internal class StatementChecker(
                 context.report(DiagnosticCode.COUNT_NEGATIVE, expression.range, messages.countNegative(text))
             }
 
-            else -> {
-                expressions.needWhole(expression)
-            }
+            else -> expressions.needWhole(expression)
         }
     }
 

@@ -21,80 +21,39 @@ internal class NqcCommands(
     private val messages = remarks.messages
 
     fun linesOf(statement: Statement): List<String> = when (statement) {
-        is Statement.Move -> {
-            listOf(move(statement))
-        }
-
-        is Statement.Turn -> {
-            listOf(turn(statement))
-        }
-
-        is Statement.StartMoving -> {
-            listOf(wheels("LEFT + RIGHT", statement.direction == MoveDirection.FORWARD))
-        }
+        is Statement.Move -> listOf(move(statement))
+        is Statement.Turn -> listOf(turn(statement))
+        is Statement.StartMoving -> listOf(wheels("LEFT + RIGHT", statement.direction == MoveDirection.FORWARD))
 
         is Statement.StartTurning -> {
             val isLeft = statement.direction == TurnDirection.LEFT
             listOf(wheels("LEFT", !isLeft), wheels("RIGHT", isLeft))
         }
 
-        is Statement.StopDriving -> {
-            listOf("Off(${both()});")
-        }
-
-        is Statement.Power -> {
-            listOf("SetPower(${side(statement.side)}, ${whole(statement.power)});")
-        }
-
-        is Statement.Motor -> {
-            listOf(motor(statement))
-        }
+        is Statement.StopDriving -> listOf("Off(${both()});")
+        is Statement.Power -> listOf("SetPower(${side(statement.side)}, ${whole(statement.power)});")
+        is Statement.Motor -> listOf(motor(statement))
 
         is Statement.Pen -> {
             val helper = if (statement.position == PenPosition.DOWN) NqcHelper.PEN_DOWN else NqcHelper.PEN_UP
             listOf("${helpers.use(helper)}();")
         }
 
-        is Statement.Wait -> {
-            listOf("Wait(${duration(statement.duration, statement.unit)});")
-        }
-
-        is Statement.WaitUntil -> {
-            waitUntil(statement)
-        }
-
-        is Statement.ResetTimer -> {
-            listOf("ClearTimer(0);")
-        }
-
-        is Statement.Beep -> {
-            listOf("PlaySound(SOUND_CLICK);")
-        }
-
-        is Statement.Buzz -> {
-            listOf("PlaySound(SOUND_LOW_BEEP);")
-        }
-
-        is Statement.Play -> {
-            play(statement)
-        }
-
-        is Statement.Show -> {
-            listOf(show(statement.value))
-        }
-
-        is Statement.ShowText -> {
-            lost(statement, messages.text())
-        }
+        is Statement.Wait -> listOf("Wait(${duration(statement.duration, statement.unit)});")
+        is Statement.WaitUntil -> waitUntil(statement)
+        is Statement.ResetTimer -> listOf("ClearTimer(0);")
+        is Statement.Beep -> listOf("PlaySound(SOUND_CLICK);")
+        is Statement.Buzz -> listOf("PlaySound(SOUND_LOW_BEEP);")
+        is Statement.Play -> play(statement)
+        is Statement.Show -> listOf(show(statement.value))
+        is Statement.ShowText -> lost(statement, messages.text())
 
         is Statement.ClearScreen -> {
             remarks.changed(statement.range, messages.clearScreen())
             listOf("SelectDisplay(DISPLAY_WATCH);")
         }
 
-        else -> {
-            lost(statement, messages.otherBrick())
-        }
+        else -> lost(statement, messages.otherBrick())
     }
 
     private fun lost(statement: Statement, message: String): List<String> {

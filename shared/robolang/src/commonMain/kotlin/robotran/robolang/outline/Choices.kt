@@ -26,23 +26,14 @@ private val ARITHMETIC = BinaryOperator.entries.filter { it.isArithmetic }.map {
 internal val LineForm.choices: List<List<String>>
     get() = when (this) {
         LineForm.MOVE, LineForm.MOVE_FOR_TIME, LineForm.START_MOVING -> listOf(DIRECTIONS)
-
         LineForm.TURN, LineForm.TURN_FOR_TIME, LineForm.START_TURNING, LineForm.POWER_OF_SIDE -> listOf(SIDES)
-
         LineForm.MOTOR -> listOf(MOTORS, MOTOR_COMMANDS)
-
         LineForm.POWER_OF_MOTOR, LineForm.MOTOR_TURN, LineForm.START_MOTOR_TURN, LineForm.RESET_MOTOR -> listOf(MOTORS)
-
         LineForm.PEN -> listOf(spellings(Keyword.DOWN, Keyword.UP))
-
         LineForm.WAIT -> listOf(spellings(Keyword.SECONDS, Keyword.MILLISECONDS))
-
         LineForm.LIGHT_SENSOR -> listOf(PORTS, NXT_PORTS, spellings(Keyword.DOWN, Keyword.FORWARD))
-
         LineForm.BRICK -> listOf(spellings(Keyword.RCX, Keyword.NXT))
-
         LineForm.SONAR, LineForm.COLOUR_SENSOR, LineForm.SOUND_SENSOR -> listOf(NXT_PORTS)
-
         LineForm.BEEP, LineForm.BUZZ, LineForm.REPEAT_WHILE, LineForm.REPEAT_UNTIL, LineForm.BREAK, LineForm.CONTINUE,
         LineForm.STOP, LineForm.POWER, LineForm.WAIT_UNTIL, LineForm.RESET_TIMER, LineForm.PLAY, LineForm.SHOW,
         LineForm.SHOW_TEXT, LineForm.CLEAR_SCREEN, LineForm.REPEAT, LineForm.REPEAT_FOREVER, LineForm.FOR,
@@ -57,13 +48,9 @@ internal val LineForm.choices: List<List<String>>
 internal val Expression.choices: List<List<String>>
     get() = when (this) {
         is Expression.BooleanLiteral -> listOf(TRUTHS)
-
         is Expression.ColourLiteral -> listOf(COLOURS)
-
         is Expression.Binary -> listOf(operator.alternatives)
-
         is Expression.Sense -> sense.choices
-
         is Expression.Number, is Expression.ListOf, is Expression.Variable, is Expression.ListElement,
         is Expression.Unary, is Expression.Call, is Expression.Brackets,
         -> emptyList()

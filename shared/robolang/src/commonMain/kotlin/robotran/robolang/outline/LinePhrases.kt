@@ -65,7 +65,6 @@ internal class LinePhrases(tree: SyntaxTree) {
 
 private fun formOf(setting: RobotSetting): LineForm = when (setting) {
     is BrickSetting -> LineForm.BRICK
-
     is LightSensorSetting -> LineForm.LIGHT_SENSOR
 
     is SensorSetting -> when (setting.sensor) {
@@ -100,17 +99,9 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         timed(LineForm.TURN_FOR_TIME, statement.duration, LineForm.TURN, statement.angle, ValueUse.ANGLE)
     }
 
-    is Statement.StartMoving -> {
-        phraseOf(LineForm.START_MOVING)
-    }
-
-    is Statement.StartTurning -> {
-        phraseOf(LineForm.START_TURNING)
-    }
-
-    is Statement.StopDriving -> {
-        phraseOf(LineForm.STOP)
-    }
+    is Statement.StartMoving -> phraseOf(LineForm.START_MOVING)
+    is Statement.StartTurning -> phraseOf(LineForm.START_TURNING)
+    is Statement.StopDriving -> phraseOf(LineForm.STOP)
 
     is Statement.Power -> {
         phraseOf(
@@ -119,9 +110,7 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         )
     }
 
-    is Statement.Motor -> {
-        phraseOf(statement.command)
-    }
+    is Statement.Motor -> phraseOf(statement.command)
 
     is Statement.MotorTurn -> {
         phraseOf(
@@ -130,33 +119,13 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         )
     }
 
-    is Statement.ResetMotor -> {
-        phraseOf(LineForm.RESET_MOTOR)
-    }
-
-    is Statement.Pen -> {
-        phraseOf(LineForm.PEN)
-    }
-
-    is Statement.Wait -> {
-        phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
-    }
-
-    is Statement.WaitUntil -> {
-        phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
-    }
-
-    is Statement.ResetTimer -> {
-        phraseOf(LineForm.RESET_TIMER)
-    }
-
-    is Statement.Beep -> {
-        phraseOf(LineForm.BEEP)
-    }
-
-    is Statement.Buzz -> {
-        phraseOf(LineForm.BUZZ)
-    }
+    is Statement.ResetMotor -> phraseOf(LineForm.RESET_MOTOR)
+    is Statement.Pen -> phraseOf(LineForm.PEN)
+    is Statement.Wait -> phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
+    is Statement.WaitUntil -> phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
+    is Statement.ResetTimer -> phraseOf(LineForm.RESET_TIMER)
+    is Statement.Beep -> phraseOf(LineForm.BEEP)
+    is Statement.Buzz -> phraseOf(LineForm.BUZZ)
 
     is Statement.Play -> {
         phraseOf(
@@ -166,9 +135,7 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         )
     }
 
-    is Statement.Show -> {
-        phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.SHOWN))
-    }
+    is Statement.Show -> phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.SHOWN))
 
     is Statement.ShowText -> {
         phraseOf(
@@ -177,29 +144,12 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         )
     }
 
-    is Statement.ClearScreen -> {
-        phraseOf(LineForm.CLEAR_SCREEN)
-    }
-
-    is Statement.Loop -> {
-        phraseOf(statement)
-    }
-
-    is Statement.If -> {
-        phraseOf(LineForm.IF, statement.branches.first().claim())
-    }
-
-    is Statement.Break -> {
-        phraseOf(LineForm.BREAK)
-    }
-
-    is Statement.Continue -> {
-        phraseOf(LineForm.CONTINUE)
-    }
-
-    is Statement.Halt -> {
-        phraseOf(LineForm.HALT)
-    }
+    is Statement.ClearScreen -> phraseOf(LineForm.CLEAR_SCREEN)
+    is Statement.Loop -> phraseOf(statement)
+    is Statement.If -> phraseOf(LineForm.IF, statement.branches.first().claim())
+    is Statement.Break -> phraseOf(LineForm.BREAK)
+    is Statement.Continue -> phraseOf(LineForm.CONTINUE)
+    is Statement.Halt -> phraseOf(LineForm.HALT)
 
     is Statement.Declare -> {
         phraseOf(
@@ -240,11 +190,8 @@ private fun phraseOf(command: MotorCommand): LinePhrase = if (command is MotorCo
 
 private fun phraseOf(loop: Statement.Loop): LinePhrase = when (loop) {
     is Statement.Repeat -> phraseOf(LineForm.REPEAT, claim(loop.count, ValueUse.COUNT))
-
     is Statement.RepeatForever -> phraseOf(LineForm.REPEAT_FOREVER)
-
     is Statement.RepeatWhile -> phraseOf(LineForm.REPEAT_WHILE, claim(loop.condition, ValueUse.CONDITION))
-
     is Statement.RepeatUntil -> phraseOf(LineForm.REPEAT_UNTIL, claim(loop.condition, ValueUse.CONDITION))
 
     is Statement.ForRange -> LinePhrase(

@@ -18,13 +18,8 @@ internal class BuiltInLowering(
                 emitter.emit { it.push(it.machine.lists.elements(it.pop()).size) }
             }
 
-            BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX, BuiltIn.RANDOM -> {
-                lowerOfBothTypes(builtIn, call)
-            }
-
-            BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> {
-                lowerRounding(builtIn, call)
-            }
+            BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX, BuiltIn.RANDOM -> lowerOfBothTypes(builtIn, call)
+            BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> lowerRounding(builtIn, call)
 
             BuiltIn.SQRT, BuiltIn.SIN, BuiltIn.COS, BuiltIn.TAN, BuiltIn.ATAN2, BuiltIn.POW -> {
                 lowerDecimal(builtIn, call)
@@ -46,9 +41,7 @@ internal class BuiltInLowering(
                 }
 
                 BuiltIn.MIN -> choice { first, second -> if (arithmetic.isLess(second, first)) second else first }
-
                 BuiltIn.MAX -> choice { first, second -> if (arithmetic.isLess(first, second)) second else first }
-
                 else -> if (type == ValueType.DECIMAL) randomDecimal else randomWhole
             },
         )
@@ -69,11 +62,8 @@ internal class BuiltInLowering(
         call.arguments.forEach { expressions.lower(it, ValueType.DECIMAL) }
         when (builtIn) {
             BuiltIn.SQRT -> emitter.emit { it.pushDecimal(root(it.popDecimal(), it.machine)) }
-
             BuiltIn.SIN -> emitter.emit { it.pushDecimal(DecimalMath.sine(it.popDecimal())) }
-
             BuiltIn.COS -> emitter.emit { it.pushDecimal(DecimalMath.cosine(it.popDecimal())) }
-
             BuiltIn.TAN -> emitter.emit { it.pushDecimal(DecimalMath.tangent(it.popDecimal())) }
 
             BuiltIn.ATAN2 -> emitter.emit {

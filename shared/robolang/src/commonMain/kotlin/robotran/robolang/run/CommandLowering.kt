@@ -18,23 +18,14 @@ internal class CommandLowering(
     fun lower(statement: Statement) {
         when (statement) {
             is Statement.Move -> lowerMove(statement)
-
             is Statement.Turn -> lowerTurn(statement)
-
             is Statement.StartMoving -> command { startMoving(statement.direction, it) }
-
             is Statement.StartTurning -> command { startTurning(statement.direction, it) }
-
             is Statement.StopDriving -> lowerStop()
-
             is Statement.Power -> withPower(statement.power) { power, line -> setPower(statement.side, power, line) }
-
             is Statement.Motor -> lowerMotor(statement)
-
             is Statement.MotorTurn -> lowerMotorTurn(statement)
-
             is Statement.ResetMotor -> lowerReset(statement)
-
             is Statement.Pen -> lowerPen(statement)
 
             is Statement.Wait -> withNumber(statement.duration) { activity, duration ->
@@ -42,21 +33,13 @@ internal class CommandLowering(
             }
 
             is Statement.WaitUntil -> lowerWaitUntil(statement)
-
             is Statement.ResetTimer -> emitter.emit { it.machine.timer.reset() }
-
             is Statement.Beep -> command { beep(it) }
-
             is Statement.Buzz -> command { buzz(it) }
-
             is Statement.Play -> lowerPlay(statement)
-
             is Statement.Show -> lowerShow(statement)
-
             is Statement.ShowText -> command { showText(statement.text, it) }
-
             is Statement.ClearScreen -> command { clearScreen(it) }
-
             else -> error("${statement::class.simpleName} is lowered elsewhere.")
         }
     }

@@ -16,49 +16,17 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
     /** Pushes the value as [wanted]: the expression's own type, or decimal for a whole number. */
     fun lower(expression: Expression, wanted: ValueType = scope.typeOf(expression)) {
         when (expression) {
-            is Expression.Number -> {
-                lowerNumber(expression.value)
-            }
-
-            is Expression.BooleanLiteral -> {
-                emitter.emit { it.pushTruth(expression.value) }
-            }
-
-            is Expression.ColourLiteral -> {
-                emitter.emit { it.push(expression.colour.number) }
-            }
-
-            is Expression.ListOf -> {
-                lowerList(expression)
-            }
-
-            is Expression.Variable -> {
-                load(expression.name)
-            }
-
-            is Expression.ListElement -> {
-                lowerElement(expression)
-            }
-
-            is Expression.Unary -> {
-                lowerUnary(expression)
-            }
-
-            is Expression.Binary -> {
-                lowerBinary(expression)
-            }
-
-            is Expression.Call -> {
-                lowerCall(expression)
-            }
-
-            is Expression.Sense -> {
-                lowerSense(expression.sense, emitter, scope.ports, scope.kind)
-            }
-
-            is Expression.Brackets -> {
-                lower(expression.inner)
-            }
+            is Expression.Number -> lowerNumber(expression.value)
+            is Expression.BooleanLiteral -> emitter.emit { it.pushTruth(expression.value) }
+            is Expression.ColourLiteral -> emitter.emit { it.push(expression.colour.number) }
+            is Expression.ListOf -> lowerList(expression)
+            is Expression.Variable -> load(expression.name)
+            is Expression.ListElement -> lowerElement(expression)
+            is Expression.Unary -> lowerUnary(expression)
+            is Expression.Binary -> lowerBinary(expression)
+            is Expression.Call -> lowerCall(expression)
+            is Expression.Sense -> lowerSense(expression.sense, emitter, scope.ports, scope.kind)
+            is Expression.Brackets -> lower(expression.inner)
         }
         if (wanted == ValueType.DECIMAL && scope.typeOf(expression) == ValueType.WHOLE) {
             emitter.emit { it.pushDecimal(it.pop().toFloat()) }

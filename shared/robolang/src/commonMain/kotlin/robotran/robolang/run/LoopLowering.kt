@@ -18,7 +18,6 @@ internal class LoopLowering(
         val line = statement.range.line
         when (statement) {
             is Statement.Repeat -> lowerRepeat(statement, line)
-
             is Statement.RepeatForever -> rounds(line, statement.body) { }
 
             is Statement.RepeatWhile -> rounds(line, statement.body) { end ->
@@ -32,7 +31,6 @@ internal class LoopLowering(
             }
 
             is Statement.ForRange -> lowerForRange(statement, line)
-
             is Statement.ForEach -> lowerForEach(statement, line)
         }
     }

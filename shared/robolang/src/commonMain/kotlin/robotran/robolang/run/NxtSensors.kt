@@ -50,9 +50,7 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
                 if (!use.isLampOff) isLampNew = true
             }
 
-            Sense.Loudness -> {
-                setType(use, SensorType.SOUND_DB)
-            }
+            Sense.Loudness -> setType(use, SensorType.SOUND_DB)
 
             Sense.Colour -> {
                 setType(use, SensorType.COLOUR_FULL)
@@ -65,9 +63,7 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
                 sonars[use.port] = NxtSonar(nxt, use.port - 1).also { it.setUp(use.line) }
             }
 
-            else -> {
-                setType(use, SensorType.SWITCH)
-            }
+            else -> setType(use, SensorType.SWITCH)
         }
     }
 

@@ -5,9 +5,7 @@ import robotran.robolang.syntax.BinaryOperator
 /** The instruction that pops two operands and pushes the result. */
 internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): StackInstruction = when (operator) {
     BinaryOperator.EQUAL -> comparison { left, right -> arithmetic.isEqual(left, right) }
-
     BinaryOperator.NOT_EQUAL -> comparison { left, right -> !arithmetic.isEqual(left, right) }
-
     BinaryOperator.LESS -> comparison { left, right -> arithmetic.isLess(left, right) }
 
     BinaryOperator.LESS_OR_EQUAL -> comparison { left, right ->
@@ -23,15 +21,10 @@ internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): StackI
     }
 
     BinaryOperator.PLUS -> calculation { _, left, right -> arithmetic.plus(left, right) }
-
     BinaryOperator.MINUS -> calculation { _, left, right -> arithmetic.minus(left, right) }
-
     BinaryOperator.TIMES -> calculation { _, left, right -> arithmetic.times(left, right) }
-
     BinaryOperator.DIVIDE -> calculation { machine, left, right -> arithmetic.divide(left, right, machine.messages) }
-
     BinaryOperator.MOD -> calculation { machine, left, right -> arithmetic.modulo(left, right, machine.messages) }
-
     BinaryOperator.AND, BinaryOperator.OR -> error("These decide before both operands are known.")
 }
 

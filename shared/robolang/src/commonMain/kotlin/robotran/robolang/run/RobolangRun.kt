@@ -63,22 +63,15 @@ internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations,
                     ?: return if (arbiter.isOver) ProgramStatus.Ended else ProgramStatus.Waiting(arbiter.nextLook)
             val statement = activity.statement
             when {
-                activity.isWaiting -> {
-                    return ProgramStatus.Waiting(arbiter.wakesAt(activity))
-                }
+                activity.isWaiting -> return ProgramStatus.Waiting(arbiter.wakesAt(activity))
 
                 statement == null -> {
                     active = activity
                     activity.proceed()
                 }
 
-                budget <= 0 -> {
-                    return ProgramStatus.Running
-                }
-
-                isStoppedBefore(statement, activity) -> {
-                    return ProgramStatus.Paused(budget)
-                }
+                budget <= 0 -> return ProgramStatus.Running
+                isStoppedBefore(statement, activity) -> return ProgramStatus.Paused(budget)
 
                 else -> {
                     budget--

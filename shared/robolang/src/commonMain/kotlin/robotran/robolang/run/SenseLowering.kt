@@ -8,9 +8,7 @@ import robotran.robolang.syntax.Sense
 internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind: BrickKind) {
     when (sense) {
         Sense.LeftBumper -> lowerBumper(ports.leftBumperPort, emitter)
-
         Sense.RightBumper -> lowerBumper(ports.rightBumperPort, emitter)
-
         Sense.Light -> ports.lightPort.let { port -> emitter.emit { it.push(it.machine.robot.light(port)) } }
 
         is Sense.Sensor -> when (kind) {
@@ -19,13 +17,9 @@ internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind
         }
 
         is Sense.Button -> emitter.emit { it.pushTruth(it.machine.robot.isHeld(sense.button, it.currentLine)) }
-
         Sense.Timer -> emitter.emit { it.pushDecimal(it.machine.timer.seconds()) }
-
         Sense.Battery -> emitter.emit { it.pushDecimal(it.machine.robot.batteryVolts(it.currentLine)) }
-
         Sense.Distance, Sense.Loudness, Sense.Colour -> lowerAt(checkNotNull(ports.portOf(sense)), sense, emitter)
-
         is Sense.Turned -> emitter.emit { it.push(it.machine.robot.turned(sense.port)) }
     }
 }
@@ -42,19 +36,8 @@ private fun lowerAt(port: Int, sense: Sense, emitter: Emitter) = when (sense) {
         }
     }
 
-    Sense.Loudness -> {
-        emitter.emit { it.push(it.machine.robot.loudness(port)) }
-    }
-
-    Sense.Colour -> {
-        emitter.emit { it.push(it.machine.robot.colour(port)) }
-    }
-
-    Sense.Light -> {
-        emitter.emit { it.push(it.machine.robot.light(port)) }
-    }
-
-    else -> {
-        lowerBumper(port, emitter)
-    }
+    Sense.Loudness -> emitter.emit { it.push(it.machine.robot.loudness(port)) }
+    Sense.Colour -> emitter.emit { it.push(it.machine.robot.colour(port)) }
+    Sense.Light -> emitter.emit { it.push(it.machine.robot.light(port)) }
+    else -> lowerBumper(port, emitter)
 }

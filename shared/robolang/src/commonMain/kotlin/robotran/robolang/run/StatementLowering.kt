@@ -37,9 +37,7 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
         if (statement is Statement.Loop) return loops.lower(statement)
         emitter.statement(statement.range.line)
         when (statement) {
-            is Statement.If -> {
-                lowerIf(statement)
-            }
+            is Statement.If -> lowerIf(statement)
 
             is Statement.Declare -> {
                 expressions.lower(statement.value, scope.symbolOf(statement.name).type)
@@ -47,34 +45,18 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
                 emitter.declare(scope.symbolOf(statement.name))
             }
 
-            is Statement.Assign -> {
-                lowerAssign(statement)
-            }
-
-            is Statement.Call -> {
-                expressions.call(statement.name, statement.arguments, isValueNeeded = false)
-            }
-
-            is Statement.Return -> {
-                lowerReturn(statement)
-            }
-
-            is Statement.Break -> {
-                loops.leave()
-            }
-
-            is Statement.Continue -> {
-                loops.nextRound()
-            }
+            is Statement.Assign -> lowerAssign(statement)
+            is Statement.Call -> expressions.call(statement.name, statement.arguments, isValueNeeded = false)
+            is Statement.Return -> lowerReturn(statement)
+            is Statement.Break -> loops.leave()
+            is Statement.Continue -> loops.nextRound()
 
             is Statement.Halt -> {
                 if (scope.stopsAtEnd) commands.lowerStop()
                 emitter.emit { it.machine.isHalted = true }
             }
 
-            else -> {
-                commands.lower(statement)
-            }
+            else -> commands.lower(statement)
         }
     }
 
@@ -100,9 +82,7 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
                 expressions.store(target.name)
             }
 
-            is AssignTarget.ListElement -> {
-                lowerElement(target.list, target, statement)
-            }
+            is AssignTarget.ListElement -> lowerElement(target.list, target, statement)
         }
     }
 

@@ -30,21 +30,10 @@ private fun view(symbol: Symbol, activity: Activity, frame: Int): VariableView {
 }
 
 private fun text(type: ValueType, value: Int, machine: InterpreterState): String = when (type) {
-    ValueType.WHOLE, ValueType.NOTHING -> {
-        value.toString()
-    }
-
-    ValueType.DECIMAL -> {
-        decimalText(Float.fromBits(value))
-    }
-
-    ValueType.TRUTH -> {
-        (value != 0).toString()
-    }
-
-    ValueType.COLOUR -> {
-        colourName(value).lowercase()
-    }
+    ValueType.WHOLE, ValueType.NOTHING -> value.toString()
+    ValueType.DECIMAL -> decimalText(Float.fromBits(value))
+    ValueType.TRUTH -> (value != 0).toString()
+    ValueType.COLOUR -> colourName(value).lowercase()
 
     ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL -> {
         machine.lists.elements(value).joinToString(", ", "[", "]") { text(type.element, it, machine) }

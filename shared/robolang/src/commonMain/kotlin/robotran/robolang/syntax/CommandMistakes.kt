@@ -76,17 +76,9 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
     val word = reader.first
     val letters = lettersOfCommandWithNumber(word)
     when {
-        word.kind != TokenKind.WORD -> {
-            reportNoWord(reader)
-        }
-
-        !isDeclaration(word) && reportsAssignedName(reader) -> {
-            Unit
-        }
-
-        lowercaseKeyword(word.text) in routineNames -> {
-            reportMissingBrackets(reader)
-        }
+        word.kind != TokenKind.WORD -> reportNoWord(reader)
+        !isDeclaration(word) && reportsAssignedName(reader) -> Unit
+        lowercaseKeyword(word.text) in routineNames -> reportMissingBrackets(reader)
 
         letters != null -> {
             reportMissingSpace(reader, word, letters)
@@ -97,17 +89,13 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
             report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
         }
 
-        word.keyword in VALUES -> {
-            reportValueAsCommand(reader, word.range)
-        }
+        word.keyword in VALUES -> reportValueAsCommand(reader, word.range)
 
         reader.peek(1)?.keyword == Keyword.BUMPER -> {
             reportValueAsCommand(reader, word.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn))
         }
 
-        else -> {
-            return reportUnknownCommand(reader, word)
-        }
+        else -> return reportUnknownCommand(reader, word)
     }
     return BlockEffect.NONE
 }

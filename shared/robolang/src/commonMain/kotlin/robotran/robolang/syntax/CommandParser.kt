@@ -64,7 +64,6 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
     private fun turnDirection(): TurnDirection? = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
         Keyword.LEFT -> TurnDirection.LEFT
-
         Keyword.RIGHT -> TurnDirection.RIGHT
 
         else -> if (isTurnedRound()) {
@@ -142,13 +141,9 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         val port = readMotor(reader, diagnostics) ?: return null
         val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
             Keyword.FORWARD -> MotorCommand.Forward
-
             Keyword.BACKWARD -> MotorCommand.Backward
-
             Keyword.STOP -> MotorCommand.Stop
-
             Keyword.FLOAT -> MotorCommand.Float
-
             Keyword.POWER -> number("5")?.let { MotorCommand.Power(it) } ?: return null
 
             else -> return if (reader.take(Keyword.TURN) != null) {
@@ -172,7 +167,6 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         reader.advance()
         val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
             Keyword.DOWN -> PenPosition.DOWN
-
             Keyword.UP -> PenPosition.UP
 
             else -> return missing(

@@ -33,9 +33,7 @@ internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Exp
             )
         }
 
-        Expected.VALUE -> {
-            report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingValue(command, complete))
-        }
+        Expected.VALUE -> report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingValue(command, complete))
     }
     return null
 }

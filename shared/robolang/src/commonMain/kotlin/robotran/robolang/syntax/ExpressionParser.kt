@@ -50,9 +50,7 @@ internal class ExpressionParser(private val reader: LineReader, private val diag
             }
 
             reader.next?.kind != TokenKind.MINUS -> postfix()
-
             reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, diagnostics, listDepth > 0))
-
             else -> unary(UnaryOperator.MINUS) { operand(weakest) }
         }
         depth--

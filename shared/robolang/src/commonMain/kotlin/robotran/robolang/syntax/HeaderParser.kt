@@ -71,9 +71,7 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
                 Triple(Keyword.FOR.text, Keyword.EACH, SourceFix(start, Keyword.EACH.text + " "))
             }
 
-            else -> {
-                return false
-            }
+            else -> return false
         }
         diagnostics.report(
             reader,
@@ -158,7 +156,6 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
         if (!expect(Keyword.FACING)) return null
         val facing = when (reader.take(Keyword.DOWN, Keyword.FORWARD)) {
             Keyword.DOWN -> Facing.DOWN
-
             Keyword.FORWARD -> Facing.FORWARD
 
             else -> return missing(

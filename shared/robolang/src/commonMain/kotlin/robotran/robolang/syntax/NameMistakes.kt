@@ -79,22 +79,15 @@ private fun argumentsIn(reader: LineReader): String? {
     var sign = ""
     for (token in generateSequence(0) { it + 1 }.map { reader.peek(it) }.takeWhile { it != null }.filterNotNull()) {
         when {
-            token.kind == TokenKind.COMMA -> {
-                Unit
-            }
-
-            token.kind == TokenKind.MINUS -> {
-                sign = "-"
-            }
+            token.kind == TokenKind.COMMA -> Unit
+            token.kind == TokenKind.MINUS -> sign = "-"
 
             token.kind == TokenKind.NUMBER || token.canBeName -> {
                 arguments += sign + token.text
                 sign = ""
             }
 
-            else -> {
-                return null
-            }
+            else -> return null
         }
     }
     return arguments.joinToString()

@@ -53,15 +53,10 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             reader.peek(
                 1,
             )?.kind == TokenKind.ASSIGN && !reader.first.canBeName && keyword != null -> reservedWord(reader)
-
             keyword == Keyword.END -> end(reader)
-
             keyword == Keyword.ELSE -> otherwise(reader)
-
             blocks.innermost?.keyword?.keyword == Keyword.ROBOT -> setting(reader)
-
             keyword in Keyword.OPENERS -> open(reader)
-
             else -> statement(reader)?.let(blocks::add)
         }
         names += reader.names

@@ -89,30 +89,17 @@ internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expre
 
 /** Whether [expression] is clearly a condition, not a number. */
 private fun isCondition(expression: Expression): Boolean = when (expression) {
-    is Expression.BooleanLiteral -> {
-        true
-    }
+    is Expression.BooleanLiteral -> true
 
     is Expression.Sense -> {
         expression.sense is Sense.Button || expression.sense == Sense.LeftBumper ||
             expression.sense == Sense.RightBumper
     }
 
-    is Expression.Unary -> {
-        expression.operator == UnaryOperator.NOT
-    }
-
-    is Expression.Binary -> {
-        !expression.operator.isArithmetic
-    }
-
-    is Expression.Brackets -> {
-        isCondition(expression.inner)
-    }
-
-    else -> {
-        false
-    }
+    is Expression.Unary -> expression.operator == UnaryOperator.NOT
+    is Expression.Binary -> !expression.operator.isArithmetic
+    is Expression.Brackets -> isCondition(expression.inner)
+    else -> false
 }
 
 /** Reports [word] where one of [units] is expected. */

@@ -10,17 +10,11 @@ internal val Expression.parts: List<Expression>
         is Expression.Number, is Expression.BooleanLiteral, is Expression.ColourLiteral, is Expression.Variable,
         is Expression.Sense,
         -> emptyList()
-
         is Expression.ListOf -> elements
-
         is Expression.ListElement -> listOf(list, index)
-
         is Expression.Unary -> listOf(operand)
-
         is Expression.Binary -> listOf(left, right)
-
         is Expression.Call -> arguments
-
         is Expression.Brackets -> listOf(inner)
     }
 
@@ -28,43 +22,24 @@ internal val Expression.parts: List<Expression>
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
         is Statement.Move -> listOfNotNull(distance, duration)
-
         is Statement.Turn -> listOfNotNull(angle, duration)
-
         is Statement.Power -> listOf(power)
-
         is Statement.Motor -> listOfNotNull((command as? MotorCommand.Power)?.power)
-
         is Statement.MotorTurn -> listOf(angle)
-
         is Statement.Wait -> listOf(duration)
-
         is Statement.WaitUntil -> listOf(condition)
-
         is Statement.Play -> listOf(frequency, duration)
-
         is Statement.Show -> listOf(value)
-
         is Statement.Repeat -> listOf(count)
-
         is Statement.RepeatWhile -> listOf(condition)
-
         is Statement.RepeatUntil -> listOf(condition)
-
         is Statement.ForRange -> listOfNotNull(from, to, step)
-
         is Statement.ForEach -> listOf(list)
-
         is Statement.If -> branches.map { it.condition }
-
         is Statement.Declare -> listOf(value)
-
         is Statement.Assign -> listOfNotNull((target as? AssignTarget.ListElement)?.index, value)
-
         is Statement.Call -> arguments
-
         is Statement.Return -> listOfNotNull(value)
-
         is Statement.StartMoving,
         is Statement.StartTurning,
         is Statement.StopDriving,

@@ -26,7 +26,6 @@ internal class JavaCommands(
 
     private fun lines(statement: Statement): List<String> = when (statement) {
         is Statement.Move -> listOf(move(statement))
-
         is Statement.Turn -> listOf(turn(statement))
 
         is Statement.StartMoving -> when (statement.direction) {
@@ -40,9 +39,7 @@ internal class JavaCommands(
         }
 
         is Statement.StopDriving -> both("stop", "stop")
-
         is Statement.Power -> power(statement)
-
         is Statement.Motor -> listOf(motor(statement))
 
         is Statement.Pen -> listOf(
@@ -53,13 +50,9 @@ internal class JavaCommands(
         )
 
         is Statement.Wait -> listOf(wait(statement))
-
         is Statement.WaitUntil -> listOf(waitUntil(statement))
-
         is Statement.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
-
         is Statement.Beep -> listOf("Sound.beep();")
-
         is Statement.Buzz -> listOf("Sound.buzz();")
 
         is Statement.Play -> listOf(
@@ -67,11 +60,8 @@ internal class JavaCommands(
         )
 
         is Statement.Show -> listOf(show(statement.value))
-
         is Statement.ShowText -> listOf("TextLCD.print(${texts.of(statement.text)});")
-
         is Statement.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
-
         else -> error("${statement::class.simpleName} is written elsewhere.")
     }
 

@@ -60,13 +60,9 @@ internal class JavaExpressions(
 
     private fun written(expression: Expression): JavaText = when (expression) {
         is Expression.Number -> number(expression)
-
         is Expression.BooleanLiteral -> primary(expression.value.toString())
-
         is Expression.ColourLiteral -> primary("Color.${expression.colour.name}")
-
         is Expression.ListOf -> JavaText(list(expression), OperatorPrecedence.UNARY)
-
         is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
 
         is Expression.ListElement -> primary(
@@ -74,13 +70,9 @@ internal class JavaExpressions(
         )
 
         is Expression.Unary -> unary(expression)
-
         is Expression.Binary -> binary(expression)
-
         is Expression.Call -> call(expression)
-
         is Expression.Sense -> sense(expression.sense)
-
         is Expression.Brackets -> inBrackets(expression)
     }
 
@@ -91,9 +83,7 @@ internal class JavaExpressions(
     fun elements(expression: Expression.ListOf): String = expression.elements.joinToString(", ", "{", "}") { text(it) }
 
     private fun unary(expression: Expression.Unary): JavaText = when (expression.operator) {
-        UnaryOperator.NOT -> {
-            JavaText(negated(expression.operand), OperatorPrecedence.UNARY)
-        }
+        UnaryOperator.NOT -> JavaText(negated(expression.operand), OperatorPrecedence.UNARY)
 
         UnaryOperator.MINUS -> {
             val operand = text(expression.operand, OperatorPrecedence.UNARY)
@@ -147,30 +137,17 @@ internal class JavaExpressions(
                 primary("${helpers.use(if (isWhole) JavaHelper.RANDOM else JavaHelper.RANDOM_DECIMAL)}($values)")
             }
 
-            else -> {
-                primary("${helpers.use(JavaHelper.of(builtIn))}($values)")
-            }
+            else -> primary("${helpers.use(JavaHelper.of(builtIn))}($values)")
         }
     }
 
     private fun sense(sense: Sense): JavaText = if (nxtSensors == null) rcxSense(sense) else nxtSense(sense, nxtSensors)
 
     private fun nxtSense(sense: Sense, sensors: NxtSensorFields): JavaText = when (sense) {
-        Sense.Timer -> {
-            primary("${helpers.use(JavaHelper.TIMER)}()")
-        }
-
-        Sense.Battery -> {
-            primary("Battery.getVoltage()")
-        }
-
-        is Sense.Button -> {
-            primary("Button.${checkNotNull(sense.button.on(BrickKind.NXT)).name}.isPressed()")
-        }
-
-        is Sense.Turned -> {
-            primary("Motor.${sense.port.name}.getTachoCount()")
-        }
+        Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")
+        Sense.Battery -> primary("Battery.getVoltage()")
+        is Sense.Button -> primary("Button.${checkNotNull(sense.button.on(BrickKind.NXT)).name}.isPressed()")
+        is Sense.Turned -> primary("Motor.${sense.port.name}.getTachoCount()")
 
         is Sense.Sensor -> {
             val value = sensors.valueOf(sense)

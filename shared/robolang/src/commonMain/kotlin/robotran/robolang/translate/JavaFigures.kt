@@ -39,13 +39,8 @@ internal class JavaFigures(private val robot: RobotTarget) {
             """.trimIndent()
         }
 
-        JavaHelper.PILOT_FIELD -> {
-            pilot(robot as RobotTarget.Nxt)
-        }
-
-        else -> {
-            NxtTexts.of(field, isReacting = true).takeIf { robot.kind == BrickKind.NXT } ?: field.text
-        }
+        JavaHelper.PILOT_FIELD -> pilot(robot as RobotTarget.Nxt)
+        else -> NxtTexts.of(field, isReacting = true).takeIf { robot.kind == BrickKind.NXT } ?: field.text
     }
 
     private val rcx: RobotTarget.Rcx get() = robot as RobotTarget.Rcx

@@ -13,7 +13,6 @@ internal class JavaFlow(private val program: CheckedProgram) {
     /** Whether the end of [statement] is reachable. */
     fun completes(statement: Statement): Boolean = when (statement) {
         is Statement.Break, is Statement.Continue, is Statement.Return -> false
-
         is Statement.Loop -> !isEndless(statement) || breaks(statement.body)
 
         is Statement.If -> statement.branches.any { completes(it.body) } ||

@@ -44,25 +44,11 @@ internal class JavaStatements(
     private fun write(statement: Statement) {
         val line = statement.range.line
         when (statement) {
-            is Statement.Loop -> {
-                loops.write(statement)
-            }
-
-            is Statement.If -> {
-                choose(statement)
-            }
-
-            is Statement.Break -> {
-                writer.line("break;", line)
-            }
-
-            is Statement.Continue -> {
-                writer.line("continue;", line)
-            }
-
-            is Statement.Declare -> {
-                declare(statement)
-            }
+            is Statement.Loop -> loops.write(statement)
+            is Statement.If -> choose(statement)
+            is Statement.Break -> writer.line("break;", line)
+            is Statement.Continue -> writer.line("continue;", line)
+            is Statement.Declare -> declare(statement)
 
             is Statement.Assign -> {
                 writer.line(
@@ -71,9 +57,7 @@ internal class JavaStatements(
                 )
             }
 
-            is Statement.Call -> {
-                call(statement)
-            }
+            is Statement.Call -> call(statement)
 
             is Statement.Return -> {
                 writer.line(
@@ -89,9 +73,7 @@ internal class JavaStatements(
                 writer.line("System.exit(0);", line)
             }
 
-            else -> {
-                commands.write(statement)
-            }
+            else -> commands.write(statement)
         }
     }
 

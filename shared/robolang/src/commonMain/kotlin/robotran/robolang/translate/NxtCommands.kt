@@ -38,25 +38,15 @@ internal class NxtCommands(
         }
 
         is Statement.StopDriving -> listOf(pilot("stop()"))
-
         is Statement.Power -> listOf(power(statement))
-
         is Statement.Motor -> listOf(motor(statement))
-
         is Statement.MotorTurn -> listOf(turnMotor(statement))
-
         is Statement.ResetMotor -> listOf("Motor.${statement.port.name}.resetTachoCount();")
-
         is Statement.Beep -> listOf(tone(NxtConstants.BEEP_FREQUENCY, NxtConstants.BEEP_MILLISECONDS))
-
         is Statement.Buzz -> listOf(tone(NxtConstants.BUZZ_FREQUENCY, NxtConstants.BUZZ_MILLISECONDS))
-
         is Statement.Show -> showColour(statement.value)
-
         is Statement.ShowText -> listOf("${helpers.use(JavaHelper.SHOW_TEXT)}(${javaString(statement.text)});")
-
         is Statement.ClearScreen -> listOf("LCD.clear();")
-
         else -> null
     }
 

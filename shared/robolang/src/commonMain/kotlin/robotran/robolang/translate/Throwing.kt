@@ -47,15 +47,10 @@ internal class Throwing(
         is Statement.WaitUntil,
         is Statement.Play,
         -> true
-
         is Statement.Loop -> program.tree.behaviours.isNotEmpty()
-
         is Statement.MotorTurn -> statement.waits
-
         is Statement.StopDriving -> robot == BrickKind.NXT
-
         is Statement.Halt -> stopsAtEnd
-
         else -> false
     }
 

@@ -64,9 +64,7 @@ class ProgramWriter(private val random: Random, private val isForNxt: Boolean = 
     private fun statement(depth: Int) {
         when (random.nextInt(if (depth < DEEPEST) 34 else 26)) {
             in 0..15 -> line(command())
-
             in 16..19 -> declare()
-
             20, 21 -> change()
 
             22 -> known.oneOf(known.procedures, random)?.let {
@@ -74,110 +72,42 @@ class ProgramWriter(private val random: Random, private val isForNxt: Boolean = 
             }
 
             23 -> if (loops > 0) line(pick("break", "CONTINUE"))
-
             24 -> if (isProcedure) line("return")
-
             25 -> if (random.nextInt(10) == 0) line("halt")
-
             in 26..29 -> choice(depth + 1)
-
             else -> loop(depth + 1)
         }
     }
 
     private fun command(): String = when (random.nextInt(if (isForNxt) 25 else 21)) {
-        0 -> {
-            "forward ${expressions.number()}" + pick("", " cm")
-        }
-
-        1 -> {
-            "Backward ${expressions.number()}"
-        }
+        0 -> "forward ${expressions.number()}" + pick("", " cm")
+        1 -> "Backward ${expressions.number()}"
 
         2 -> {
             "${pick("forward", "backward", "turn left", "turn right")} for ${expressions.positive()} " +
                 "${pick("seconds", "second")}"
         }
 
-        3 -> {
-            "turn left ${expressions.number()}" + pick("", " degrees", " degree")
-        }
-
-        4 -> {
-            "TURN RIGHT ${expressions.number()}"
-        }
-
-        5 -> {
-            "start ${pick("forward", "backward", "turning left", "turning right")}"
-        }
-
-        6 -> {
-            "stop"
-        }
-
-        7 -> {
-            "power ${pick("", "left ", "right ")}${power()}"
-        }
-
-        8 -> {
-            "motor ${pick("A", "b", "C")} ${pick("forward", "backward", "stop", "float")}"
-        }
-
-        9 -> {
-            "motor ${pick("A", "b", "C")} power ${power()}"
-        }
-
-        10 -> {
-            "pen ${pick("down", "up")}"
-        }
-
-        11, 12 -> {
-            "wait ${expressions.positive()} ${pick("seconds", "milliseconds", "millisecond")}"
-        }
-
-        13 -> {
-            "wait until ${expressions.truth()}"
-        }
-
-        14 -> {
-            "reset timer"
-        }
-
-        15 -> {
-            "beep"
-        }
-
-        16 -> {
-            "buzz"
-        }
-
-        17 -> {
-            "play ${expressions.number()} for ${expressions.positive()} seconds"
-        }
-
-        18 -> {
-            "show ${expressions.number()}"
-        }
-
-        19 -> {
-            "show ${pick("\"\"", "\"Hi-_5\"", "\"a\"")}"
-        }
-
-        20 -> {
-            "clear screen"
-        }
-
-        21 -> {
-            "${pick("", "start ")}motor ${pick("A", "b", "C")} turn ${expressions.number()}${pick("", " degrees")}"
-        }
-
-        22 -> {
-            "reset motor ${pick("a", "B", "C")}"
-        }
-
-        else -> {
-            "show ${if (hasBumpers) "distance" else expressions.colour()}"
-        }
+        3 -> "turn left ${expressions.number()}" + pick("", " degrees", " degree")
+        4 -> "TURN RIGHT ${expressions.number()}"
+        5 -> "start ${pick("forward", "backward", "turning left", "turning right")}"
+        6 -> "stop"
+        7 -> "power ${pick("", "left ", "right ")}${power()}"
+        8 -> "motor ${pick("A", "b", "C")} ${pick("forward", "backward", "stop", "float")}"
+        9 -> "motor ${pick("A", "b", "C")} power ${power()}"
+        10 -> "pen ${pick("down", "up")}"
+        11, 12 -> "wait ${expressions.positive()} ${pick("seconds", "milliseconds", "millisecond")}"
+        13 -> "wait until ${expressions.truth()}"
+        14 -> "reset timer"
+        15 -> "beep"
+        16 -> "buzz"
+        17 -> "play ${expressions.number()} for ${expressions.positive()} seconds"
+        18 -> "show ${expressions.number()}"
+        19 -> "show ${pick("\"\"", "\"Hi-_5\"", "\"a\"")}"
+        20 -> "clear screen"
+        21 -> "${pick("", "start ")}motor ${pick("A", "b", "C")} turn ${expressions.number()}${pick("", " degrees")}"
+        22 -> "reset motor ${pick("a", "B", "C")}"
+        else -> "show ${if (hasBumpers) "distance" else expressions.colour()}"
     }
 
     private fun power(): String = pick("0", "7", "abs(${expressions.whole(1)}) mod 8")
@@ -200,11 +130,8 @@ class ProgramWriter(private val random: Random, private val isForNxt: Boolean = 
         val list = known.oneOf(known.lists, random)
         when (random.nextInt(5)) {
             0 -> known.wholes.changing()?.let { line("$it = ${expressions.whole()}") }
-
             1 -> known.decimals.changing()?.let { line("$it = ${expressions.number()}") }
-
             2 -> known.truths.changing()?.let { line("$it = ${expressions.truth()}") }
-
             3 -> known.lists.changing()?.let { line("$it = ${expressions.list()}") }
 
             else -> if (list != null) {
@@ -235,38 +162,19 @@ class ProgramWriter(private val random: Random, private val isForNxt: Boolean = 
             val variable = newName("i")
             val kind = random.nextInt(8)
             val opener = when (kind) {
-                0 -> {
-                    "repeat ${pick("0", "3", "abs(${expressions.whole(1)}) mod 5")} ${pick("times", "time")}"
-                }
-
-                1 -> {
-                    "repeat forever"
-                }
-
-                2 -> {
-                    "repeat while ${expressions.truth()}"
-                }
-
-                3 -> {
-                    "repeat until ${expressions.truth()}"
-                }
-
-                4 -> {
-                    "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)}"
-                }
+                0 -> "repeat ${pick("0", "3", "abs(${expressions.whole(1)}) mod 5")} ${pick("times", "time")}"
+                1 -> "repeat forever"
+                2 -> "repeat while ${expressions.truth()}"
+                3 -> "repeat until ${expressions.truth()}"
+                4 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)}"
 
                 5 -> {
                     "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step " +
                         "${pick("2", "-1", "(light + 1)", "200", "-129")}"
                 }
 
-                6 -> {
-                    "for $variable from ${expressions.number(1)} to ${expressions.decimal(1)}"
-                }
-
-                else -> {
-                    "for each $variable in ${expressions.list()}"
-                }
+                6 -> "for $variable from ${expressions.number(1)} to ${expressions.decimal(1)}"
+                else -> "for each $variable in ${expressions.list()}"
             }
             when (kind) {
                 in 0..3 -> Unit

@@ -117,13 +117,8 @@ private fun answer(nxt: NotingNxt, name: String, arguments: Array<out Any?>, end
             null
         }
 
-        "read" -> {
-            read(nxt, arguments[0] as String, port)
-        }
-
-        "position" -> {
-            nxt.regulator(port).position
-        }
+        "read" -> read(nxt, arguments[0] as String, port)
+        "position" -> nxt.regulator(port).position
 
         "sleep" -> {
             val until = nxt.milliseconds + arguments[0] as Long
@@ -131,15 +126,12 @@ private fun answer(nxt: NotingNxt, name: String, arguments: Array<out Any?>, end
             null
         }
 
-        else -> {
-            nxt.milliseconds
-        }
+        else -> nxt.milliseconds
     }
 }
 
 private fun read(nxt: NotingNxt, what: String, port: Int): Int = when (what) {
     "analog" -> nxt.analog(port)
-
     "status" -> nxt.i2cStatus(port)
 
     "answer" -> ByteArray(1).let { bytes ->
@@ -148,13 +140,9 @@ private fun read(nxt: NotingNxt, what: String, port: Int): Int = when (what) {
     }
 
     "colour" -> nxt.colour(port)?.kind?.code ?: -1
-
     "buttons" -> nxt.buttons()
-
     "battery" -> nxt.batteryStatus()
-
     "tacho" -> nxt.tachoCount(port)
-
     else -> if (nxt.regulator(port).isMoving) 1 else 0
 }
 

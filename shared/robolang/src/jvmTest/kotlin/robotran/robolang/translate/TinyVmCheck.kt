@@ -65,9 +65,7 @@ private fun problemsOf(code: Code, javaClass: JavaClass): List<String> {
         val instruction = handle.instruction
         when {
             instruction.opcode in TinyVmLimits.REFUSED_INSTRUCTIONS -> "the linker refuses ${instruction.name}"
-
             instruction.opcode in TinyVmLimits.UNKNOWN_INSTRUCTIONS -> "the brick does not know ${instruction.name}"
-
             instruction is MULTIANEWARRAY -> "an array of arrays is no list"
 
             instruction is CHECKCAST && instruction.getType(

@@ -89,9 +89,7 @@ internal class EyeBodies(
                 open + segment(LOWER, RAISED_SWEEP + EDGE_SWEEP, edge) + segment(LOWER, RAISED_SWEEP, lid)
             }
 
-            else -> {
-                open
-            }
+            else -> open
         }
     }
 

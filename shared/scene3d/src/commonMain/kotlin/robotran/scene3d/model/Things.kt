@@ -145,7 +145,6 @@ internal class Things(private val world: World, private val colours: SceneColour
             .map { (part, colour) -> round.disc(0.0, 0.0, Heights.BLOCK, shape.radius * part, colour, GRAIN_CORNERS) }
 
         is Shape.Rectangle -> boards(shape)
-
         is Shape.Polygon -> emptyList()
     }
 
@@ -192,9 +191,7 @@ internal class Things(private val world: World, private val colours: SceneColour
                 )
             }
 
-            is Shape.Polygon -> {
-                convexPieces(shape.corners.map { Point(it.x - origin.x, it.y - origin.y) })
-            }
+            is Shape.Polygon -> convexPieces(shape.corners.map { Point(it.x - origin.x, it.y - origin.y) })
         }
     }
 

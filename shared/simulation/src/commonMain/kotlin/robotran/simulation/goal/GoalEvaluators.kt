@@ -35,23 +35,14 @@ internal class GoalEvaluators(
             }
 
             is GoalCondition.NeverTouch -> places.robot(who)?.let { NeverTouchEvaluator(sentence, this, it) }
-
             is GoalCondition.DrawTemplate -> world.template?.let { DrawTemplateEvaluator(sentence, this, it) }
-
             is GoalCondition.InkLength -> InkLengthEvaluator(sentence, this)
-
             is GoalCondition.FollowLine -> places.robot(who)?.let { followLineEvaluator(sentence, this, it, world) }
-
             is GoalCondition.EndWithin -> places.robot(who)?.let { EndWithinEvaluator(sentence, this, it) }
-
             is GoalCondition.ShowOnDisplay -> places.robot(who)?.let { ShowOnDisplayEvaluator(sentence, this, it) }
-
             is GoalCondition.PlaySound -> places.robot(who)?.let { PlaySoundEvaluator(sentence, this, it) }
-
             is GoalCondition.InOrder -> InOrderEvaluator(sentence, goals.map(::of))
-
             is GoalCondition.All -> AllEvaluator(sentence, goals.map(::of))
-
             is GoalCondition.AnyOf -> AnyOfEvaluator(sentence, goals.map(::of))
         }
     }
@@ -59,15 +50,10 @@ internal class GoalEvaluators(
     private fun sentenceOf(condition: GoalCondition): String = with(condition) {
         when (this) {
             is GoalCondition.Reach -> messages.reach(parts.mover(who), parts.region(region), whole, within, stays)
-
             is GoalCondition.StayOut -> messages.stayOut(parts.mover(who), parts.region(region), whole)
-
             is GoalCondition.StayIn -> messages.stayIn(parts.mover(who), parts.region(region), whole)
-
             is GoalCondition.NeverTouch -> messages.neverTouch(parts.mover(who), what.sorted())
-
             is GoalCondition.DrawTemplate -> messages.drawTemplate(number(tolerance), percent(coverage))
-
             is GoalCondition.InkLength -> messages.inkLength(minOf(this)?.let(::number), atMost?.let(::number))
 
             is GoalCondition.FollowLine -> messages.followLine(
@@ -79,15 +65,10 @@ internal class GoalEvaluators(
             )
 
             is GoalCondition.EndWithin -> messages.endWithin(parts.mover(who), seconds)
-
             is GoalCondition.ShowOnDisplay -> messages.showOnDisplay(parts.mover(who), text.trim(), stays)
-
             is GoalCondition.PlaySound -> messages.playSound(parts.mover(who), times, lowest, highest)
-
             is GoalCondition.InOrder -> messages.inOrder()
-
             is GoalCondition.All -> messages.all()
-
             is GoalCondition.AnyOf -> messages.anyOf()
         }
     }

@@ -82,9 +82,7 @@ internal class DrawTemplateEvaluator(
             known.copy(centimetres = tracing.centimetresBeside, beside = tracing.stretchesBeside)
         }
 
-        else -> {
-            known
-        }
+        else -> known
     }
 }
 

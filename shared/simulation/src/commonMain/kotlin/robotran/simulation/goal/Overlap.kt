@@ -21,7 +21,6 @@ internal fun Outline.isInside(region: Outline): Boolean = when (this) {
 /** Whether any part of this is in [region]. */
 internal fun Outline.meets(region: Outline): Boolean = when {
     bounds.right < region.bounds.left || bounds.left > region.bounds.right -> false
-
     bounds.top < region.bounds.bottom || bounds.bottom > region.bounds.top -> false
 
     this is Outline.Round && region is Outline.Round -> length(
@@ -30,9 +29,7 @@ internal fun Outline.meets(region: Outline): Boolean = when {
     ) <= radius + region.radius
 
     this is Outline.Round -> region.distanceTo(centre) <= radius
-
     region is Outline.Round -> distanceTo(region.centre) <= region.radius
-
     else -> (this as Outline.Angular).meetsAngular(region as Outline.Angular)
 }
 

@@ -159,7 +159,6 @@ internal class ObjectLocations(private val world: World, private val trigonometr
     fun things(kinds: Set<TouchKind>, scene: Scene, actor: Actor): List<Pair<String?, Outline>> = kinds.flatMap {
         when (it) {
             TouchKind.WALLS -> world.walls.map { wall -> null to outlineOf(wall) }
-
             TouchKind.BARRIERS -> world.barriers.map { barrier -> barrier.name to region(barrier.shape) }
 
             TouchKind.BLOCKS -> world.blocks.mapIndexedNotNull { number, block ->

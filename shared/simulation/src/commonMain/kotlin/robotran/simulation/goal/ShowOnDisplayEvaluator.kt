@@ -37,9 +37,7 @@ internal class ShowOnDisplayEvaluator(
                 brick.leftByProgram?.let { lookAt(it, scene) }
             }
 
-            leftByFirmware == charactersOf(screen) -> {
-                return
-            }
+            leftByFirmware == charactersOf(screen) -> return
 
             else -> {
                 leftByFirmware = null

@@ -179,9 +179,7 @@ private object EnglishSensorMessages : SensorMessages {
                 }} are missing ${places(numbers)}."
             }
 
-            else -> {
-                "${sensors(kind, numbers).replaceFirstChar { it.uppercase() }} is missing ${places(numbers)}."
-            }
+            else -> "${sensors(kind, numbers).replaceFirstChar { it.uppercase() }} is missing ${places(numbers)}."
         }
     }
 

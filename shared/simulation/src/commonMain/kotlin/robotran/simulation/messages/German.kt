@@ -208,9 +208,7 @@ private object GermanSensorMessages : SensorMessages {
                 }} fehlen ${sensors(kind, numbers)}."
             }
 
-            else -> {
-                "${places(numbers).replaceFirstChar { it.uppercase() }} fehlt ${sensors(kind, numbers)}."
-            }
+            else -> "${places(numbers).replaceFirstChar { it.uppercase() }} fehlt ${sensors(kind, numbers)}."
         }
     }
 

@@ -32,11 +32,8 @@ private fun ShortfallMessages.sentenceFor(shortfall: PlaceShortfall): String = w
         }
 
         is PlaceShortfall.ReachedTooLate -> reachedTooLate(seconds(milliseconds), area)
-
         is PlaceShortfall.LeftAgain -> leftAgain(time(moment), amount(centimetres), area)
-
         is PlaceShortfall.Entered -> entered(time(moment), area)
-
         is PlaceShortfall.Left -> left(time(moment), area)
     }
 }
@@ -61,7 +58,6 @@ private fun ShortfallMessages.sentenceFor(shortfall: LineShortfall): String = wi
         }
 
         is LineShortfall.Unfinished -> lineUnfinished(wholePercent(share))
-
         is LineShortfall.TooLate -> lineTooLate(seconds(milliseconds))
     }
 }

@@ -76,13 +76,8 @@ internal object HitechnicColours {
         val brightest = maxOf(colour.red, colour.green, colour.blue)
         val difference = brightest - minOf(colour.red, colour.green, colour.blue)
         return when {
-            brightest < BLACK_BELOW -> {
-                BLACK
-            }
-
-            difference * GREY_PART < brightest -> {
-                if (brightest < WHITE_FROM) BLACK else WHITE
-            }
+            brightest < BLACK_BELOW -> BLACK
+            difference * GREY_PART < brightest -> if (brightest < WHITE_FROM) BLACK else WHITE
 
             else -> {
                 val hue = hue(colour, brightest, difference)

@@ -25,13 +25,8 @@ internal class I2cSensors(
      * @param nameOf the name of its noise, made from that of its kind.
      */
     fun of(part: SensorPart, place: SensorPlace, nameOf: (String) -> String): I2cDevice? = when (part.sensor) {
-        SensorKind.COMPASS -> {
-            CompassDevice(machine, streams, nameOf("compass"), realism)
-        }
-
-        SensorKind.MINDSENSORS_COMPASS -> {
-            MindsensorsCompass(machine, streams, nameOf("mindsensors compass"), realism)
-        }
+        SensorKind.COMPASS -> CompassDevice(machine, streams, nameOf("compass"), realism)
+        SensorKind.MINDSENSORS_COMPASS -> MindsensorsCompass(machine, streams, nameOf("mindsensors compass"), realism)
 
         SensorKind.HITECHNIC_COLOUR -> {
             ColourDevice(ColourEye(scene, place, streams, nameOf("HiTechnic colour sensor"), realism), clock)
@@ -58,17 +53,9 @@ internal class I2cSensors(
             SecondSeeker(SeekerEyes(scene, place, streams, nameOf("infrared seeker V2"), realism), clock)
         }
 
-        SensorKind.NXT_TEMPERATURE -> {
-            TemperatureDevice(thermometer, streams, nameOf("NXT temperature sensor"), realism)
-        }
-
-        SensorKind.RCX_LINK -> {
-            RcxLinkDevice(air.placeAdapter())
-        }
-
-        else -> {
-            null
-        }
+        SensorKind.NXT_TEMPERATURE -> TemperatureDevice(thermometer, streams, nameOf("NXT temperature sensor"), realism)
+        SensorKind.RCX_LINK -> RcxLinkDevice(air.placeAdapter())
+        else -> null
     }
 
     private fun accelerometer(place: SensorPlace, name: String) =

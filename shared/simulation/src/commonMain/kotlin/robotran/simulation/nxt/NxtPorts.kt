@@ -110,9 +110,7 @@ internal class NxtPorts(
             NxtSensor { brick.setAnalog(port, touchRaw(bumper.isClosed)) }
         }
 
-        is FingerTouchPart -> {
-            NxtSensor { brick.setAnalog(port, touchRaw(pressed[port])) }
-        }
+        is FingerTouchPart -> NxtSensor { brick.setAnalog(port, touchRaw(pressed[port])) }
 
         is RotationPart -> {
             val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
@@ -123,9 +121,7 @@ internal class NxtPorts(
             }
         }
 
-        is SensorPart -> {
-            plugIn(part, port, SensorPlace(machine, part, facing))
-        }
+        is SensorPart -> plugIn(part, port, SensorPlace(machine, part, facing))
     }
 
     /** Whether a sensor of an RCX gets its 9 volts. */

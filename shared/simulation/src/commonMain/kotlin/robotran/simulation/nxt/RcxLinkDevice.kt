@@ -39,18 +39,14 @@ internal class RcxLinkDevice(private val adapter: InfraredAdapter) : RegisterDev
 
     override fun store(register: Int, value: Int) {
         when (register) {
-            COMMAND -> {
-                command(value)
-            }
+            COMMAND -> command(value)
 
             LENGTH -> {
                 adapter.send(toSend.take(value))
                 toSend = emptyList()
             }
 
-            in RECEIVED..<FIRST_OF_PROGRAM -> {
-                toSend = toSend.take(register - RECEIVED) + value
-            }
+            in RECEIVED..<FIRST_OF_PROGRAM -> toSend = toSend.take(register - RECEIVED) + value
 
             in FIRST_OF_PROGRAM..BYTE -> {
                 macros[register] = value

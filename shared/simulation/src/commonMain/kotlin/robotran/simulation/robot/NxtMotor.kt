@@ -32,9 +32,7 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
     override fun tick(told: MotorState, supply: Double, load: Double) {
         current = 0.0
         when (told.mode) {
-            MotorMode.FORWARD -> {
-                drive(told, supply, load)
-            }
+            MotorMode.FORWARD -> drive(told, supply, load)
 
             MotorMode.BACKWARD -> {
                 speed = -speed
@@ -42,13 +40,8 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
                 speed = -speed
             }
 
-            MotorMode.BRAKE -> {
-                brake()
-            }
-
-            MotorMode.FLOAT -> {
-                coast()
-            }
+            MotorMode.BRAKE -> brake()
+            MotorMode.FLOAT -> coast()
         }
     }
 
@@ -64,9 +57,7 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
                 speed = maxOf(speed, wanted)
             }
 
-            wanted == 0.0 -> {
-                brake()
-            }
+            wanted == 0.0 -> brake()
 
             else -> {
                 // Friction helps to slow it down.

@@ -80,13 +80,8 @@ internal class RcxPorts(
 
     /** null for what an RCX cannot read. */
     private fun sensorOf(part: RobotPart, port: Int): RawSensor? = when (part) {
-        is BumperPart -> {
-            machine.bumper(part).let { bumper -> RawSensor { TouchSensor.raw(bumper.isClosed) } }
-        }
-
-        is FingerTouchPart -> {
-            RawSensor { TouchSensor.raw(pressed[port]) }
-        }
+        is BumperPart -> machine.bumper(part).let { bumper -> RawSensor { TouchSensor.raw(bumper.isClosed) } }
+        is FingerTouchPart -> RawSensor { TouchSensor.raw(pressed[port]) }
 
         is RotationPart -> {
             val wheel = if (part.wheel == BumperSide.LEFT) machine.leftWheel else machine.rightWheel
@@ -100,7 +95,6 @@ internal class RcxPorts(
                 }
 
                 SensorKind.TEMPERATURE -> RawSensor { warmth.raw() }
-
                 else -> null
             }
         }

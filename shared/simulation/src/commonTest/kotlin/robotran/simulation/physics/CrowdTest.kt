@@ -87,7 +87,6 @@ class CrowdTest {
             val size = if (isEven) 2.0 + any(4) else from(1.5, 6.0)
             when (any(3)) {
                 0 -> physics.addCircle(body, 0.0, 0.0, size / 2, FRICTION)
-
                 1 -> box(body, -size, 0.0, size, size)
 
                 // Concave.

@@ -19,9 +19,7 @@ internal class ValueTexts(private val machine: VirtualMachine) {
         val isLong = isExact && at + 1 < words.size
         return when (descriptor[0]) {
             'Z' -> if (word != 0) "true" else "false"
-
             'C' -> "'${word.toChar()}'"
-
             'F' -> decimal(Float.fromBits(word))
 
             'D' -> if (isLong) {
@@ -33,9 +31,7 @@ internal class ValueTexts(private val machine: VirtualMachine) {
             }
 
             'J' -> if (isLong) longAt(words, at).toString() else word.toString()
-
             'L', '[' -> reference(word)
-
             else -> word.toString()
         }
     }

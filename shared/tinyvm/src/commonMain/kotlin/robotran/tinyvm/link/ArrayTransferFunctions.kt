@@ -56,9 +56,7 @@ internal class ArrayTransferFunctions(
         when {
             // A machine looks at what it stores, since an array may be one of a subclass.
             isStore -> return
-
             isObject -> frameState.push(element?.let { VerificationType.reference(it) } ?: VerificationType.NULL)
-
             else -> frameState.pushValue(VerificationType.ofLetter(letters[0]))
         }
     }

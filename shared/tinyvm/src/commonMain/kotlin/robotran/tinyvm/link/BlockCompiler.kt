@@ -77,34 +77,22 @@ internal class BlockCompiler(
             }
         }
         when (operation) {
-            Operation.JUMP -> {
-                position = code[position + 1]
-            }
+            Operation.JUMP -> position = code[position + 1]
 
             in Operation.IF_ZERO..Operation.IF_NOT_GREATER -> {
                 branch(operation, intArrayOf(code[position + 1], next))
                 position = END
             }
 
-            Operation.CALL_STATIC, Operation.CALL_EXACTLY -> {
-                call(operation, argumentWords(code[position + 1]), next)
-            }
-
-            Operation.CALL_VIRTUAL -> {
-                call(operation, code[position + 2], next)
-            }
+            Operation.CALL_STATIC, Operation.CALL_EXACTLY -> call(operation, argumentWords(code[position + 1]), next)
+            Operation.CALL_VIRTUAL -> call(operation, code[position + 2], next)
 
             Operation.RETURN, Operation.RETURN_VALUE, Operation.RETURN_WIDE -> {
                 if (isExact && operation == Operation.RETURN_WIDE) plain() else leave(operation)
             }
 
-            Operation.SWITCH -> {
-                switch()
-            }
-
-            else -> {
-                other(operation, next)
-            }
+            Operation.SWITCH -> switch()
+            else -> other(operation, next)
         }
         bytecodes++
     }
@@ -122,13 +110,8 @@ internal class BlockCompiler(
                 position = next
             }
 
-            calculations.compile(operation, code, position) -> {
-                position = next
-            }
-
-            else -> {
-                plain()
-            }
+            calculations.compile(operation, code, position) -> position = next
+            else -> plain()
         }
     }
 

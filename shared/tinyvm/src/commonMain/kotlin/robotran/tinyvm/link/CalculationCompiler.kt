@@ -28,27 +28,21 @@ internal class CalculationCompiler(
 
     private fun local(operation: Int, operand: Int, increment: Int): Boolean {
         when (operation) {
-            Operation.PUSH -> {
-                operands.pushConstant(operand)
-            }
+            Operation.PUSH -> operands.pushConstant(operand)
 
             Operation.PUSH_WIDE -> {
                 operands.pushConstant(operand)
                 operands.pushConstant(0)
             }
 
-            Operation.LOAD -> {
-                operands.pushLocal(operand)
-            }
+            Operation.LOAD -> operands.pushLocal(operand)
 
             Operation.LOAD_WIDE -> {
                 operands.pushLocal(operand)
                 operands.pushConstant(0)
             }
 
-            Operation.STORE -> {
-                store(operand)
-            }
+            Operation.STORE -> store(operand)
 
             Operation.STORE_WIDE -> {
                 operands.pop()
@@ -60,9 +54,7 @@ internal class CalculationCompiler(
                 instructions += RegisterInstruction.withConstant(RegisterOperation.INCREMENT, operand, increment)
             }
 
-            else -> {
-                return false
-            }
+            else -> return false
         }
         return true
     }
@@ -87,27 +79,21 @@ internal class CalculationCompiler(
 
     private fun rearrange(operation: Int): Boolean {
         when (operation) {
-            Operation.POP -> {
-                operands.pop()
-            }
+            Operation.POP -> operands.pop()
 
             Operation.POP_2 -> {
                 operands.pop()
                 operands.pop()
             }
 
-            Operation.DUPLICATE -> {
-                operands.pushCopy(0)
-            }
+            Operation.DUPLICATE -> operands.pushCopy(0)
 
             Operation.DUPLICATE_2 -> {
                 operands.pushCopy(1)
                 operands.pushCopy(1)
             }
 
-            else -> {
-                return false
-            }
+            else -> return false
         }
         return true
     }
@@ -132,9 +118,7 @@ internal class CalculationCompiler(
                 operands.pushConstant(0)
             }
 
-            Operation.COMPARE_FLOAT_LOW, Operation.COMPARE_FLOAT_HIGH -> {
-                binary(RegisterOperation.COMPARE_FLOAT, exit())
-            }
+            Operation.COMPARE_FLOAT_LOW, Operation.COMPARE_FLOAT_HIGH -> binary(RegisterOperation.COMPARE_FLOAT, exit())
 
             Operation.COMPARE_DOUBLE_LOW, Operation.COMPARE_DOUBLE_HIGH -> {
                 val exit = exit()
@@ -144,9 +128,7 @@ internal class CalculationCompiler(
                 emit(RegisterOperation.COMPARE_FLOAT, operands.pop(), right, exit)
             }
 
-            else -> {
-                return convert(operation)
-            }
+            else -> return convert(operation)
         }
         return true
     }

@@ -16,21 +16,10 @@ internal class ConstantTransferFunctions(
     fun apply(instruction: Instruction, frameState: FrameState, location: CodeLocation) {
         val wide = instruction.opcode == Opcode.LDC2_W
         when (val constant = constants.constant(instruction.operand)) {
-            is Constant.Whole -> {
-                frameState.push(VerificationType.INT)
-            }
-
-            is Constant.Decimal -> {
-                frameState.push(VerificationType.FLOAT)
-            }
-
-            is Constant.Long -> {
-                frameState.pushValue(VerificationType.LONG)
-            }
-
-            is Constant.Double -> {
-                frameState.pushValue(VerificationType.DOUBLE)
-            }
+            is Constant.Whole -> frameState.push(VerificationType.INT)
+            is Constant.Decimal -> frameState.push(VerificationType.FLOAT)
+            is Constant.Long -> frameState.pushValue(VerificationType.LONG)
+            is Constant.Double -> frameState.pushValue(VerificationType.DOUBLE)
 
             is Constant.StringText -> {
                 if (constants.string(constant).length > types.model.textCharacters) {
@@ -47,9 +36,7 @@ internal class ConstantTransferFunctions(
                 frameState.push(VerificationType.reference(types.classNamed("java/lang/Class", location)))
             }
 
-            else -> {
-                unsound()
-            }
+            else -> unsound()
         }
         val isWide = constants.constant(instruction.operand).let { it is Constant.Long || it is Constant.Double }
         if (isWide != wide) unsound()

@@ -16,13 +16,8 @@ internal object InstructionFusion {
                     fused[fused.lastIndex] = three
                 }
 
-                two != null -> {
-                    fused[fused.lastIndex] = two
-                }
-
-                else -> {
-                    fused += instruction
-                }
+                two != null -> fused[fused.lastIndex] = two
+                else -> fused += instruction
             }
         }
         return fused
@@ -108,9 +103,7 @@ internal object InstructionFusion {
                 RegisterOperation.IF_FIELD_LESS_CONSTANT to RegisterOperation.IF_LESS_CONSTANT
             }
 
-            else -> {
-                return null
-            }
+            else -> return null
         }
         if (second.a != first.a || second.d !in RegisterInstruction.SHORT_CONSTANTS) return null
         return RegisterInstruction(

@@ -43,33 +43,17 @@ internal class InstructionReader(
         if (simple[opcode] != null) return made(opcode, offset)
         UNSUPPORTED_OPCODES[opcode]?.let { locationOf(offset).reject(messages.unsupportedFeature(it)) }
         return when (opcode) {
-            Opcode.ACONST_NULL -> {
-                made(opcode, offset)
-            }
-
-            Opcode.BIPUSH -> {
-                made(opcode, offset, reader.signedByte())
-            }
-
-            Opcode.SIPUSH -> {
-                made(opcode, offset, reader.signedShort())
-            }
-
-            Opcode.LDC -> {
-                made(opcode, offset, reader.unsignedByte())
-            }
+            Opcode.ACONST_NULL -> made(opcode, offset)
+            Opcode.BIPUSH -> made(opcode, offset, reader.signedByte())
+            Opcode.SIPUSH -> made(opcode, offset, reader.signedShort())
+            Opcode.LDC -> made(opcode, offset, reader.unsignedByte())
 
             in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.RET, Opcode.NEWARRAY -> {
                 made(opcode, offset, reader.unsignedByte())
             }
 
-            in Opcode.ILOAD_0..Opcode.ALOAD_3 -> {
-                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, offset)
-            }
-
-            in Opcode.ISTORE_0..Opcode.ASTORE_3 -> {
-                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, offset)
-            }
+            in Opcode.ILOAD_0..Opcode.ALOAD_3 -> shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, offset)
+            in Opcode.ISTORE_0..Opcode.ASTORE_3 -> shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, offset)
 
             Opcode.IINC -> {
                 val local = reader.unsignedByte()
@@ -103,13 +87,8 @@ internal class InstructionReader(
                 made(opcode, offset, constant, dimensions)
             }
 
-            in WITHOUT_OPERANDS -> {
-                made(opcode, offset)
-            }
-
-            else -> {
-                locationOf(offset).unsound(messages)
-            }
+            in WITHOUT_OPERANDS -> made(opcode, offset)
+            else -> locationOf(offset).unsound(messages)
         }
     }
 

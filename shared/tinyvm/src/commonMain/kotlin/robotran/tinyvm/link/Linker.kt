@@ -123,9 +123,7 @@ internal class Linker(
         val location = CodeLocation(method.owner.name, method.name)
         val entry = method.entry.code
         when {
-            method.isNative -> {
-                if (!hasNative(method)) location.reject(messages.nativeMethod(method.name))
-            }
+            method.isNative -> if (!hasNative(method)) location.reject(messages.nativeMethod(method.name))
 
             entry != null -> {
                 checkSizes(method, entry, location)

@@ -33,9 +33,7 @@ internal object LocalTransferFunctions {
                 frameState.setLocal(operand, value)
             }
 
-            Opcode.IINC -> {
-                if (frameState.local(operand) != VerificationType.INT) unsound()
-            }
+            Opcode.IINC -> if (frameState.local(operand) != VerificationType.INT) unsound()
         }
     }
 }

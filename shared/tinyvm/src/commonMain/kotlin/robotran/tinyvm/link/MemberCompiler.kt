@@ -22,29 +22,12 @@ internal class MemberCompiler(
                 if (operation == Operation.ELEMENT_WIDE) operands.pushConstant(0)
             }
 
-            Operation.SET_ELEMENT -> {
-                setElement(RegisterOperation.SET_ELEMENT)
-            }
-
-            Operation.SET_BYTE -> {
-                setElement(RegisterOperation.SET_BYTE)
-            }
-
-            Operation.SET_CHARACTER -> {
-                setElement(RegisterOperation.SET_CHARACTER)
-            }
-
-            Operation.SET_SHORT -> {
-                setElement(RegisterOperation.SET_SHORT)
-            }
-
-            Operation.SET_WIDE -> {
-                setElement(RegisterOperation.SET_ELEMENT, isWide = true)
-            }
-
-            else -> {
-                return false
-            }
+            Operation.SET_ELEMENT -> setElement(RegisterOperation.SET_ELEMENT)
+            Operation.SET_BYTE -> setElement(RegisterOperation.SET_BYTE)
+            Operation.SET_CHARACTER -> setElement(RegisterOperation.SET_CHARACTER)
+            Operation.SET_SHORT -> setElement(RegisterOperation.SET_SHORT)
+            Operation.SET_WIDE -> setElement(RegisterOperation.SET_ELEMENT, isWide = true)
+            else -> return false
         }
         return true
     }
@@ -90,9 +73,7 @@ internal class MemberCompiler(
                 emit(RegisterOperation.LENGTH, operands.pushResult(), array, exit = exit)
             }
 
-            else -> {
-                return false
-            }
+            else -> return false
         }
         return true
     }

@@ -75,11 +75,8 @@ internal class MemberTable(private val messages: LinkMessages, private val model
         val constants = linked.file.constants
         return when (val constant = constants.constant(entry.constantIndex)) {
             is Constant.Whole -> InitialValue.Word(constant.value)
-
             is Constant.Decimal -> InitialValue.Word(constant.value.toBits())
-
             is Constant.Long -> wide(constant.value, constant.value.toInt())
-
             is Constant.Double -> wide(constant.value.toBits(), constant.value.toFloat().toBits())
 
             is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf {

@@ -47,9 +47,7 @@ internal class MemberTranslator(
                 )
             }
 
-            else -> {
-                writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
-            }
+            else -> writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
         }
     }
 
@@ -61,21 +59,10 @@ internal class MemberTranslator(
                 writer.write(Operation.NEW, type.id)
             }
 
-            Opcode.MULTIANEWARRAY -> {
-                writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
-            }
-
-            Opcode.CHECKCAST -> {
-                writer.write(Operation.CAST, type.id)
-            }
-
-            Opcode.INSTANCEOF -> {
-                writer.write(Operation.IS_INSTANCE, type.id)
-            }
-
-            else -> {
-                writer.write(Operation.NEW_ARRAY, type.id)
-            }
+            Opcode.MULTIANEWARRAY -> writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
+            Opcode.CHECKCAST -> writer.write(Operation.CAST, type.id)
+            Opcode.INSTANCEOF -> writer.write(Operation.IS_INSTANCE, type.id)
+            else -> writer.write(Operation.NEW_ARRAY, type.id)
         }
     }
 

@@ -70,9 +70,7 @@ internal class OperandStack(
                 instructions += RegisterInstruction(RegisterOperation.MOVE, pushResult(), copied.register)
             }
 
-            else -> {
-                operands += Operand(copied.kind, end, copied.value)
-            }
+            else -> operands += Operand(copied.kind, end, copied.value)
         }
     }
 

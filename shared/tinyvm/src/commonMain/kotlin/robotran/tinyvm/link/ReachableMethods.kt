@@ -43,9 +43,7 @@ internal class ReachableMethods(private val types: TypeTable) {
         for (instruction in code.reached) {
             val place = instruction?.place ?: continue
             when (instruction.opcode) {
-                Opcode.GETSTATIC, Opcode.PUTSTATIC -> {
-                    initialize(code.fields.getValue(place).owner)
-                }
+                Opcode.GETSTATIC, Opcode.PUTSTATIC -> initialize(code.fields.getValue(place).owner)
 
                 Opcode.INVOKESTATIC, Opcode.INVOKESPECIAL -> {
                     val method = code.methods.getValue(place)
@@ -53,13 +51,8 @@ internal class ReachableMethods(private val types: TypeTable) {
                     call(method)
                 }
 
-                Opcode.INVOKEVIRTUAL, Opcode.INVOKEINTERFACE -> {
-                    callOverridable(code.methods.getValue(place))
-                }
-
-                Opcode.NEW -> {
-                    make(code.types.getValue(place) as LinkedClass)
-                }
+                Opcode.INVOKEVIRTUAL, Opcode.INVOKEINTERFACE -> callOverridable(code.methods.getValue(place))
+                Opcode.NEW -> make(code.types.getValue(place) as LinkedClass)
             }
         }
     }

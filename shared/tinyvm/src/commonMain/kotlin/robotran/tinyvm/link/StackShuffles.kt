@@ -4,21 +4,10 @@ package robotran.tinyvm.link
 internal object StackShuffles {
     fun apply(opcode: Int, frameState: FrameState) {
         when (opcode) {
-            Opcode.POP -> {
-                frameState.popSingle()
-            }
-
-            Opcode.POP2 -> {
-                frameState.popPair()
-            }
-
-            Opcode.DUP -> {
-                frameState.popSingle().let { repeat(2) { _ -> frameState.push(it) } }
-            }
-
-            Opcode.DUP2 -> {
-                frameState.popPair().let { repeat(2) { _ -> frameState.pushPair(it) } }
-            }
+            Opcode.POP -> frameState.popSingle()
+            Opcode.POP2 -> frameState.popPair()
+            Opcode.DUP -> frameState.popSingle().let { repeat(2) { _ -> frameState.push(it) } }
+            Opcode.DUP2 -> frameState.popPair().let { repeat(2) { _ -> frameState.pushPair(it) } }
 
             Opcode.SWAP -> {
                 val upper = frameState.popSingle()

@@ -35,62 +35,33 @@ internal class TransferFunctions(
                 arrays.element(instruction.opcode, frameState)
             }
 
-            instruction.opcode in Opcode.POP..Opcode.SWAP -> {
-                StackShuffles.apply(instruction.opcode, frameState)
-            }
-
-            instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> {
-                members.field(instruction, frameState, place)
-            }
+            instruction.opcode in Opcode.POP..Opcode.SWAP -> StackShuffles.apply(instruction.opcode, frameState)
+            instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction, frameState, place)
 
             instruction.opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> {
                 members.call(instruction, frameState, place)
             }
 
-            else -> {
-                other(instruction, frameState, place)
-            }
+            else -> other(instruction, frameState, place)
         }
     }
 
     private fun other(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         val operand = instruction.operand
         when (instruction.opcode) {
-            Opcode.ACONST_NULL -> {
-                frameState.push(VerificationType.NULL)
-            }
-
-            Opcode.BIPUSH, Opcode.SIPUSH -> {
-                frameState.push(VerificationType.INT)
-            }
-
-            Opcode.LDC, Opcode.LDC2_W -> {
-                literals.apply(instruction, frameState, place)
-            }
+            Opcode.ACONST_NULL -> frameState.push(VerificationType.NULL)
+            Opcode.BIPUSH, Opcode.SIPUSH -> frameState.push(VerificationType.INT)
+            Opcode.LDC, Opcode.LDC2_W -> literals.apply(instruction, frameState, place)
 
             in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.IINC -> {
                 LocalTransferFunctions.apply(instruction, frameState)
             }
 
-            Opcode.TABLESWITCH, Opcode.LOOKUPSWITCH -> {
-                frameState.popValue(VerificationType.INT)
-            }
-
-            in Opcode.IFEQ..Opcode.IFLE -> {
-                frameState.popValue(VerificationType.INT)
-            }
-
-            in Opcode.IF_ICMPEQ..Opcode.IF_ICMPLE -> {
-                repeat(2) { frameState.popValue(VerificationType.INT) }
-            }
-
-            Opcode.IF_ACMPEQ, Opcode.IF_ACMPNE -> {
-                repeat(2) { frameState.popReference() }
-            }
-
-            Opcode.IFNULL, Opcode.IFNONNULL, Opcode.MONITORENTER, Opcode.MONITOREXIT -> {
-                frameState.popReference()
-            }
+            Opcode.TABLESWITCH, Opcode.LOOKUPSWITCH -> frameState.popValue(VerificationType.INT)
+            in Opcode.IFEQ..Opcode.IFLE -> frameState.popValue(VerificationType.INT)
+            in Opcode.IF_ICMPEQ..Opcode.IF_ICMPLE -> repeat(2) { frameState.popValue(VerificationType.INT) }
+            Opcode.IF_ACMPEQ, Opcode.IF_ACMPNE -> repeat(2) { frameState.popReference() }
+            Opcode.IFNULL, Opcode.IFNONNULL, Opcode.MONITORENTER, Opcode.MONITOREXIT -> frameState.popReference()
 
             Opcode.NEW -> {
                 val type = resolver.classType(operand, place)
@@ -103,9 +74,7 @@ internal class TransferFunctions(
                 arrays.apply(instruction, frameState, place)
             }
 
-            Opcode.ATHROW -> {
-                if (!relations.fits(frameState.pop(), types.throwable)) unsound()
-            }
+            Opcode.ATHROW -> if (!relations.fits(frameState.pop(), types.throwable)) unsound()
 
             Opcode.CHECKCAST -> {
                 frameState.popReference()
@@ -118,9 +87,7 @@ internal class TransferFunctions(
                 frameState.push(VerificationType.INT)
             }
 
-            in Opcode.IRETURN..Opcode.RETURN -> {
-                members.result(instruction.opcode, frameState, place)
-            }
+            in Opcode.IRETURN..Opcode.RETURN -> members.result(instruction.opcode, frameState, place)
         }
     }
 

@@ -82,17 +82,11 @@ internal class Translator(
             )
 
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
-
             simple != null -> writer.write(simple.operation)
-
             opcode in BRANCHES -> writer.writeBranch(OperationTables.branch(opcode), instruction.operand)
-
             opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
-
             opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
-
             opcode in WITH_TYPE -> members.typed(instruction)
-
             else -> other(instruction)
         }
     }
@@ -100,73 +94,27 @@ internal class Translator(
     private fun other(instruction: Instruction) {
         val opcode = instruction.opcode
         when (opcode) {
-            Opcode.ACONST_NULL -> {
-                writer.write(Operation.PUSH, 0)
-            }
-
-            Opcode.BIPUSH, Opcode.SIPUSH -> {
-                writer.write(Operation.PUSH, instruction.operand)
-            }
-
-            Opcode.LDC, Opcode.LDC2_W -> {
-                constant(constants.constant(instruction.operand), instruction)
-            }
-
-            in Opcode.ILOAD..Opcode.ALOAD -> {
-                writer.write(OperationTables.load(opcode, isExact), instruction.operand)
-            }
-
-            in Opcode.ISTORE..Opcode.ASTORE -> {
-                writer.write(OperationTables.store(opcode, isExact), instruction.operand)
-            }
-
-            in Opcode.IALOAD..Opcode.SALOAD -> {
-                writer.write(OperationTables.arrayLoad(opcode, isExact))
-            }
-
-            in Opcode.IASTORE..Opcode.SASTORE -> {
-                writer.write(OperationTables.arrayStore(opcode, isExact))
-            }
-
-            in Opcode.POP..Opcode.SWAP -> {
-                writer.write(Operation.POP + opcode - Opcode.POP)
-            }
-
-            Opcode.IINC -> {
-                writer.write(Operation.INCREMENT, instruction.operand, instruction.second)
-            }
-
-            Opcode.RET -> {
-                writer.write(Operation.END_SUBROUTINE, instruction.operand)
-            }
-
-            Opcode.RETURN -> {
-                writer.write(Operation.RETURN)
-            }
+            Opcode.ACONST_NULL -> writer.write(Operation.PUSH, 0)
+            Opcode.BIPUSH, Opcode.SIPUSH -> writer.write(Operation.PUSH, instruction.operand)
+            Opcode.LDC, Opcode.LDC2_W -> constant(constants.constant(instruction.operand), instruction)
+            in Opcode.ILOAD..Opcode.ALOAD -> writer.write(OperationTables.load(opcode, isExact), instruction.operand)
+            in Opcode.ISTORE..Opcode.ASTORE -> writer.write(OperationTables.store(opcode, isExact), instruction.operand)
+            in Opcode.IALOAD..Opcode.SALOAD -> writer.write(OperationTables.arrayLoad(opcode, isExact))
+            in Opcode.IASTORE..Opcode.SASTORE -> writer.write(OperationTables.arrayStore(opcode, isExact))
+            in Opcode.POP..Opcode.SWAP -> writer.write(Operation.POP + opcode - Opcode.POP)
+            Opcode.IINC -> writer.write(Operation.INCREMENT, instruction.operand, instruction.second)
+            Opcode.RET -> writer.write(Operation.END_SUBROUTINE, instruction.operand)
+            Opcode.RETURN -> writer.write(Operation.RETURN)
 
             in Opcode.IRETURN..Opcode.ARETURN -> {
                 writer.write(if (method.resultWords == 2) Operation.RETURN_WIDE else Operation.RETURN_VALUE)
             }
 
-            Opcode.ARRAYLENGTH -> {
-                writer.write(Operation.LENGTH)
-            }
-
-            Opcode.ATHROW -> {
-                writer.write(Operation.THROW)
-            }
-
-            Opcode.MONITORENTER -> {
-                writer.write(Operation.ENTER_MONITOR)
-            }
-
-            Opcode.MONITOREXIT -> {
-                writer.write(Operation.EXIT_MONITOR)
-            }
-
-            else -> {
-                error("no operation for bytecode $opcode")
-            }
+            Opcode.ARRAYLENGTH -> writer.write(Operation.LENGTH)
+            Opcode.ATHROW -> writer.write(Operation.THROW)
+            Opcode.MONITORENTER -> writer.write(Operation.ENTER_MONITOR)
+            Opcode.MONITOREXIT -> writer.write(Operation.EXIT_MONITOR)
+            else -> error("no operation for bytecode $opcode")
         }
     }
 

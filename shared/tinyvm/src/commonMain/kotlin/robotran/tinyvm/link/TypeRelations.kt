@@ -21,13 +21,8 @@ internal class TypeRelations(private val types: TypeTable) {
     private fun typeOf(value: Int): HeapType = types.types[VerificationType.typeId(value)]
 
     private fun isSubtype(type: HeapType, target: HeapType): Boolean = when {
-        type === target || target === types.root -> {
-            true
-        }
-
-        target is LinkedClass && target.isInterface -> {
-            true
-        }
+        type === target || target === types.root -> true
+        target is LinkedClass && target.isInterface -> true
 
         type is ArrayType && target is ArrayType -> {
             val element = type.element
@@ -35,9 +30,7 @@ internal class TypeRelations(private val types: TypeTable) {
             element != null && targetElement != null && isSubtype(element, targetElement)
         }
 
-        else -> {
-            type.isA(target)
-        }
+        else -> type.isA(target)
     }
 
     private fun common(first: HeapType, second: HeapType): HeapType {

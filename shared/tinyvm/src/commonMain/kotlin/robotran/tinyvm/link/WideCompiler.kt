@@ -35,9 +35,7 @@ internal class WideCompiler(
                 operands.pushLocal(operand + 1)
             }
 
-            Operation.STORE_LONG -> {
-                store(operand)
-            }
+            Operation.STORE_LONG -> store(operand)
 
             Operation.STATIC_LONG -> {
                 val words = intArrayOf(operand)
@@ -112,13 +110,8 @@ internal class WideCompiler(
     private fun calculate(operation: Int) {
         val exit = if (operation in DIVISIONS) exit() else null
         when (operation) {
-            Operation.INT_TO_LONG -> {
-                widen()
-            }
-
-            Operation.LONG_TO_INT -> {
-                operands.pop()
-            }
+            Operation.INT_TO_LONG -> widen()
+            Operation.LONG_TO_INT -> operands.pop()
 
             Operation.REMAINDER_FLOAT -> {
                 val right = operands.popRegister()

@@ -31,9 +31,7 @@ private object EnglishLinkMessages : LinkMessages {
             "The brick has no System.out. Show texts with TextLCD.print, and numbers with LCD.showNumber."
         }
 
-        else -> {
-            "On the brick, $className has no \"$name\"."
-        }
+        else -> "On the brick, $className has no \"$name\"."
     }
 
     override fun methodMissing(className: String, name: String) = "On the brick, $className has no method \"$name\"."
@@ -52,26 +50,16 @@ private object EnglishLinkMessages : LinkMessages {
         "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
 
     override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
-        UnsupportedFeature.SWITCH -> {
-            "The brick does not know \"switch\". Use \"if\" and \"else if\" instead."
-        }
+        UnsupportedFeature.SWITCH -> "The brick does not know \"switch\". Use \"if\" and \"else if\" instead."
 
         UnsupportedFeature.LONG_ARITHMETIC -> {
             "The brick cannot calculate with long numbers or compare them. Turn them into int first: " +
                 "(int) time."
         }
 
-        UnsupportedFeature.DECIMAL_REMAINDER -> {
-            "The brick knows % only for whole numbers."
-        }
-
-        UnsupportedFeature.FAR_JUMP -> {
-            "This method is too long for the brick. Move parts of it into other methods."
-        }
-
-        UnsupportedFeature.MANY_LOCALS -> {
-            "A method can have at most 255 variables on the brick."
-        }
+        UnsupportedFeature.DECIMAL_REMAINDER -> "The brick knows % only for whole numbers."
+        UnsupportedFeature.FAR_JUMP -> "This method is too long for the brick. Move parts of it into other methods."
+        UnsupportedFeature.MANY_LOCALS -> "A method can have at most 255 variables on the brick."
 
         UnsupportedFeature.MANY_CONSTANTS -> {
             "This class has too many different texts and large numbers for the brick. Move some into " +
@@ -87,13 +75,8 @@ private object EnglishLinkMessages : LinkMessages {
             "The brick cannot test or cast arrays. Keep the array in a variable of its own type."
         }
 
-        UnsupportedFeature.CLASS_LITERAL -> {
-            "On the brick, classes are no objects: there is no \".class\"."
-        }
-
-        UnsupportedFeature.INTERFACE_CODE -> {
-            "On the brick, an interface only names methods, it has no code in it."
-        }
+        UnsupportedFeature.CLASS_LITERAL -> "On the brick, classes are no objects: there is no \".class\"."
+        UnsupportedFeature.INTERFACE_CODE -> "On the brick, an interface only names methods, it has no code in it."
 
         UnsupportedFeature.NESTED_FINALLY -> {
             "Too many \"finally\" blocks are inside each other here. Move some into other methods."
@@ -132,34 +115,22 @@ private object EnglishVmRunMessages : RunMessages {
             "A brick divides only by numbers from -32768 to 32767. It drops the rest of a larger divisor."
         }
 
-        Quirk.INDEX_OF_16_BITS -> {
-            "A brick looks only at 16 bits of an index, so a large one meets another element."
-        }
-
-        Quirk.SIGNED_CHARACTER -> {
-            "On a brick, a char above 32767 becomes negative."
-        }
+        Quirk.INDEX_OF_16_BITS -> "A brick looks only at 16 bits of an index, so a large one meets another element."
+        Quirk.SIGNED_CHARACTER -> "On a brick, a char above 32767 becomes negative."
 
         Quirk.UNCHECKED_INTERFACE -> {
             "On a brick, every object passes for any interface: this test or cast was not really made."
         }
 
-        Quirk.LONG_ARRAY -> {
-            "On a brick, an array has at most 511 elements."
-        }
+        Quirk.LONG_ARRAY -> "On a brick, an array has at most 511 elements."
 
         Quirk.HEAP_FULL -> {
             "The brick's memory is full. It never gives memory back, so make objects, arrays and texts once and use " +
                 "them again."
         }
 
-        Quirk.NOT_A_NUMBER -> {
-            "This decimal number is no number, and a brick takes it as equal to all others."
-        }
-
-        Quirk.JOIN_DOES_NOTHING -> {
-            "On a brick, join does not wait. Ask isAlive in a loop instead."
-        }
+        Quirk.NOT_A_NUMBER -> "This decimal number is no number, and a brick takes it as equal to all others."
+        Quirk.JOIN_DOES_NOTHING -> "On a brick, join does not wait. Ask isAlive in a loop instead."
 
         Quirk.UNLOCKED_METHOD -> {
             "A brick locks nothing in a synchronized method that is private or static, or that is called with " +
@@ -187,9 +158,7 @@ private object EnglishVmRunMessages : RunMessages {
                 "statement in between, such as int next = 0;"
         }
 
-        Quirk.NEGATIVE_TIME -> {
-            "A brick does not pause for a time below 0, and throws no exception."
-        }
+        Quirk.NEGATIVE_TIME -> "A brick does not pause for a time below 0, and throws no exception."
 
         Quirk.NEGATIVE_LONG -> {
             "A brick takes a negative long for a large positive number when it becomes a decimal number. Turn it " +
@@ -211,37 +180,18 @@ private object EnglishVmRunMessages : RunMessages {
         "Of its $allBytes bytes, the program itself takes about $programBytes."
 
     override fun quirkWarning(quirk: Quirk) = when (quirk) {
-        Quirk.DIVISOR_OF_16_BITS -> {
-            "A real brick would drop all but 16 bits of this divisor and get another result."
-        }
+        Quirk.DIVISOR_OF_16_BITS -> "A real brick would drop all but 16 bits of this divisor and get another result."
 
         Quirk.INDEX_OF_16_BITS -> {
             "A real brick would drop all but 16 bits of this index and might meet another element."
         }
 
-        Quirk.SIGNED_CHARACTER -> {
-            "On a real brick, this char would become negative."
-        }
-
-        Quirk.UNCHECKED_INTERFACE -> {
-            "A real brick would not notice that the object does not implement this interface."
-        }
-
-        Quirk.LONG_ARRAY -> {
-            "A real brick has no arrays of more than 511 elements: it would throw an OutOfMemoryError."
-        }
-
-        Quirk.HEAP_FULL -> {
-            "A real brick's memory would be full by now: it never gives memory back."
-        }
-
-        Quirk.NOT_A_NUMBER -> {
-            "A real brick would take this as equal to all other numbers."
-        }
-
-        Quirk.JOIN_DOES_NOTHING -> {
-            "On a real brick, join does not wait, so here it does not either."
-        }
+        Quirk.SIGNED_CHARACTER -> "On a real brick, this char would become negative."
+        Quirk.UNCHECKED_INTERFACE -> "A real brick would not notice that the object does not implement this interface."
+        Quirk.LONG_ARRAY -> "A real brick has no arrays of more than 511 elements: it would throw an OutOfMemoryError."
+        Quirk.HEAP_FULL -> "A real brick's memory would be full by now: it never gives memory back."
+        Quirk.NOT_A_NUMBER -> "A real brick would take this as equal to all other numbers."
+        Quirk.JOIN_DOES_NOTHING -> "On a real brick, join does not wait, so here it does not either."
 
         Quirk.UNLOCKED_METHOD -> {
             "A real brick would lock nothing here: it ignores \"synchronized\" of a method that is private or " +
@@ -268,13 +218,8 @@ private object EnglishVmRunMessages : RunMessages {
                 "between, such as int next = 0;"
         }
 
-        Quirk.NEGATIVE_TIME -> {
-            "A real brick would not pause here, and would throw no exception."
-        }
-
-        Quirk.NEGATIVE_LONG -> {
-            "A real brick would take this negative long for a large positive number."
-        }
+        Quirk.NEGATIVE_TIME -> "A real brick would not pause here, and would throw no exception."
+        Quirk.NEGATIVE_LONG -> "A real brick would take this negative long for a large positive number."
 
         Quirk.UNCHECKED_ELEMENT -> {
             "A real brick would not notice that this object is of another class than the elements of the array."

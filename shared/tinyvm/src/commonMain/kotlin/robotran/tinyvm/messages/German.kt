@@ -36,9 +36,7 @@ private object GermanLinkMessages : LinkMessages {
             "Der Stein hat kein System.out. Zeig Texte mit TextLCD.print und Zahlen mit LCD.showNumber."
         }
 
-        else -> {
-            "Auf dem Stein hat $className kein \"$name\"."
-        }
+        else -> "Auf dem Stein hat $className kein \"$name\"."
     }
 
     override fun methodMissing(className: String, name: String) =
@@ -59,26 +57,16 @@ private object GermanLinkMessages : LinkMessages {
         "Der Stein hat keine eingebaute Methode \"$name\". Schreib sie in Java, ohne \"native\"."
 
     override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
-        UnsupportedFeature.SWITCH -> {
-            "Der Stein kennt \"switch\" nicht. Nimm \"if\" und \"else if\"."
-        }
+        UnsupportedFeature.SWITCH -> "Der Stein kennt \"switch\" nicht. Nimm \"if\" und \"else if\"."
 
         UnsupportedFeature.LONG_ARITHMETIC -> {
             "Der Stein kann mit long-Zahlen nicht rechnen und sie nicht vergleichen. Mach vorher ein int daraus: " +
                 "(int) time."
         }
 
-        UnsupportedFeature.DECIMAL_REMAINDER -> {
-            "Der Stein kennt % nur für ganze Zahlen."
-        }
-
-        UnsupportedFeature.FAR_JUMP -> {
-            "Diese Methode ist zu lang für den Stein. Verteil sie auf mehrere Methoden."
-        }
-
-        UnsupportedFeature.MANY_LOCALS -> {
-            "Eine Methode kann auf dem Stein höchstens 255 Variablen haben."
-        }
+        UnsupportedFeature.DECIMAL_REMAINDER -> "Der Stein kennt % nur für ganze Zahlen."
+        UnsupportedFeature.FAR_JUMP -> "Diese Methode ist zu lang für den Stein. Verteil sie auf mehrere Methoden."
+        UnsupportedFeature.MANY_LOCALS -> "Eine Methode kann auf dem Stein höchstens 255 Variablen haben."
 
         UnsupportedFeature.MANY_CONSTANTS -> {
             "Diese Klasse hat zu viele verschiedene Texte und große Zahlen für den Stein. Verschieb ein paar in eine " +
@@ -95,13 +83,8 @@ private object GermanLinkMessages : LinkMessages {
                 "eigenen Typs."
         }
 
-        UnsupportedFeature.CLASS_LITERAL -> {
-            "Auf dem Stein sind Klassen keine Objekte: Es gibt kein \".class\"."
-        }
-
-        UnsupportedFeature.INTERFACE_CODE -> {
-            "Auf dem Stein nennt ein Interface nur Methoden, es steht kein Code darin."
-        }
+        UnsupportedFeature.CLASS_LITERAL -> "Auf dem Stein sind Klassen keine Objekte: Es gibt kein \".class\"."
+        UnsupportedFeature.INTERFACE_CODE -> "Auf dem Stein nennt ein Interface nur Methoden, es steht kein Code darin."
 
         UnsupportedFeature.NESTED_FINALLY -> {
             "Hier stehen zu viele \"finally\"-Blöcke ineinander. Verschieb ein paar in andere Methoden."
@@ -145,18 +128,14 @@ private object GermanVmRunMessages : RunMessages {
             "Ein Stein schaut nur auf 16 Bits eines Index, also trifft ein großer ein anderes Element."
         }
 
-        Quirk.SIGNED_CHARACTER -> {
-            "Auf einem Stein wird ein char über 32767 negativ."
-        }
+        Quirk.SIGNED_CHARACTER -> "Auf einem Stein wird ein char über 32767 negativ."
 
         Quirk.UNCHECKED_INTERFACE -> {
             "Auf einem Stein geht jedes Objekt als jedes Interface durch: Hier wurde nicht wirklich geprüft oder " +
                 "umgewandelt."
         }
 
-        Quirk.LONG_ARRAY -> {
-            "Auf einem Stein hat ein Array höchstens 511 Elemente."
-        }
+        Quirk.LONG_ARRAY -> "Auf einem Stein hat ein Array höchstens 511 Elemente."
 
         Quirk.HEAP_FULL -> {
             "Der Speicher des Steins ist voll. Er gibt nie Speicher zurück, also mach Objekte, Arrays und Texte nur " +
@@ -164,13 +143,8 @@ private object GermanVmRunMessages : RunMessages {
                 "benutz sie wieder."
         }
 
-        Quirk.NOT_A_NUMBER -> {
-            "Diese Kommazahl ist keine Zahl, und ein Stein hält sie für gleich mit allen anderen."
-        }
-
-        Quirk.JOIN_DOES_NOTHING -> {
-            "Auf einem Stein wartet join nicht. Frag stattdessen in einer Schleife mit isAlive."
-        }
+        Quirk.NOT_A_NUMBER -> "Diese Kommazahl ist keine Zahl, und ein Stein hält sie für gleich mit allen anderen."
+        Quirk.JOIN_DOES_NOTHING -> "Auf einem Stein wartet join nicht. Frag stattdessen in einer Schleife mit isAlive."
 
         Quirk.UNLOCKED_METHOD -> {
             "Ein Stein sperrt nichts bei einer synchronized-Methode, die private oder static ist oder mit super " +
@@ -198,9 +172,7 @@ private object GermanVmRunMessages : RunMessages {
                 "eine andere Anweisung dazwischen, zum Beispiel int next = 0;"
         }
 
-        Quirk.NEGATIVE_TIME -> {
-            "Ein Stein macht bei einer Zeit unter 0 keine Pause und wirft keine Ausnahme."
-        }
+        Quirk.NEGATIVE_TIME -> "Ein Stein macht bei einer Zeit unter 0 keine Pause und wirft keine Ausnahme."
 
         Quirk.NEGATIVE_LONG -> {
             "Ein Stein hält ein negatives long für eine große positive Zahl, wenn daraus eine Kommazahl wird. Mach " +
@@ -230,9 +202,7 @@ private object GermanVmRunMessages : RunMessages {
             "Ein echter Stein würde von diesem Index nur 16 Bits nehmen und könnte ein anderes Element treffen."
         }
 
-        Quirk.SIGNED_CHARACTER -> {
-            "Auf einem echten Stein würde dieses char negativ."
-        }
+        Quirk.SIGNED_CHARACTER -> "Auf einem echten Stein würde dieses char negativ."
 
         Quirk.UNCHECKED_INTERFACE -> {
             "Ein echter Stein würde nicht merken, dass das Objekt dieses Interface nicht erfüllt."
@@ -242,17 +212,9 @@ private object GermanVmRunMessages : RunMessages {
             "Ein echter Stein hat keine Arrays mit mehr als 511 Elementen: Er würde einen OutOfMemoryError werfen."
         }
 
-        Quirk.HEAP_FULL -> {
-            "Der Speicher eines echten Steins wäre jetzt voll: Er gibt nie Speicher zurück."
-        }
-
-        Quirk.NOT_A_NUMBER -> {
-            "Ein echter Stein würde das für gleich mit allen anderen Zahlen halten."
-        }
-
-        Quirk.JOIN_DOES_NOTHING -> {
-            "Auf einem echten Stein wartet join nicht, also hier auch nicht."
-        }
+        Quirk.HEAP_FULL -> "Der Speicher eines echten Steins wäre jetzt voll: Er gibt nie Speicher zurück."
+        Quirk.NOT_A_NUMBER -> "Ein echter Stein würde das für gleich mit allen anderen Zahlen halten."
+        Quirk.JOIN_DOES_NOTHING -> "Auf einem echten Stein wartet join nicht, also hier auch nicht."
 
         Quirk.UNLOCKED_METHOD -> {
             "Ein echter Stein würde hier nichts sperren: Er übergeht \"synchronized\" bei einer Methode, die " +
@@ -279,13 +241,8 @@ private object GermanVmRunMessages : RunMessages {
                 "Anweisung dazwischen, zum Beispiel int next = 0;"
         }
 
-        Quirk.NEGATIVE_TIME -> {
-            "Ein echter Stein würde hier keine Pause machen und keine Ausnahme werfen."
-        }
-
-        Quirk.NEGATIVE_LONG -> {
-            "Ein echter Stein würde dieses negative long für eine große positive Zahl halten."
-        }
+        Quirk.NEGATIVE_TIME -> "Ein echter Stein würde hier keine Pause machen und keine Ausnahme werfen."
+        Quirk.NEGATIVE_LONG -> "Ein echter Stein würde dieses negative long für eine große positive Zahl halten."
 
         Quirk.UNCHECKED_ELEMENT -> {
             "Ein echter Stein würde nicht merken, dass dieses Objekt zu einer anderen Klasse gehört als die Elemente " +

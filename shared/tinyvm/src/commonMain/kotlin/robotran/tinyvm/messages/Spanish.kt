@@ -36,9 +36,7 @@ private object SpanishLinkMessages : LinkMessages {
             "El ladrillo no tiene System.out. Muestra los textos con TextLCD.print y los números con LCD.showNumber."
         }
 
-        else -> {
-            "En el ladrillo, $className no tiene \"$name\"."
-        }
+        else -> "En el ladrillo, $className no tiene \"$name\"."
     }
 
     override fun methodMissing(className: String, name: String) =
@@ -58,25 +56,15 @@ private object SpanishLinkMessages : LinkMessages {
         "El ladrillo no trae ningún método \"$name\". Escríbelo en Java, sin \"native\"."
 
     override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
-        UnsupportedFeature.SWITCH -> {
-            "El ladrillo no conoce \"switch\". Usa \"if\" y \"else if\"."
-        }
+        UnsupportedFeature.SWITCH -> "El ladrillo no conoce \"switch\". Usa \"if\" y \"else if\"."
 
         UnsupportedFeature.LONG_ARITHMETIC -> {
             "El ladrillo no puede calcular con números long ni compararlos. Conviértelos antes en int: (int) time."
         }
 
-        UnsupportedFeature.DECIMAL_REMAINDER -> {
-            "El ladrillo solo conoce % para números enteros."
-        }
-
-        UnsupportedFeature.FAR_JUMP -> {
-            "Este método es demasiado largo para el ladrillo. Pasa partes a otros métodos."
-        }
-
-        UnsupportedFeature.MANY_LOCALS -> {
-            "En el ladrillo, un método puede tener como mucho 255 variables."
-        }
+        UnsupportedFeature.DECIMAL_REMAINDER -> "El ladrillo solo conoce % para números enteros."
+        UnsupportedFeature.FAR_JUMP -> "Este método es demasiado largo para el ladrillo. Pasa partes a otros métodos."
+        UnsupportedFeature.MANY_LOCALS -> "En el ladrillo, un método puede tener como mucho 255 variables."
 
         UnsupportedFeature.MANY_CONSTANTS -> {
             "Esta clase tiene demasiados textos distintos y números grandes para el ladrillo. Pasa algunos a otra " +
@@ -92,13 +80,8 @@ private object SpanishLinkMessages : LinkMessages {
             "El ladrillo no puede comprobar ni convertir arrays. Guarda el array en una variable de su propio tipo."
         }
 
-        UnsupportedFeature.CLASS_LITERAL -> {
-            "En el ladrillo las clases no son objetos: no existe \".class\"."
-        }
-
-        UnsupportedFeature.INTERFACE_CODE -> {
-            "En el ladrillo, una interfaz solo nombra métodos y no contiene código."
-        }
+        UnsupportedFeature.CLASS_LITERAL -> "En el ladrillo las clases no son objetos: no existe \".class\"."
+        UnsupportedFeature.INTERFACE_CODE -> "En el ladrillo, una interfaz solo nombra métodos y no contiene código."
 
         UnsupportedFeature.NESTED_FINALLY -> {
             "Aquí hay demasiados bloques \"finally\" unos dentro de otros. Pasa algunos a otros métodos."
@@ -142,18 +125,14 @@ private object SpanishVmRunMessages : RunMessages {
             "Un ladrillo solo mira 16 bits de un índice, así que uno grande acierta en otro elemento."
         }
 
-        Quirk.SIGNED_CHARACTER -> {
-            "En un ladrillo, un char mayor que 32767 se vuelve negativo."
-        }
+        Quirk.SIGNED_CHARACTER -> "En un ladrillo, un char mayor que 32767 se vuelve negativo."
 
         Quirk.UNCHECKED_INTERFACE -> {
             "En un ladrillo, cualquier objeto vale por cualquier interfaz: esta comprobación o conversión no se ha " +
                 "hecho de verdad."
         }
 
-        Quirk.LONG_ARRAY -> {
-            "En un ladrillo, un array tiene como mucho 511 elementos."
-        }
+        Quirk.LONG_ARRAY -> "En un ladrillo, un array tiene como mucho 511 elementos."
 
         Quirk.HEAP_FULL -> {
             "La memoria del ladrillo está llena. Nunca devuelve memoria, así que haz los objetos, arrays y textos " +
@@ -165,9 +144,7 @@ private object SpanishVmRunMessages : RunMessages {
             "Este número decimal no es ningún número, y un ladrillo lo toma por igual a todos los demás."
         }
 
-        Quirk.JOIN_DOES_NOTHING -> {
-            "En un ladrillo, join no espera. Pregunta con isAlive en un bucle."
-        }
+        Quirk.JOIN_DOES_NOTHING -> "En un ladrillo, join no espera. Pregunta con isAlive en un bucle."
 
         Quirk.UNLOCKED_METHOD -> {
             "Un ladrillo no bloquea nada en un método synchronized que es private o static, o que se llama con " +
@@ -226,29 +203,16 @@ private object SpanishVmRunMessages : RunMessages {
             "Un ladrillo de verdad solo tomaría 16 bits de este índice y podría acertar en otro elemento."
         }
 
-        Quirk.SIGNED_CHARACTER -> {
-            "En un ladrillo de verdad, este char se volvería negativo."
-        }
-
-        Quirk.UNCHECKED_INTERFACE -> {
-            "Un ladrillo de verdad no notaría que el objeto no cumple esta interfaz."
-        }
+        Quirk.SIGNED_CHARACTER -> "En un ladrillo de verdad, este char se volvería negativo."
+        Quirk.UNCHECKED_INTERFACE -> "Un ladrillo de verdad no notaría que el objeto no cumple esta interfaz."
 
         Quirk.LONG_ARRAY -> {
             "Un ladrillo de verdad no tiene arrays de más de 511 elementos: lanzaría un OutOfMemoryError."
         }
 
-        Quirk.HEAP_FULL -> {
-            "La memoria de un ladrillo de verdad ya estaría llena: nunca devuelve memoria."
-        }
-
-        Quirk.NOT_A_NUMBER -> {
-            "Un ladrillo de verdad lo tomaría por igual a todos los demás números."
-        }
-
-        Quirk.JOIN_DOES_NOTHING -> {
-            "En un ladrillo de verdad, join no espera, así que aquí tampoco."
-        }
+        Quirk.HEAP_FULL -> "La memoria de un ladrillo de verdad ya estaría llena: nunca devuelve memoria."
+        Quirk.NOT_A_NUMBER -> "Un ladrillo de verdad lo tomaría por igual a todos los demás números."
+        Quirk.JOIN_DOES_NOTHING -> "En un ladrillo de verdad, join no espera, así que aquí tampoco."
 
         Quirk.UNLOCKED_METHOD -> {
             "Un ladrillo de verdad no bloquearía nada aquí: pasa por alto \"synchronized\" en un método que es " +
@@ -275,13 +239,8 @@ private object SpanishVmRunMessages : RunMessages {
                 "instrucción en medio, por ejemplo int next = 0;"
         }
 
-        Quirk.NEGATIVE_TIME -> {
-            "Un ladrillo de verdad no haría aquí ninguna pausa ni lanzaría ninguna excepción."
-        }
-
-        Quirk.NEGATIVE_LONG -> {
-            "Un ladrillo de verdad tomaría este long negativo por un número positivo grande."
-        }
+        Quirk.NEGATIVE_TIME -> "Un ladrillo de verdad no haría aquí ninguna pausa ni lanzaría ninguna excepción."
+        Quirk.NEGATIVE_LONG -> "Un ladrillo de verdad tomaría este long negativo por un número positivo grande."
 
         Quirk.UNCHECKED_ELEMENT -> {
             "Un ladrillo de verdad no notaría que este objeto es de otra clase que los elementos del array."

@@ -32,9 +32,7 @@ private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, millisec
     val isNegative = milliseconds != null && milliseconds < 0
     if (isOwner && isNegative) machine.addWarning(Quirk.NEGATIVE_TIME)
     when {
-        !isOwner -> {
-            machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
-        }
+        !isOwner -> machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
 
         machine.model.hasQuirks -> {
             release(machine, thread, lock)
@@ -42,13 +40,8 @@ private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, millisec
                 if (milliseconds == null || milliseconds == 0) 0 else wakeTimeOfBrick(machine, milliseconds)
         }
 
-        isNegative -> {
-            machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
-        }
-
-        thread.isInterrupted -> {
-            interruptNow(machine, thread)
-        }
+        isNegative -> machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
+        thread.isInterrupted -> interruptNow(machine, thread)
 
         else -> {
             release(machine, thread, lock)

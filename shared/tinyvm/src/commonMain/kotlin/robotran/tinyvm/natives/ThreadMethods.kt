@@ -68,13 +68,8 @@ private fun sleep(machine: VirtualMachine, thread: VmThread, milliseconds: Int) 
             thread.state = ThreadState.SLEEPING
         }
 
-        milliseconds < 0 -> {
-            machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
-        }
-
-        thread.isInterrupted -> {
-            interruptNow(machine, thread)
-        }
+        milliseconds < 0 -> machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
+        thread.isInterrupted -> interruptNow(machine, thread)
 
         else -> {
             thread.wakeTime = maxOf(1, machine.milliseconds + milliseconds)
@@ -105,8 +100,6 @@ private fun interrupt(machine: VirtualMachine, thread: VmThread) {
             machine.raise(thread, BuiltInException.INTERRUPTED)
         }
 
-        else -> {
-            thread.isInterrupted = true
-        }
+        else -> thread.isInterrupted = true
     }
 }

@@ -47,13 +47,8 @@ internal class Calls(
                 if (!enter(thread, method, first, lock)) throwOverflow(thread)
             }
 
-            native != null -> {
-                callNative(thread, caller, method, native, first)
-            }
-
-            else -> {
-                throwNew(thread, BuiltInException.NO_SUCH_METHOD)
-            }
+            native != null -> callNative(thread, caller, method, native, first)
+            else -> throwNew(thread, BuiltInException.NO_SUCH_METHOD)
         }
     }
 

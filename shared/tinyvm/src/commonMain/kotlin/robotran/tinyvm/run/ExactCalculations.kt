@@ -12,20 +12,14 @@ internal fun shifted(value: Long, distance: Int, operation: Int): Long = when (o
 /** The result of an operation on long; the divisor of a division is not 0. */
 internal fun calculated(left: Long, right: Long, operation: Int): Long = when (operation) {
     Operation.ADD_LONG -> left + right
-
     Operation.SUBTRACT_LONG -> left - right
-
     Operation.MULTIPLY_LONG -> left * right
 
     // The smallest long divided by -1 stops a processor of wasm.
     Operation.DIVIDE_LONG -> if (right == -1L) -left else left / right
-
     Operation.REMAINDER_LONG -> if (right == -1L) 0 else left % right
-
     Operation.AND_LONG -> left and right
-
     Operation.OR_LONG -> left or right
-
     else -> left xor right
 }
 
@@ -41,21 +35,10 @@ internal fun calculated(left: Double, right: Double, operation: Int): Double = w
 /** Puts the number at [from] of [stack], converted, at [to]; returns the words of the result. */
 internal fun converted(stack: IntArray, to: Int, from: Int, operation: Int): Int {
     when (operation) {
-        Operation.LONG_TO_INT -> {
-            stack[to] = stack[from]
-        }
-
-        Operation.LONG_64_TO_FLOAT -> {
-            stack[to] = longAt(stack, from).toFloat().toBits()
-        }
-
-        Operation.DOUBLE_64_TO_INT -> {
-            stack[to] = doubleAt(stack, from).toInt()
-        }
-
-        Operation.DOUBLE_64_TO_FLOAT -> {
-            stack[to] = doubleAt(stack, from).toFloat().toBits()
-        }
+        Operation.LONG_TO_INT -> stack[to] = stack[from]
+        Operation.LONG_64_TO_FLOAT -> stack[to] = longAt(stack, from).toFloat().toBits()
+        Operation.DOUBLE_64_TO_INT -> stack[to] = doubleAt(stack, from).toInt()
+        Operation.DOUBLE_64_TO_FLOAT -> stack[to] = doubleAt(stack, from).toFloat().toBits()
 
         else -> {
             when (operation) {

@@ -110,9 +110,7 @@ internal class ExactOperations(
     private fun whole(thread: VmThread, frame: Frame, operation: Int) {
         val stack = thread.stack
         when (operation) {
-            Operation.NEGATE_LONG -> {
-                setLong(stack, frame.top - 2, -longAt(stack, frame.top - 2))
-            }
+            Operation.NEGATE_LONG -> setLong(stack, frame.top - 2, -longAt(stack, frame.top - 2))
 
             in Operation.SHIFT_LEFT_LONG..Operation.SHIFT_RIGHT_UNSIGNED_LONG -> {
                 val distance = stack[--frame.top]
@@ -141,9 +139,7 @@ internal class ExactOperations(
                 stack[frame.top - 1] = remainder(left, right).toFloat().toBits()
             }
 
-            Operation.NEGATE_DOUBLE_64 -> {
-                setDouble(stack, frame.top - 2, -doubleAt(stack, frame.top - 2))
-            }
+            Operation.NEGATE_DOUBLE_64 -> setDouble(stack, frame.top - 2, -doubleAt(stack, frame.top - 2))
 
             else -> {
                 frame.top -= 2

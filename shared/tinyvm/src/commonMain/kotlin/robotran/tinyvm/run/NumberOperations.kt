@@ -25,13 +25,8 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                 stack[frame.base + code[frame.next++]] = stack[frame.top]
             }
 
-            Operation.POP_2 -> {
-                frame.top -= 2
-            }
-
-            in Operation.DUPLICATE_BELOW_1..Operation.SWAP -> {
-                frame.top = shuffle(stack, frame.top, operation)
-            }
+            Operation.POP_2 -> frame.top -= 2
+            in Operation.DUPLICATE_BELOW_1..Operation.SWAP -> frame.top = shuffle(stack, frame.top, operation)
 
             Operation.ADD_DOUBLE, Operation.SUBTRACT_DOUBLE, Operation.MULTIPLY_DOUBLE, Operation.DIVIDE_DOUBLE -> {
                 frame.top -= 2
@@ -39,13 +34,8 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                 stack[frame.top - 2] = calculate(left, Float.fromBits(stack[frame.top]), operation).toBits()
             }
 
-            Operation.NEGATE_FLOAT -> {
-                stack[frame.top - 1] = (-Float.fromBits(stack[frame.top - 1])).toBits()
-            }
-
-            Operation.NEGATE_DOUBLE -> {
-                stack[frame.top - 2] = (-Float.fromBits(stack[frame.top - 2])).toBits()
-            }
+            Operation.NEGATE_FLOAT -> stack[frame.top - 1] = (-Float.fromBits(stack[frame.top - 1])).toBits()
+            Operation.NEGATE_DOUBLE -> stack[frame.top - 2] = (-Float.fromBits(stack[frame.top - 2])).toBits()
 
             Operation.COMPARE_FLOAT_LOW, Operation.COMPARE_FLOAT_HIGH -> {
                 frame.top--
@@ -61,13 +51,8 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                     compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top + 1]), nanResult)
             }
 
-            Operation.WIDEN -> {
-                stack[frame.top++] = 0
-            }
-
-            Operation.NARROW -> {
-                frame.top--
-            }
+            Operation.WIDEN -> stack[frame.top++] = 0
+            Operation.NARROW -> frame.top--
 
             Operation.INT_TO_DOUBLE -> {
                 stack[frame.top - 1] = stack[frame.top - 1].toFloat().toBits()
@@ -79,13 +64,8 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                 stack[frame.top - 1] = arithmetic.decimalOf(stack[frame.top - 1]).toBits()
             }
 
-            Operation.LONG_TO_DOUBLE -> {
-                stack[frame.top - 2] = arithmetic.decimalOf(stack[frame.top - 2]).toBits()
-            }
-
-            Operation.FLOAT_TO_INT -> {
-                stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
-            }
+            Operation.LONG_TO_DOUBLE -> stack[frame.top - 2] = arithmetic.decimalOf(stack[frame.top - 2]).toBits()
+            Operation.FLOAT_TO_INT -> stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
 
             Operation.FLOAT_TO_LONG -> {
                 stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
@@ -97,9 +77,7 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                 stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
             }
 
-            Operation.DOUBLE_TO_LONG -> {
-                stack[frame.top - 2] = Float.fromBits(stack[frame.top - 2]).toInt()
-            }
+            Operation.DOUBLE_TO_LONG -> stack[frame.top - 2] = Float.fromBits(stack[frame.top - 2]).toInt()
 
             Operation.TO_CHARACTER -> {
                 val value = stack[frame.top - 1]
@@ -107,18 +85,14 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                     if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.largeCharacter(value)
             }
 
-            Operation.TO_SHORT -> {
-                stack[frame.top - 1] = stack[frame.top - 1].toShort().toInt()
-            }
+            Operation.TO_SHORT -> stack[frame.top - 1] = stack[frame.top - 1].toShort().toInt()
 
             Operation.SUBROUTINE -> {
                 stack[frame.top++] = frame.next + 1
                 frame.next = code[frame.next]
             }
 
-            Operation.END_SUBROUTINE -> {
-                frame.next = stack[frame.base + code[frame.next]]
-            }
+            Operation.END_SUBROUTINE -> frame.next = stack[frame.base + code[frame.next]]
 
             Operation.STATIC_WIDE -> {
                 stack[frame.top++] = statics[code[frame.next++]]
@@ -130,9 +104,7 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
                 statics[code[frame.next++]] = stack[frame.top]
             }
 
-            else -> {
-                return false
-            }
+            else -> return false
         }
         return true
     }

@@ -24,9 +24,7 @@ internal class ObjectOperations(
         val code = frame.body.code
         val stack = thread.stack
         when (operation) {
-            Operation.PUSH_TEXT -> {
-                push(thread, frame, machine.text(code[frame.next++]))
-            }
+            Operation.PUSH_TEXT -> push(thread, frame, machine.text(code[frame.next++]))
 
             Operation.ELEMENT_WIDE -> {
                 val place = places.find(stack[frame.top - 2], stack[frame.top - 1])
@@ -54,9 +52,7 @@ internal class ObjectOperations(
                 }
             }
 
-            Operation.SET_REFERENCE -> {
-                storeReference(thread, frame)
-            }
+            Operation.SET_REFERENCE -> storeReference(thread, frame)
 
             Operation.FIELD_WIDE -> {
                 val reference = stack[frame.top - 1]
@@ -104,13 +100,8 @@ internal class ObjectOperations(
                 }
             }
 
-            Operation.RETURN_WIDE -> {
-                calls.leave(thread, 2)
-            }
-
-            Operation.NEW -> {
-                push(thread, frame, machine.newObject(types[code[frame.next++]] as LinkedClass))
-            }
+            Operation.RETURN_WIDE -> calls.leave(thread, 2)
+            Operation.NEW -> push(thread, frame, machine.newObject(types[code[frame.next++]] as LinkedClass))
 
             Operation.NEW_ARRAY -> {
                 val length = stack[--frame.top]
@@ -155,13 +146,8 @@ internal class ObjectOperations(
             Operation.ENTER_MONITOR -> {
                 val lock = stack[frame.top - 1]
                 when {
-                    lock == 0 -> {
-                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
-                    }
-
-                    machine.monitors.enter(lock, thread) -> {
-                        frame.top--
-                    }
+                    lock == 0 -> calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                    machine.monitors.enter(lock, thread) -> frame.top--
 
                     else -> {
                         frame.next--
@@ -177,9 +163,7 @@ internal class ObjectOperations(
                 }
             }
 
-            else -> {
-                error("no operation $operation")
-            }
+            else -> error("no operation $operation")
         }
     }
 

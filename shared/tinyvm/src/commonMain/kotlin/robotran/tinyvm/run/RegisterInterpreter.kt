@@ -79,34 +79,18 @@ internal class RegisterInterpreter(
                         continue@blocks
                     }
 
-                    RegisterOperation.MOVE -> {
-                        stack[a] = stack[b]
-                    }
+                    RegisterOperation.MOVE -> stack[a] = stack[b]
 
                     RegisterOperation.MOVE_2 -> {
                         stack[a] = stack[b]
                         stack[a + 1] = stack[c]
                     }
 
-                    RegisterOperation.CONSTANT -> {
-                        stack[a] = word shr HALF_BITS
-                    }
-
-                    RegisterOperation.WIDE_CONSTANT -> {
-                        stack[a] = code[++at]
-                    }
-
-                    RegisterOperation.ADD -> {
-                        stack[a] = stack[b] + stack[c]
-                    }
-
-                    RegisterOperation.SUBTRACT -> {
-                        stack[a] = stack[b] - stack[c]
-                    }
-
-                    RegisterOperation.MULTIPLY -> {
-                        stack[a] = stack[b] * stack[c]
-                    }
+                    RegisterOperation.CONSTANT -> stack[a] = word shr HALF_BITS
+                    RegisterOperation.WIDE_CONSTANT -> stack[a] = code[++at]
+                    RegisterOperation.ADD -> stack[a] = stack[b] + stack[c]
+                    RegisterOperation.SUBTRACT -> stack[a] = stack[b] - stack[c]
+                    RegisterOperation.MULTIPLY -> stack[a] = stack[b] * stack[c]
 
                     RegisterOperation.DIVIDE -> {
                         val divisor = stack[c]
@@ -120,29 +104,12 @@ internal class RegisterInterpreter(
                         stack[a] = stack[b] % divisor
                     }
 
-                    RegisterOperation.SHIFT_LEFT -> {
-                        stack[a] = stack[b] shl stack[c]
-                    }
-
-                    RegisterOperation.SHIFT_RIGHT -> {
-                        stack[a] = stack[b] shr stack[c]
-                    }
-
-                    RegisterOperation.SHIFT_RIGHT_UNSIGNED -> {
-                        stack[a] = stack[b] ushr stack[c]
-                    }
-
-                    RegisterOperation.AND -> {
-                        stack[a] = stack[b] and stack[c]
-                    }
-
-                    RegisterOperation.OR -> {
-                        stack[a] = stack[b] or stack[c]
-                    }
-
-                    RegisterOperation.XOR -> {
-                        stack[a] = stack[b] xor stack[c]
-                    }
+                    RegisterOperation.SHIFT_LEFT -> stack[a] = stack[b] shl stack[c]
+                    RegisterOperation.SHIFT_RIGHT -> stack[a] = stack[b] shr stack[c]
+                    RegisterOperation.SHIFT_RIGHT_UNSIGNED -> stack[a] = stack[b] ushr stack[c]
+                    RegisterOperation.AND -> stack[a] = stack[b] and stack[c]
+                    RegisterOperation.OR -> stack[a] = stack[b] or stack[c]
+                    RegisterOperation.XOR -> stack[a] = stack[b] xor stack[c]
 
                     RegisterOperation.ADD_FLOAT -> {
                         stack[a] = (Float.fromBits(stack[b]) + Float.fromBits(stack[c])).toBits()
@@ -160,53 +127,18 @@ internal class RegisterInterpreter(
                         stack[a] = (Float.fromBits(stack[b]) / Float.fromBits(stack[c])).toBits()
                     }
 
-                    RegisterOperation.ADD_CONSTANT -> {
-                        stack[a] = stack[b] + (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.MULTIPLY_CONSTANT -> {
-                        stack[a] = stack[b] * (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.DIVIDE_CONSTANT -> {
-                        stack[a] = stack[b] / (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.REMAINDER_CONSTANT -> {
-                        stack[a] = stack[b] % (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.SHIFT_LEFT_CONSTANT -> {
-                        stack[a] = stack[b] shl (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.SHIFT_RIGHT_CONSTANT -> {
-                        stack[a] = stack[b] shr (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.SHIFT_RIGHT_UNSIGNED_CONSTANT -> {
-                        stack[a] = stack[b] ushr (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.AND_CONSTANT -> {
-                        stack[a] = stack[b] and (word shr SHIFT_C)
-                    }
-
-                    RegisterOperation.INCREMENT -> {
-                        stack[a] += word shr HALF_BITS
-                    }
-
-                    RegisterOperation.NEGATE -> {
-                        stack[a] = -stack[b]
-                    }
-
-                    RegisterOperation.NEGATE_FLOAT -> {
-                        stack[a] = (-Float.fromBits(stack[b])).toBits()
-                    }
-
-                    RegisterOperation.TO_BYTE -> {
-                        stack[a] = stack[b].toByte().toInt()
-                    }
+                    RegisterOperation.ADD_CONSTANT -> stack[a] = stack[b] + (word shr SHIFT_C)
+                    RegisterOperation.MULTIPLY_CONSTANT -> stack[a] = stack[b] * (word shr SHIFT_C)
+                    RegisterOperation.DIVIDE_CONSTANT -> stack[a] = stack[b] / (word shr SHIFT_C)
+                    RegisterOperation.REMAINDER_CONSTANT -> stack[a] = stack[b] % (word shr SHIFT_C)
+                    RegisterOperation.SHIFT_LEFT_CONSTANT -> stack[a] = stack[b] shl (word shr SHIFT_C)
+                    RegisterOperation.SHIFT_RIGHT_CONSTANT -> stack[a] = stack[b] shr (word shr SHIFT_C)
+                    RegisterOperation.SHIFT_RIGHT_UNSIGNED_CONSTANT -> stack[a] = stack[b] ushr (word shr SHIFT_C)
+                    RegisterOperation.AND_CONSTANT -> stack[a] = stack[b] and (word shr SHIFT_C)
+                    RegisterOperation.INCREMENT -> stack[a] += word shr HALF_BITS
+                    RegisterOperation.NEGATE -> stack[a] = -stack[b]
+                    RegisterOperation.NEGATE_FLOAT -> stack[a] = (-Float.fromBits(stack[b])).toBits()
+                    RegisterOperation.TO_BYTE -> stack[a] = stack[b].toByte().toInt()
 
                     RegisterOperation.TO_CHARACTER -> {
                         val value = stack[b]
@@ -214,17 +146,9 @@ internal class RegisterInterpreter(
                         stack[a] = value and LOW_HALF
                     }
 
-                    RegisterOperation.TO_SHORT -> {
-                        stack[a] = stack[b].toShort().toInt()
-                    }
-
-                    RegisterOperation.INT_TO_FLOAT -> {
-                        stack[a] = stack[b].toFloat().toBits()
-                    }
-
-                    RegisterOperation.FLOAT_TO_INT -> {
-                        stack[a] = Float.fromBits(stack[b]).toInt()
-                    }
+                    RegisterOperation.TO_SHORT -> stack[a] = stack[b].toShort().toInt()
+                    RegisterOperation.INT_TO_FLOAT -> stack[a] = stack[b].toFloat().toBits()
+                    RegisterOperation.FLOAT_TO_INT -> stack[a] = Float.fromBits(stack[b]).toInt()
 
                     RegisterOperation.COMPARE_FLOAT -> {
                         val first = Float.fromBits(stack[b])
@@ -249,13 +173,8 @@ internal class RegisterInterpreter(
                         words[reference + Heap.HEADER_WORDS + (word ushr SHIFT_B and BYTE)] = stack[c]
                     }
 
-                    RegisterOperation.STATIC -> {
-                        stack[a] = statics[word ushr SHIFT_B and BYTE]
-                    }
-
-                    RegisterOperation.SET_STATIC -> {
-                        statics[word ushr SHIFT_A and BYTE] = stack[b]
-                    }
+                    RegisterOperation.STATIC -> stack[a] = statics[word ushr SHIFT_B and BYTE]
+                    RegisterOperation.SET_STATIC -> statics[word ushr SHIFT_A and BYTE] = stack[b]
 
                     RegisterOperation.ELEMENT -> {
                         val array = stack[b]
@@ -326,9 +245,7 @@ internal class RegisterInterpreter(
                         words[reference + Heap.HEADER_WORDS + (word ushr SHIFT_B and BYTE)] += word shr SHIFT_C
                     }
 
-                    RegisterOperation.INCREMENT_STATIC -> {
-                        statics[word ushr SHIFT_A and BYTE] += word shr SHIFT_C
-                    }
+                    RegisterOperation.INCREMENT_STATIC -> statics[word ushr SHIFT_A and BYTE] += word shr SHIFT_C
 
                     RegisterOperation.INCREMENT_IF_LESS_CONSTANT -> {
                         val value = stack[a] + (word shr SHIFT_C)
@@ -405,9 +322,7 @@ internal class RegisterInterpreter(
                         continue@blocks
                     }
 
-                    RegisterOperation.INITIALIZE -> {
-                        if (!isInitialized[word ushr SHIFT_A and BYTE]) break@blocks
-                    }
+                    RegisterOperation.INITIALIZE -> if (!isInitialized[word ushr SHIFT_A and BYTE]) break@blocks
 
                     RegisterOperation.CALL_STATIC -> {
                         number = word ushr SHIFT_B and BYTE
@@ -482,9 +397,7 @@ internal class RegisterInterpreter(
                         continue@blocks
                     }
 
-                    RegisterOperation.RETURN_WIDE -> {
-                        break@blocks
-                    }
+                    RegisterOperation.RETURN_WIDE -> break@blocks
 
                     else -> {
                         if (word and BYTE < RegisterOperation.FIRST_WIDE) {

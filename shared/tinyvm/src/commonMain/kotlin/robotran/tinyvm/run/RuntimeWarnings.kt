@@ -39,9 +39,7 @@ internal class RuntimeWarnings(
 
     private fun messageOf(quirk: Quirk): String = when {
         quirk == Quirk.UNCHECKED_ELEMENT && model.elements == QuirkHandling.APPLY -> messages.quirkEffect(quirk)
-
         quirk == Quirk.UNCHECKED_ELEMENT || model.quirks == QuirkHandling.WARN -> messages.quirkWarning(quirk)
-
         model.isExact -> messages.nxt.memoryFull()
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +

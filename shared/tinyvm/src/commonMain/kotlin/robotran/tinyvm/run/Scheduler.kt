@@ -126,7 +126,6 @@ internal class Scheduler(
             }
 
             ThreadState.JOINING -> if (isTime) goOn(thread)
-
             else -> return
         }
     }

@@ -52,17 +52,9 @@ internal class StackInterpreter(
                     next++
                 }
 
-                Operation.PUSH -> {
-                    stack[top++] = code[next++]
-                }
-
-                Operation.LOAD -> {
-                    stack[top++] = stack[base + code[next++]]
-                }
-
-                Operation.STORE -> {
-                    stack[base + code[next++]] = stack[--top]
-                }
+                Operation.PUSH -> stack[top++] = code[next++]
+                Operation.LOAD -> stack[top++] = stack[base + code[next++]]
+                Operation.STORE -> stack[base + code[next++]] = stack[--top]
 
                 Operation.INCREMENT -> {
                     val local = base + code[next++]
@@ -121,9 +113,7 @@ internal class StackInterpreter(
                     words[place] = places.storedCharacter(stack[top + 2])
                 }
 
-                Operation.POP -> {
-                    top--
-                }
+                Operation.POP -> top--
 
                 Operation.DUPLICATE -> {
                     stack[top] = stack[top - 1]
@@ -175,9 +165,7 @@ internal class StackInterpreter(
                     stack[top - 1] = stack[top - 1] xor stack[top]
                 }
 
-                Operation.NEGATE -> {
-                    stack[top - 1] = -stack[top - 1]
-                }
+                Operation.NEGATE -> stack[top - 1] = -stack[top - 1]
 
                 Operation.DIVIDE -> {
                     val divisor = stack[top - 1]
@@ -233,37 +221,14 @@ internal class StackInterpreter(
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) / Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.TO_BYTE -> {
-                    stack[top - 1] = stack[top - 1].toByte().toInt()
-                }
-
-                Operation.INT_TO_FLOAT -> {
-                    stack[top - 1] = stack[top - 1].toFloat().toBits()
-                }
-
-                Operation.IF_ZERO -> {
-                    next = if (stack[--top] == 0) code[next] else next + 1
-                }
-
-                Operation.IF_NOT_ZERO -> {
-                    next = if (stack[--top] != 0) code[next] else next + 1
-                }
-
-                Operation.IF_NEGATIVE -> {
-                    next = if (stack[--top] < 0) code[next] else next + 1
-                }
-
-                Operation.IF_NOT_NEGATIVE -> {
-                    next = if (stack[--top] >= 0) code[next] else next + 1
-                }
-
-                Operation.IF_POSITIVE -> {
-                    next = if (stack[--top] > 0) code[next] else next + 1
-                }
-
-                Operation.IF_NOT_POSITIVE -> {
-                    next = if (stack[--top] <= 0) code[next] else next + 1
-                }
+                Operation.TO_BYTE -> stack[top - 1] = stack[top - 1].toByte().toInt()
+                Operation.INT_TO_FLOAT -> stack[top - 1] = stack[top - 1].toFloat().toBits()
+                Operation.IF_ZERO -> next = if (stack[--top] == 0) code[next] else next + 1
+                Operation.IF_NOT_ZERO -> next = if (stack[--top] != 0) code[next] else next + 1
+                Operation.IF_NEGATIVE -> next = if (stack[--top] < 0) code[next] else next + 1
+                Operation.IF_NOT_NEGATIVE -> next = if (stack[--top] >= 0) code[next] else next + 1
+                Operation.IF_POSITIVE -> next = if (stack[--top] > 0) code[next] else next + 1
+                Operation.IF_NOT_POSITIVE -> next = if (stack[--top] <= 0) code[next] else next + 1
 
                 Operation.IF_EQUAL -> {
                     top -= 2
@@ -295,17 +260,9 @@ internal class StackInterpreter(
                     next = if (stack[top] <= stack[top + 1]) code[next] else next + 1
                 }
 
-                Operation.JUMP -> {
-                    next = code[next]
-                }
-
-                Operation.STATIC -> {
-                    stack[top++] = statics[code[next++]]
-                }
-
-                Operation.SET_STATIC -> {
-                    statics[code[next++]] = stack[--top]
-                }
+                Operation.JUMP -> next = code[next]
+                Operation.STATIC -> stack[top++] = statics[code[next++]]
+                Operation.SET_STATIC -> statics[code[next++]] = stack[--top]
 
                 Operation.INITIALIZE -> {
                     left++

@@ -4,25 +4,11 @@ import robotran.tinyvm.link.Operation
 
 /** Rearranges the topmost operands of [stack], which end before index [top]; returns the new end. */
 internal fun shuffle(stack: IntArray, top: Int, operation: Int): Int = when (operation) {
-    Operation.DUPLICATE_BELOW_1 -> {
-        repeatBelow(stack, top, 1, 1)
-    }
-
-    Operation.DUPLICATE_BELOW_2 -> {
-        repeatBelow(stack, top, 1, 2)
-    }
-
-    Operation.DUPLICATE_2 -> {
-        repeatBelow(stack, top, 2, 0)
-    }
-
-    Operation.DUPLICATE_2_BELOW_1 -> {
-        repeatBelow(stack, top, 2, 1)
-    }
-
-    Operation.DUPLICATE_2_BELOW_2 -> {
-        repeatBelow(stack, top, 2, 2)
-    }
+    Operation.DUPLICATE_BELOW_1 -> repeatBelow(stack, top, 1, 1)
+    Operation.DUPLICATE_BELOW_2 -> repeatBelow(stack, top, 1, 2)
+    Operation.DUPLICATE_2 -> repeatBelow(stack, top, 2, 0)
+    Operation.DUPLICATE_2_BELOW_1 -> repeatBelow(stack, top, 2, 1)
+    Operation.DUPLICATE_2_BELOW_2 -> repeatBelow(stack, top, 2, 2)
 
     else -> {
         val upper = stack[top - 1]

@@ -86,9 +86,7 @@ internal class VirtualMachine(
 
     private fun setInitialValue(field: LinkedField) {
         when (val value = field.initialValue) {
-            is InitialValue.Word -> {
-                statics[field.slot] = value.bits
-            }
+            is InitialValue.Word -> statics[field.slot] = value.bits
 
             is InitialValue.Text -> {
                 if (!model.isExact) {
@@ -103,9 +101,7 @@ internal class VirtualMachine(
                 statics[field.slot + 1] = (value.value shr Int.SIZE_BITS).toInt()
             }
 
-            null -> {
-                return
-            }
+            null -> return
         }
     }
 

@@ -27,17 +27,9 @@ internal class WideOperations(private val machine: VirtualMachine) {
         val b = base + (word ushr SHIFT_B and BYTE)
         val c = base + (word ushr SHIFT_C)
         when (word and BYTE) {
-            RegisterOperation.ADD_LONG -> {
-                setLong(stack, a, longAt(stack, b) + longAt(stack, c))
-            }
-
-            RegisterOperation.SUBTRACT_LONG -> {
-                setLong(stack, a, longAt(stack, b) - longAt(stack, c))
-            }
-
-            RegisterOperation.MULTIPLY_LONG -> {
-                setLong(stack, a, longAt(stack, b) * longAt(stack, c))
-            }
+            RegisterOperation.ADD_LONG -> setLong(stack, a, longAt(stack, b) + longAt(stack, c))
+            RegisterOperation.SUBTRACT_LONG -> setLong(stack, a, longAt(stack, b) - longAt(stack, c))
+            RegisterOperation.MULTIPLY_LONG -> setLong(stack, a, longAt(stack, b) * longAt(stack, c))
 
             RegisterOperation.DIVIDE_LONG -> {
                 val divisor = longAt(stack, c)
@@ -51,81 +43,25 @@ internal class WideOperations(private val machine: VirtualMachine) {
                 setLong(stack, a, if (divisor == -1L) 0 else longAt(stack, b) % divisor)
             }
 
-            RegisterOperation.NEGATE_LONG -> {
-                setLong(stack, a, -longAt(stack, b))
-            }
-
-            RegisterOperation.SHIFT_LEFT_LONG -> {
-                setLong(stack, a, longAt(stack, b) shl stack[c])
-            }
-
-            RegisterOperation.SHIFT_RIGHT_LONG -> {
-                setLong(stack, a, longAt(stack, b) shr stack[c])
-            }
-
-            RegisterOperation.SHIFT_RIGHT_UNSIGNED_LONG -> {
-                setLong(stack, a, longAt(stack, b) ushr stack[c])
-            }
-
-            RegisterOperation.AND_LONG -> {
-                setLong(stack, a, longAt(stack, b) and longAt(stack, c))
-            }
-
-            RegisterOperation.OR_LONG -> {
-                setLong(stack, a, longAt(stack, b) or longAt(stack, c))
-            }
-
-            RegisterOperation.XOR_LONG -> {
-                setLong(stack, a, longAt(stack, b) xor longAt(stack, c))
-            }
-
-            RegisterOperation.ADD_DOUBLE -> {
-                setDouble(stack, a, doubleAt(stack, b) + doubleAt(stack, c))
-            }
-
-            RegisterOperation.SUBTRACT_DOUBLE -> {
-                setDouble(stack, a, doubleAt(stack, b) - doubleAt(stack, c))
-            }
-
-            RegisterOperation.MULTIPLY_DOUBLE -> {
-                setDouble(stack, a, doubleAt(stack, b) * doubleAt(stack, c))
-            }
-
-            RegisterOperation.DIVIDE_DOUBLE -> {
-                setDouble(stack, a, doubleAt(stack, b) / doubleAt(stack, c))
-            }
-
-            RegisterOperation.NEGATE_DOUBLE -> {
-                setDouble(stack, a, -doubleAt(stack, b))
-            }
-
-            RegisterOperation.INT_TO_DOUBLE -> {
-                setDouble(stack, a, stack[b].toDouble())
-            }
-
-            RegisterOperation.FLOAT_TO_DOUBLE -> {
-                setDouble(stack, a, Float.fromBits(stack[b]).toDouble())
-            }
-
-            RegisterOperation.DOUBLE_TO_INT -> {
-                stack[a] = doubleAt(stack, b).toInt()
-            }
-
-            RegisterOperation.DOUBLE_TO_FLOAT -> {
-                stack[a] = doubleAt(stack, b).toFloat().toBits()
-            }
-
-            RegisterOperation.COMPARE_LONG -> {
-                stack[a] = longAt(stack, b).compareTo(longAt(stack, c))
-            }
-
-            RegisterOperation.COMPARE_DOUBLE_LOW -> {
-                stack[a] = compared(stack, b, c, Operation.COMPARE_DOUBLE_64_LOW)
-            }
-
-            RegisterOperation.COMPARE_DOUBLE_HIGH -> {
-                stack[a] = compared(stack, b, c, Operation.COMPARE_DOUBLE_64_HIGH)
-            }
+            RegisterOperation.NEGATE_LONG -> setLong(stack, a, -longAt(stack, b))
+            RegisterOperation.SHIFT_LEFT_LONG -> setLong(stack, a, longAt(stack, b) shl stack[c])
+            RegisterOperation.SHIFT_RIGHT_LONG -> setLong(stack, a, longAt(stack, b) shr stack[c])
+            RegisterOperation.SHIFT_RIGHT_UNSIGNED_LONG -> setLong(stack, a, longAt(stack, b) ushr stack[c])
+            RegisterOperation.AND_LONG -> setLong(stack, a, longAt(stack, b) and longAt(stack, c))
+            RegisterOperation.OR_LONG -> setLong(stack, a, longAt(stack, b) or longAt(stack, c))
+            RegisterOperation.XOR_LONG -> setLong(stack, a, longAt(stack, b) xor longAt(stack, c))
+            RegisterOperation.ADD_DOUBLE -> setDouble(stack, a, doubleAt(stack, b) + doubleAt(stack, c))
+            RegisterOperation.SUBTRACT_DOUBLE -> setDouble(stack, a, doubleAt(stack, b) - doubleAt(stack, c))
+            RegisterOperation.MULTIPLY_DOUBLE -> setDouble(stack, a, doubleAt(stack, b) * doubleAt(stack, c))
+            RegisterOperation.DIVIDE_DOUBLE -> setDouble(stack, a, doubleAt(stack, b) / doubleAt(stack, c))
+            RegisterOperation.NEGATE_DOUBLE -> setDouble(stack, a, -doubleAt(stack, b))
+            RegisterOperation.INT_TO_DOUBLE -> setDouble(stack, a, stack[b].toDouble())
+            RegisterOperation.FLOAT_TO_DOUBLE -> setDouble(stack, a, Float.fromBits(stack[b]).toDouble())
+            RegisterOperation.DOUBLE_TO_INT -> stack[a] = doubleAt(stack, b).toInt()
+            RegisterOperation.DOUBLE_TO_FLOAT -> stack[a] = doubleAt(stack, b).toFloat().toBits()
+            RegisterOperation.COMPARE_LONG -> stack[a] = longAt(stack, b).compareTo(longAt(stack, c))
+            RegisterOperation.COMPARE_DOUBLE_LOW -> stack[a] = compared(stack, b, c, Operation.COMPARE_DOUBLE_64_LOW)
+            RegisterOperation.COMPARE_DOUBLE_HIGH -> stack[a] = compared(stack, b, c, Operation.COMPARE_DOUBLE_64_HIGH)
 
             RegisterOperation.FIELD_LONG -> {
                 val reference = stack[b]
@@ -171,9 +107,7 @@ internal class WideOperations(private val machine: VirtualMachine) {
                 return at + 1
             }
 
-            RegisterOperation.SWITCH -> {
-                return at + 1 + JUMP_WORDS * frame.body.switches[code[at + 1]].indexOf(stack[a])
-            }
+            RegisterOperation.SWITCH -> return at + 1 + JUMP_WORDS * frame.body.switches[code[at + 1]].indexOf(stack[a])
 
             RegisterOperation.STATIC_LONG -> {
                 val slot = code[at + 1]
@@ -213,27 +147,21 @@ internal class WideOperations(private val machine: VirtualMachine) {
                 words[array + Heap.HEADER_WORDS + index] = value
             }
 
-            else -> {
-                rare(word and BYTE, a, b, c, stack)
-            }
+            else -> rare(word and BYTE, a, b, c, stack)
         }
         return at
     }
 
     private fun rare(operation: Int, a: Int, b: Int, c: Int, stack: IntArray) {
         when (operation) {
-            RegisterOperation.REMAINDER_DOUBLE -> {
-                setDouble(stack, a, remainder(doubleAt(stack, b), doubleAt(stack, c)))
-            }
+            RegisterOperation.REMAINDER_DOUBLE -> setDouble(stack, a, remainder(doubleAt(stack, b), doubleAt(stack, c)))
 
             RegisterOperation.REMAINDER_FLOAT -> {
                 val left = Float.fromBits(stack[b]).toDouble()
                 stack[a] = remainder(left, Float.fromBits(stack[c]).toDouble()).toFloat().toBits()
             }
 
-            else -> {
-                converted(stack, a, b, Operation.ADD_LONG + operation - RegisterOperation.ADD_LONG)
-            }
+            else -> converted(stack, a, b, Operation.ADD_LONG + operation - RegisterOperation.ADD_LONG)
         }
     }
 

@@ -153,9 +153,7 @@ internal class TowerLine(private val port: TowerPort) {
                 true
             }
 
-            Received.Nothing -> {
-                false
-            }
+            Received.Nothing -> false
 
             Received.Gone -> {
                 isGone = true

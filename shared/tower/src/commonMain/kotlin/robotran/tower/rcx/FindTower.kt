@@ -32,9 +32,7 @@ suspend fun findTower(ports: TowerPorts): FoundTower {
     val failures = mutableMapOf<TowerDevice, OpenFailure>()
     for (device in ports.available()) {
         when (val opened = ports.open(device)) {
-            is OpenedTower.Failed -> {
-                failures[device] = opened.reason
-            }
+            is OpenedTower.Failed -> failures[device] = opened.reason
 
             is OpenedTower.Open -> {
                 if (device.kind == TowerKind.USB || hearsItself(TowerLine(opened.port))) {

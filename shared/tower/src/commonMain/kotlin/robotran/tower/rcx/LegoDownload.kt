@@ -58,9 +58,7 @@ private suspend fun refusal(requests: Requests, program: RcxImage): TowerError? 
         return TowerError.LegoFirmwareTooOld(version)
     }
     return when (val battery = readBattery(requests)) {
-        is TowerResult.Failed -> {
-            battery.error
-        }
+        is TowerResult.Failed -> battery.error
 
         is TowerResult.Success -> {
             battery.value.takeIf { it < LegoLimits.MIN_MILLIVOLTS }

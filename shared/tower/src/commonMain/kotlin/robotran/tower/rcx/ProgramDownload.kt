@@ -70,7 +70,6 @@ private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerErr
 
             // The first alive was lucky: the line is not as clear as it seemed.
             reply.error == TowerError.BadConnection && isClear -> beginProgram(requests, isClear = false)
-
             else -> reply.error
         }
     }

@@ -59,9 +59,7 @@ internal class BlockSender(
 
             // The answer to the last block matters most, so its message must be short, above all on a bad line.
             fits == left && left > 1 && size.isSmall && rules.forgetsEnd -> left - 1
-
             fits == left && left > Blocks.MAX_LAST && rules.forgetsEnd -> left - Blocks.MAX_LAST
-
             else -> fits
         }
     }
@@ -92,9 +90,7 @@ internal class BlockSender(
                     progress.repeated(duration, size.bytes)
                 }
 
-                Attempt.Gone -> {
-                    return BlockResult.Failed(TowerError.TowerGone)
-                }
+                Attempt.Gone -> return BlockResult.Failed(TowerError.TowerGone)
             }
             inVain(attempts)?.let { return it }
         }

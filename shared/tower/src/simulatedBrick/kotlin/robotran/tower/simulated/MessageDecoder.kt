@@ -14,13 +14,8 @@ internal class MessageDecoder {
                     return found.bytes
                 }
 
-                Found.Incomplete -> {
-                    return null
-                }
-
-                Found.Nothing -> {
-                    heard.removeAt(0)
-                }
+                Found.Incomplete -> return null
+                Found.Nothing -> heard.removeAt(0)
             }
         }
         return null

@@ -54,11 +54,8 @@ class SimulatedRom(private val whenUnlocked: () -> SimulatedFirmware = { Simulat
 
     private fun block(block: ReceivedBlock): Int = when {
         !isDownloading -> 6
-
         !block.isSound -> 3
-
         block.number != 0 && block.number != expectedNumber -> 2
-
         received.size + block.data.size > MEMORY -> 1
 
         else -> 0.also {

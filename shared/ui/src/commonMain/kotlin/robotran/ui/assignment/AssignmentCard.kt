@@ -27,16 +27,7 @@ import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.MarkedText
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_author
-import robotran.ui.resources.assignment_begin_again
-import robotran.ui.resources.assignment_due
-import robotran.ui.resources.assignment_edit
-import robotran.ui.resources.assignment_goals
-import robotran.ui.resources.assignment_hand_in
-import robotran.ui.resources.assignment_hand_in_again
-import robotran.ui.resources.assignment_handed_in
-import robotran.ui.resources.hand_ins_menu
+import robotran.ui.resources.*
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

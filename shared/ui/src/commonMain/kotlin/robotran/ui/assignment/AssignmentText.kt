@@ -22,8 +22,7 @@ import robotran.assignments.doing.bytesToShow
 import robotran.projects.Assignment
 import robotran.projects.AssignmentPicture
 import robotran.ui.learning.MarkedText
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_picture_broken
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -13,14 +13,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Feedback
 import robotran.projects.HandIn
 import robotran.ui.learning.MarkedText
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_feedback
-import robotran.ui.resources.assignment_feedback_none
-import robotran.ui.resources.assignment_feedback_program
-import robotran.ui.resources.assignment_feedback_result
-import robotran.ui.resources.assignment_is_hand_in
-import robotran.ui.resources.assignment_is_hand_in_once
-import robotran.ui.resources.assignment_is_hand_in_untried
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 

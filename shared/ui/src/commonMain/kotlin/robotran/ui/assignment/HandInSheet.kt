@@ -30,13 +30,7 @@ import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
 import robotran.ui.parts.ButtonRows
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_back
-import robotran.ui.resources.hand_in_cancel
-import robotran.ui.resources.hand_in_close
-import robotran.ui.resources.hand_in_go_on
-import robotran.ui.resources.hand_in_mistakes_anyway
-import robotran.ui.resources.hand_in_title
+import robotran.ui.resources.*
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -134,9 +128,7 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
             }
         }
 
-        is HandInStep.Running -> {
-            OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
-        }
+        is HandInStep.Running -> OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
 
         is HandInStep.HasMistakes -> {
             OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)

@@ -30,17 +30,7 @@ import robotran.projects.AssignmentLimits
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_best
-import robotran.ui.resources.hand_in_best_is
-import robotran.ui.resources.hand_in_decides
-import robotran.ui.resources.hand_in_editor
-import robotran.ui.resources.hand_in_editor_is
-import robotran.ui.resources.hand_in_mistakes
-import robotran.ui.resources.hand_in_name
-import robotran.ui.resources.hand_in_running
-import robotran.ui.resources.hand_in_unchanged
-import robotran.ui.resources.hand_in_what
+import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -70,9 +60,7 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     )
     val best = step.best
     when {
-        best == null -> {
-            Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
-        }
+        best == null -> Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
 
         !step.canChoose -> {
             Explanation(

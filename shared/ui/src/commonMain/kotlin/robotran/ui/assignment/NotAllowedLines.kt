@@ -24,9 +24,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.doing.NotAllowed
 import robotran.ui.learning.MarkedText
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_not_allowed_language
-import robotran.ui.resources.assignment_not_allowed_word
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing

@@ -3,13 +3,7 @@ package robotran.ui.assignment
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentTries
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_best
-import robotran.ui.resources.assignment_best_no_goals
-import robotran.ui.resources.assignment_no_try
-import robotran.ui.resources.assignment_one_try
-import robotran.ui.resources.assignment_tries
-import robotran.ui.resources.hand_in_own_world
+import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
 import robotran.workshop.state.AssignmentState
 

@@ -35,13 +35,8 @@ internal fun BrickFront(
     onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
     when (state.kind) {
-        BrickKind.RCX -> {
-            RcxFront(state as RcxState, down, onPress, onRelease, modifier, robot.pluggedSensors, onTouch)
-        }
-
-        BrickKind.NXT -> {
-            NxtFront(state as NxtState, down, onPress, onRelease, modifier, robot, onTouch)
-        }
+        BrickKind.RCX -> RcxFront(state as RcxState, down, onPress, onRelease, modifier, robot.pluggedSensors, onTouch)
+        BrickKind.NXT -> NxtFront(state as NxtState, down, onPress, onRelease, modifier, robot, onTouch)
     }
 }
 

@@ -26,10 +26,7 @@ import robotran.ui.brick.nxt.ExceptionCalls
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.brick_off
-import robotran.ui.resources.notice_close
-import robotran.ui.resources.nxt_off
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

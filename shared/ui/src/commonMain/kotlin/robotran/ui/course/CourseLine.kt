@@ -12,10 +12,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.QuietButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.course_back
-import robotran.ui.resources.course_next
-import robotran.ui.resources.course_place
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

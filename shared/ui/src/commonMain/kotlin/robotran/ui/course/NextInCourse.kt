@@ -10,9 +10,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.course_back
-import robotran.ui.resources.course_next
+import robotran.ui.resources.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.OpenCourseTask

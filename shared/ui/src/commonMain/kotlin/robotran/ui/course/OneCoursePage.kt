@@ -22,15 +22,7 @@ import robotran.ui.learning.Stop
 import robotran.ui.parts.Page
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.course_all_done
-import robotran.ui.resources.course_begin
-import robotran.ui.resources.course_change
-import robotran.ui.resources.course_done
-import robotran.ui.resources.course_go_on
-import robotran.ui.resources.course_task_begun
-import robotran.ui.resources.course_task_best
-import robotran.ui.resources.hand_ins_menu
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.CourseEvent

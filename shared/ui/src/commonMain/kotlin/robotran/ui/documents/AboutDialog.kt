@@ -4,11 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_about
-import robotran.ui.resources.documents_about_help
-import robotran.ui.resources.documents_about_version
-import robotran.ui.resources.documents_understood
+import robotran.ui.resources.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 

@@ -26,14 +26,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_my_work
-import robotran.ui.resources.documents_save_as
-import robotran.ui.resources.documents_trouble_failed
-import robotran.ui.resources.documents_trouble_full
-import robotran.ui.resources.documents_trouble_long
-import robotran.ui.resources.documents_trouble_silent
-import robotran.ui.resources.notice_close
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

@@ -4,13 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_newer_both
-import robotran.ui.resources.documents_newer_file
-import robotran.ui.resources.documents_newer_file_time
-import robotran.ui.resources.documents_newer_title
-import robotran.ui.resources.documents_newer_work
-import robotran.ui.resources.documents_newer_work_time
+import robotran.ui.resources.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 

@@ -27,16 +27,7 @@ import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.MenuItem
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_bring_back
-import robotran.ui.resources.documents_cancel
-import robotran.ui.resources.documents_delete
-import robotran.ui.resources.documents_deleted
-import robotran.ui.resources.documents_duplicate
-import robotran.ui.resources.documents_name_done
-import robotran.ui.resources.documents_name_label
-import robotran.ui.resources.documents_rename
-import robotran.ui.resources.documents_work_actions
+import robotran.ui.resources.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 

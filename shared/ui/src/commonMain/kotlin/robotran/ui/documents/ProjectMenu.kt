@@ -33,11 +33,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_menu
-import robotran.ui.resources.documents_not_kept
-import robotran.ui.resources.documents_unsaved
-import robotran.ui.resources.documents_untitled
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

@@ -35,10 +35,7 @@ import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_plain_world
-import robotran.ui.resources.documents_work_file
-import robotran.ui.resources.documents_work_now
+import robotran.ui.resources.*
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures

@@ -12,14 +12,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_close
-import robotran.ui.resources.documents_my_work
-import robotran.ui.resources.documents_new
-import robotran.ui.resources.documents_new_nxt
-import robotran.ui.resources.documents_untitled
-import robotran.ui.resources.documents_works_empty
-import robotran.ui.resources.documents_works_loading
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog

@@ -39,13 +39,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.qrcode.QrCode
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_qr_code
-import robotran.ui.resources.documents_qr_help
-import robotran.ui.resources.documents_qr_large
-import robotran.ui.resources.documents_qr_long
-import robotran.ui.resources.hand_in_close
-import robotran.ui.resources.make_qr_long
+import robotran.ui.resources.*
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing

@@ -4,14 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_my_work
-import robotran.ui.resources.documents_stopped_help
-import robotran.ui.resources.documents_stopped_link
-import robotran.ui.resources.documents_stopped_open
-import robotran.ui.resources.documents_stopped_project
-import robotran.ui.resources.documents_stopped_save
-import robotran.ui.resources.documents_untitled
+import robotran.ui.resources.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.StoppedWork

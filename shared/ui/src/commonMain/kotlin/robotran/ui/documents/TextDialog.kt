@@ -28,15 +28,7 @@ import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_cancel
-import robotran.ui.resources.documents_link_label
-import robotran.ui.resources.documents_name_done
-import robotran.ui.resources.documents_name_label
-import robotran.ui.resources.documents_paste_done
-import robotran.ui.resources.documents_paste_help
-import robotran.ui.resources.documents_paste_title
-import robotran.ui.resources.documents_rename_title
+import robotran.ui.resources.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 

@@ -36,8 +36,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_chart_no_value
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours

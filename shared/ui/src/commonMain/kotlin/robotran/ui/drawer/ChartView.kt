@@ -26,15 +26,7 @@ import robotran.nxt.hardware.SonarDevice
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_chart_all_hidden
-import robotran.ui.resources.run_chart_battery
-import robotran.ui.resources.run_chart_coarser
-import robotran.ui.resources.run_chart_degrees
-import robotran.ui.resources.run_chart_empty
-import robotran.ui.resources.run_chart_finer
-import robotran.ui.resources.run_chart_motor
-import robotran.ui.resources.run_chart_sensor
+import robotran.ui.resources.*
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconButton

@@ -23,14 +23,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.legofirmware.device.DatalogEntry
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_datalog
-import robotran.ui.resources.run_datalog_entry
-import robotran.ui.resources.run_datalog_more
-import robotran.ui.resources.run_datalog_number
-import robotran.ui.resources.run_datalog_save
-import robotran.ui.resources.run_datalog_source
-import robotran.ui.resources.run_datalog_value
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

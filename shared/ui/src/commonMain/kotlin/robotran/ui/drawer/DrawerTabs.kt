@@ -31,10 +31,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SteadySize
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_drawer_close
-import robotran.ui.resources.run_drawer_one
-import robotran.ui.resources.run_drawer_two
+import robotran.ui.resources.*
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.word

@@ -27,10 +27,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
 import robotran.ui.parts.SteadySize
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_goals_all
-import robotran.ui.resources.run_goals_count
-import robotran.ui.resources.run_tab_goals
+import robotran.ui.resources.*
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.Corners

@@ -26,9 +26,7 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_goals_all
-import robotran.ui.resources.run_goals_empty
+import robotran.ui.resources.*
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LineHeights

@@ -20,8 +20,7 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.conflate
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_said_place
+import robotran.ui.resources.*
 import robotran.ui.runbar.oneDecimal
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt

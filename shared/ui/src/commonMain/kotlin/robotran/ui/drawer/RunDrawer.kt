@@ -43,8 +43,7 @@ import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_drawer_height
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
@@ -143,9 +142,7 @@ internal fun DrawerPage(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, m
 private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     when (tab) {
         DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
-
         DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
-
         DrawerTab.CHART -> ChartView(state, onEvent, modifier)
 
         DrawerTab.GOALS -> GoalsView(

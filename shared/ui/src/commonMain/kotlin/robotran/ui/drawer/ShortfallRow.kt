@@ -29,12 +29,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.sentenceFor
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.shortfall_line
-import robotran.ui.resources.shortfall_line_of_file
-import robotran.ui.resources.shortfall_line_of_robot
-import robotran.ui.resources.shortfall_line_of_robots_file
-import robotran.ui.resources.shortfall_show
+import robotran.ui.resources.*
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions

@@ -24,10 +24,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
-import robotran.ui.resources.Res
-import robotran.ui.resources.task
-import robotran.ui.resources.task_hide
-import robotran.ui.resources.task_show
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights

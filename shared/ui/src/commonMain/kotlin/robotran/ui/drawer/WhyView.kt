@@ -14,12 +14,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.program.PlugInButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_why_empty
-import robotran.ui.resources.run_why_exact
-import robotran.ui.resources.run_why_influences
-import robotran.ui.resources.run_why_line
-import robotran.ui.resources.run_why_remarks
+import robotran.ui.resources.*
 import robotran.ui.runbar.SectionName
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

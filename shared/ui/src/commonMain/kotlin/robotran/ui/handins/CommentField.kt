@@ -15,9 +15,7 @@ import androidx.compose.ui.text.input.TextFieldValue
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_comment
-import robotran.ui.resources.hand_in_comment_help
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes

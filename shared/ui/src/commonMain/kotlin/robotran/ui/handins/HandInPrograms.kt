@@ -21,13 +21,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectProgram
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_beside
-import robotran.ui.resources.hand_in_beside_none
-import robotran.ui.resources.hand_in_beside_other
-import robotran.ui.resources.hand_in_equal_lines
-import robotran.ui.resources.hand_in_program
-import robotran.ui.resources.hand_in_solution
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -30,15 +30,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_goals
-import robotran.ui.resources.hand_in_more_runs
-import robotran.ui.resources.hand_in_replay_seed
-import robotran.ui.resources.hand_in_runs_help
-import robotran.ui.resources.hand_in_seed
-import robotran.ui.resources.hand_in_world_runs
-import robotran.ui.resources.run_mark_goal
-import robotran.ui.resources.run_mark_goal_lost
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Space

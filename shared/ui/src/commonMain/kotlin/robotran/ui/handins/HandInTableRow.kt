@@ -38,16 +38,7 @@ import robotran.ui.learning.PLAY_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_ins_column_lines
-import robotran.ui.resources.hand_ins_column_name
-import robotran.ui.resources.hand_ins_column_remarks
-import robotran.ui.resources.hand_ins_column_result
-import robotran.ui.resources.hand_ins_column_runs
-import robotran.ui.resources.hand_ins_column_seconds
-import robotran.ui.resources.hand_ins_column_tries
-import robotran.ui.resources.hand_ins_remove_one
-import robotran.ui.resources.hand_ins_replay_of
+import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights

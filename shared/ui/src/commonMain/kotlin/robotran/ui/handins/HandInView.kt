@@ -28,13 +28,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_feedback
-import robotran.ui.resources.hand_in_next
-import robotran.ui.resources.hand_in_previous
-import robotran.ui.resources.hand_in_remove
-import robotran.ui.resources.hand_in_replay
-import robotran.ui.resources.hand_in_replay_own
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Space

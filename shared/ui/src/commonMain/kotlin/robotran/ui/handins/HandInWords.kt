@@ -10,31 +10,7 @@ import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_save_failed
-import robotran.ui.resources.documents_save_full
-import robotran.ui.resources.documents_saved
-import robotran.ui.resources.hand_ins_alike
-import robotran.ui.resources.hand_ins_brought
-import robotran.ui.resources.hand_ins_brought_known
-import robotran.ui.resources.hand_ins_brought_unusable
-import robotran.ui.resources.hand_ins_camera_not_allowed
-import robotran.ui.resources.hand_ins_commented
-import robotran.ui.resources.hand_ins_equal
-import robotran.ui.resources.hand_ins_lines
-import robotran.ui.resources.hand_ins_namesake
-import robotran.ui.resources.hand_ins_no_camera
-import robotran.ui.resources.hand_ins_no_code_in_photo
-import robotran.ui.resources.hand_ins_no_codes
-import robotran.ui.resources.hand_ins_not_kept
-import robotran.ui.resources.hand_ins_nothing_found
-import robotran.ui.resources.hand_ins_removed
-import robotran.ui.resources.hand_ins_runs
-import robotran.ui.resources.hand_ins_runs_of
-import robotran.ui.resources.hand_ins_runs_one
-import robotran.ui.resources.hand_ins_seconds
-import robotran.ui.resources.hand_ins_too_many
-import robotran.ui.resources.hand_ins_tries
+import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
@@ -124,37 +100,18 @@ internal fun wordsFor(message: HandInsMessage): String = when (message) {
         message.notes.joinToString(" ").ifEmpty { stringResource(Res.string.hand_ins_nothing_found) }
     }
 
-    is HandInsMessage.Removed -> {
-        stringResource(Res.string.hand_ins_removed, message.name)
-    }
+    is HandInsMessage.Removed -> stringResource(Res.string.hand_ins_removed, message.name)
 
     is HandInsMessage.NoCodes -> {
         stringResource(if (message.isPhoto) Res.string.hand_ins_no_code_in_photo else Res.string.hand_ins_no_codes)
     }
 
-    HandInsMessage.CameraNotAllowed -> {
-        stringResource(Res.string.hand_ins_camera_not_allowed)
-    }
-
-    HandInsMessage.NoCamera -> {
-        stringResource(Res.string.hand_ins_no_camera)
-    }
-
-    is HandInsMessage.TooMany -> {
-        stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
-    }
-
-    is HandInsMessage.NotKept -> {
-        stringResource(Res.string.hand_ins_not_kept, message.reason)
-    }
-
-    is HandInsMessage.Unreadable -> {
-        message.sentence
-    }
-
-    is HandInsMessage.Saved -> {
-        stringResource(Res.string.documents_saved, message.name)
-    }
+    HandInsMessage.CameraNotAllowed -> stringResource(Res.string.hand_ins_camera_not_allowed)
+    HandInsMessage.NoCamera -> stringResource(Res.string.hand_ins_no_camera)
+    is HandInsMessage.TooMany -> stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
+    is HandInsMessage.NotKept -> stringResource(Res.string.hand_ins_not_kept, message.reason)
+    is HandInsMessage.Unreadable -> message.sentence
+    is HandInsMessage.Saved -> stringResource(Res.string.documents_saved, message.name)
 
     is HandInsMessage.NotSaved -> {
         stringResource(

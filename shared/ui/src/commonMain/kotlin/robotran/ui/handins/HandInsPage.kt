@@ -11,11 +11,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Page
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_go_back
-import robotran.ui.resources.hand_ins_of
-import robotran.ui.resources.hand_ins_title
-import robotran.ui.resources.page_close
+import robotran.ui.resources.*
 import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInsState

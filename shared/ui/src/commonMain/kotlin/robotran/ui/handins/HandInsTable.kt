@@ -28,8 +28,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_ins_empty
+import robotran.ui.resources.*
 import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow

@@ -21,9 +21,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradedRun
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_run_met
-import robotran.ui.resources.hand_in_run_missed
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -3,15 +3,7 @@ package robotran.ui.handins
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_ins_scan
-import robotran.ui.resources.hand_ins_scan_counted
-import robotran.ui.resources.hand_ins_scan_done
-import robotran.ui.resources.hand_ins_scan_hint
-import robotran.ui.resources.hand_ins_scan_photo
-import robotran.ui.resources.hand_ins_scan_pictures
-import robotran.ui.resources.hand_ins_scan_starting
-import robotran.ui.resources.hand_ins_scan_useless
+import robotran.ui.resources.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.state.QrScannerKind

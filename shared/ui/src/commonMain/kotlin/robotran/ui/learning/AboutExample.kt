@@ -3,8 +3,7 @@ package robotran.ui.learning
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.StringResource
 import robotran.language.ProgramLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.allStringResources
+import robotran.ui.resources.*
 
 /**
  * A one-sentence description of the example [name]. For `wall-bouncer.robo` and `WallBouncer.java` it is

@@ -3,11 +3,7 @@ package robotran.ui.learning
 import org.jetbrains.compose.resources.StringResource
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.program_examples_java
-import robotran.ui.resources.program_examples_nqc
-import robotran.ui.resources.program_examples_nxj
-import robotran.ui.resources.program_examples_robolang
+import robotran.ui.resources.*
 import robotran.workshop.examples.examplesFor
 
 /**

@@ -24,9 +24,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_examples
-import robotran.ui.resources.learning_examples_added
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

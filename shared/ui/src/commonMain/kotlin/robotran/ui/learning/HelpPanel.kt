@@ -39,16 +39,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.QuietButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_help
-import robotran.ui.resources.learning_help_all
-import robotran.ui.resources.learning_help_choose
-import robotran.ui.resources.learning_help_close
-import robotran.ui.resources.learning_help_example
-import robotran.ui.resources.learning_help_forms
-import robotran.ui.resources.learning_help_in_english
-import robotran.ui.resources.learning_help_none
-import robotran.ui.resources.learning_help_try
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

@@ -20,11 +20,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Hint
 import robotran.learning.HintStage
 import robotran.ui.parts.broughtIntoSight
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_hint_line
-import robotran.ui.resources.learning_hint_nudge
-import robotran.ui.resources.learning_hint_part
-import robotran.ui.resources.learning_hint_solution
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes

@@ -34,11 +34,8 @@ internal fun LearningPages(
 ) {
     when (state.page) {
         LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
-
         LearningPage.MAP -> LessonMapPage(state, saved, onEvent)
-
         LearningPage.WORLDS -> WorldGalleryPage(state, saved, onEvent)
-
         LearningPage.EXAMPLES -> ExamplesPage(state.help.code, state.help.brick, onEvent)
 
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(bottom = foot).padding(12.dp)) {

@@ -20,9 +20,7 @@ import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_map
-import robotran.ui.resources.learning_steps_done
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -4,8 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.readyRobotName
 import robotran.ui.parts.readyRobotWithBrick
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_own
+import robotran.ui.resources.*
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.World

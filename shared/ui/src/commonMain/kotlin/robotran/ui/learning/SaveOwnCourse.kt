@@ -10,11 +10,7 @@ import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.QuietButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.course_save_own
-import robotran.ui.resources.course_save_own_of
-import robotran.ui.resources.hand_in_not_saved
-import robotran.ui.resources.hand_in_saved
+import robotran.ui.resources.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SavedOwnCourse

@@ -29,10 +29,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_map_done
-import robotran.ui.resources.learning_map_next
-import robotran.ui.resources.learning_map_open
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes

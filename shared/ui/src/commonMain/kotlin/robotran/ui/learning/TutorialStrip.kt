@@ -41,16 +41,7 @@ import robotran.ui.parts.IconTouch
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.WordsBeside
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_close
-import robotran.ui.resources.learning_fold
-import robotran.ui.resources.learning_hint
-import robotran.ui.resources.learning_map
-import robotran.ui.resources.learning_return
-import robotran.ui.resources.learning_step_named_done
-import robotran.ui.resources.learning_step_of
-import robotran.ui.resources.learning_steps_done
-import robotran.ui.resources.learning_unfold
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

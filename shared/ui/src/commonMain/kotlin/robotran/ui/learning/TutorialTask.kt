@@ -30,15 +30,7 @@ import robotran.ui.parts.ButtonSize
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.broughtIntoSight
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_back_to_mine
-import robotran.ui.resources.learning_hint
-import robotran.ui.resources.learning_hint_hide
-import robotran.ui.resources.learning_hint_more
-import robotran.ui.resources.learning_show_me
-import robotran.ui.resources.learning_solution_note
-import robotran.ui.resources.learning_task
-import robotran.ui.resources.learning_task_done
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours

@@ -31,13 +31,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_view_blocks
-import robotran.ui.resources.blocks_view_text
-import robotran.ui.resources.learning_view
-import robotran.ui.resources.learning_view_again
-import robotran.ui.resources.learning_view_blocks
-import robotran.ui.resources.learning_view_text
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -27,9 +27,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_help_java
-import robotran.ui.resources.learning_help_nxj
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

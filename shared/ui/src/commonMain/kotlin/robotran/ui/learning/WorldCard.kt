@@ -17,12 +17,7 @@ import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_harder
-import robotran.ui.resources.learning_level_easy
-import robotran.ui.resources.learning_level_hard
-import robotran.ui.resources.learning_level_medium
-import robotran.ui.resources.learning_world_done_mark
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

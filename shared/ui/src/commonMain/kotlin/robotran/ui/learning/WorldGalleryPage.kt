@@ -43,13 +43,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_worlds
-import robotran.ui.resources.learning_worlds_all
-import robotran.ui.resources.learning_worlds_clear
-import robotran.ui.resources.learning_worlds_kept
-import robotran.ui.resources.learning_worlds_none
-import robotran.ui.resources.learning_worlds_search
+import robotran.ui.resources.*
 import robotran.ui.runbar.Chip
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

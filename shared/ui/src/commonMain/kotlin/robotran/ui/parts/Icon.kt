@@ -59,13 +59,8 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
             for ((letter, figures) in STEP.findAll(line).map { it.groupValues[1] to it.groupValues[2] }) {
                 val numbers = figures.trim().split(' ').map { it.toFloat() }
                 when (letter) {
-                    "H" -> {
-                        x = numbers[0]
-                    }
-
-                    "V" -> {
-                        y = numbers[0]
-                    }
+                    "H" -> x = numbers[0]
+                    "V" -> y = numbers[0]
 
                     else -> {
                         x = numbers[0]

@@ -3,13 +3,7 @@ package robotran.ui.parts
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_ready_both_sides
-import robotran.ui.resources.robot_ready_line_follower
-import robotran.ui.resources.robot_ready_nxt_penbot
-import robotran.ui.resources.robot_ready_rcx_penbot
-import robotran.ui.resources.robot_ready_sumo
-import robotran.ui.resources.robot_ready_with_brick
+import robotran.ui.resources.*
 import robotran.world.ReadyRobots
 
 /** The name of the ready robot with the key [base] of [ReadyRobots.all]. */

@@ -25,7 +25,6 @@ internal enum class ScreenLayout {
                 height >= UPRIGHT_HEIGHT -> UPRIGHT
 
             width >= WIDE_WIDTH * widthScale(textScale) && height >= WIDE_HEIGHT -> WIDE
-
             else -> NARROW
         }
 

@@ -13,9 +13,7 @@ import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import kotlinx.coroutines.launch
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.list_back
-import robotran.ui.resources.list_further
+import robotran.ui.resources.*
 
 /**
  * Actions by which a screen reader scrolls a lazy list. It knows only elements that are visible, and a web page has no

@@ -58,8 +58,7 @@ import robotran.ui.program.blocks.sheets.ChoosingBar
 import robotran.ui.program.blocks.sheets.GroupRail
 import robotran.ui.program.blocks.sheets.SheetPlace
 import robotran.ui.program.blocks.zoomsBlocks
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_label_keys
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing

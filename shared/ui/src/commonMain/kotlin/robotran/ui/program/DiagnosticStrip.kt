@@ -21,12 +21,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.programs.ProgramDiagnostic
 import robotran.ui.program.editor.FixButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_mistake_one
-import robotran.ui.resources.editor_mistakes
-import robotran.ui.resources.editor_next_mistake
-import robotran.ui.resources.mistake_in_file
-import robotran.ui.resources.mistake_in_line_of_file
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

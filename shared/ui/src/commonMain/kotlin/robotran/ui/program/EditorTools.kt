@@ -18,10 +18,7 @@ import robotran.projects.ProgramView
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_find
-import robotran.ui.resources.editor_redo
-import robotran.ui.resources.editor_undo
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState

@@ -45,18 +45,7 @@ import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_find
-import robotran.ui.resources.editor_find_case
-import robotran.ui.resources.editor_find_close
-import robotran.ui.resources.editor_find_count
-import robotran.ui.resources.editor_find_next
-import robotran.ui.resources.editor_find_none
-import robotran.ui.resources.editor_find_previous
-import robotran.ui.resources.editor_find_words
-import robotran.ui.resources.editor_replace
-import robotran.ui.resources.editor_replace_all
-import robotran.ui.resources.editor_replace_one
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -216,7 +205,6 @@ private fun LineField(
                     }
 
                     Key.Escape -> if (isDown) actions.close()
-
                     else -> return@onPreviewKeyEvent false
                 }
                 true

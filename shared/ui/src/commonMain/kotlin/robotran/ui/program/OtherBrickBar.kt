@@ -18,11 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
-import robotran.ui.resources.Res
-import robotran.ui.resources.program_for_nxt
-import robotran.ui.resources.program_for_rcx
-import robotran.ui.resources.program_use_nxt
-import robotran.ui.resources.program_use_rcx
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

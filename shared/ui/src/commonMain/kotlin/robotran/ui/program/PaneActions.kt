@@ -37,27 +37,16 @@ internal class PaneActions(
     fun perform(command: EditorCommand.Plain) {
         when (command) {
             EditorCommand.Plain.UNDO -> onEvent(ProgramEvent.Undone)
-
             EditorCommand.Plain.REDO -> onEvent(ProgramEvent.Redone)
-
             EditorCommand.Plain.FORMAT -> onEvent(ProgramEvent.Formatted)
-
             EditorCommand.Plain.FIND, EditorCommand.Plain.REPLACE -> find.open(control.draft.selectedText)
-
             EditorCommand.Plain.FIND_NEXT -> next()
-
             EditorCommand.Plain.FIND_PREVIOUS -> previous()
-
             EditorCommand.Plain.TOGGLE_BREAKPOINT -> onEvent(ProgramEvent.BreakpointToggled(caretLine()))
-
             EditorCommand.Plain.NEXT_NOTE -> goToNextNote()
-
             EditorCommand.Plain.FIX -> fixHere()
-
             EditorCommand.Plain.LARGER -> resize(settings().codeSize + STEP)
-
             EditorCommand.Plain.SMALLER -> resize(settings().codeSize - STEP)
-
             EditorCommand.Plain.DEFAULT_SIZE -> resize(Settings.DEFAULT_CODE_SIZE)
 
             EditorCommand.Plain.HELP -> onEvent(
@@ -65,9 +54,7 @@ internal class PaneActions(
             )
 
             EditorCommand.Plain.RENAME -> onRename()
-
             EditorCommand.Plain.LEAVE -> if (find.isOpen) close()
-
             else -> Unit
         }
     }

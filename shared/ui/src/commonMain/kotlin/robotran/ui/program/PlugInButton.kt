@@ -11,11 +11,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.MissingSensors
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_plug_in
-import robotran.ui.resources.run_plug_in_port
-import robotran.ui.resources.run_plug_in_ports
-import robotran.ui.resources.run_plug_in_several
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

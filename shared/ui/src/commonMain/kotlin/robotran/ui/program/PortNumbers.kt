@@ -2,9 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_ports_three
-import robotran.ui.resources.run_ports_two
+import robotran.ui.resources.*
 
 /** The numbers of one to three [ports], as in `1, 2 and 3`. */
 @Composable

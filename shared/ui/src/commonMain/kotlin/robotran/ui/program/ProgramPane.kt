@@ -37,11 +37,7 @@ import robotran.ui.program.editor.EditorControl
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorView
 import robotran.ui.program.editor.KeyRow
-import robotran.ui.resources.Res
-import robotran.ui.resources.program_hint
-import robotran.ui.resources.program_hint_java
-import robotran.ui.resources.program_hint_lasm
-import robotran.ui.resources.program_hint_nqc
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent

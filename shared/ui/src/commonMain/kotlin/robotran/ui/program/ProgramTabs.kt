@@ -26,9 +26,7 @@ import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SCROLL_HINT_DEPTH
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.program_close
-import robotran.ui.resources.program_tab
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent

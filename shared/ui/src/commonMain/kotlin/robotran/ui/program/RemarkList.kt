@@ -24,10 +24,7 @@ import robotran.brick.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.Res
-import robotran.ui.resources.mistake
-import robotran.ui.resources.mistake_in_line_of_file
-import robotran.ui.resources.notice_close
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes

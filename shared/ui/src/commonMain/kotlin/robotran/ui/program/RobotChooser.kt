@@ -21,9 +21,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_robot
-import robotran.ui.resources.editor_worlds_own
+import robotran.ui.resources.*
 import robotran.ui.sheet.RobotColours
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours

@@ -8,9 +8,7 @@ import robotran.brick.kind.BrickKind
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_kit
-import robotran.ui.resources.send_robot
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 
 /**

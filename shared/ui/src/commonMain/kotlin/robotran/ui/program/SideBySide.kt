@@ -31,7 +31,6 @@ internal fun BlocksAndText(
     text: @Composable (Modifier) -> Unit,
 ) = when (view) {
     ProgramView.TEXT -> text(Modifier.fillMaxSize())
-
     ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
 
     ProgramView.BOTH -> SideBySideOrStacked(

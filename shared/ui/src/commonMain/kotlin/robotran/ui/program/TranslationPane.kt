@@ -44,9 +44,7 @@ import robotran.ui.program.editor.listenFor
 import robotran.ui.program.editor.listenForZoom
 import robotran.ui.program.editor.rememberLineLayouts
 import robotran.ui.program.editor.scrolls
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_translation_keep
-import robotran.ui.resources.editor_translation_old
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

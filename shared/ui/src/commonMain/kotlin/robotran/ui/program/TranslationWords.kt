@@ -1,16 +1,7 @@
 package robotran.ui.program
 
 import org.jetbrains.compose.resources.StringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_assembly
-import robotran.ui.resources.editor_assembly_label
-import robotran.ui.resources.editor_assembly_none
-import robotran.ui.resources.editor_nqc
-import robotran.ui.resources.editor_nqc_label
-import robotran.ui.resources.editor_nqc_none
-import robotran.ui.resources.editor_translation
-import robotran.ui.resources.editor_translation_label
-import robotran.ui.resources.editor_translation_none
+import robotran.ui.resources.*
 import robotran.workshop.state.TranslationKind
 
 /** The name of the switch that shows a program as this. */

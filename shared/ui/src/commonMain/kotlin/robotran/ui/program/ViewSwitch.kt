@@ -14,10 +14,7 @@ import robotran.ui.parts.AppMenu
 import robotran.ui.parts.MenuItem
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_view_blocks
-import robotran.ui.resources.blocks_view_both
-import robotran.ui.resources.blocks_view_text
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 
 /** Chooses between blocks, text, and both. It shows what the program is shown as now. */

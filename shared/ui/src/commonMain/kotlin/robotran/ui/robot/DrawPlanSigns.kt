@@ -52,13 +52,8 @@ private fun outlinesOf(robot: RobotDescription, element: RobotElement): List<Lis
         }
     }
 
-    RobotElement.Chassis -> {
-        listOf(robot.chassisCorners)
-    }
-
-    RobotElement.Brick -> {
-        robot.brickSeat.let { listOf(box(it.middle, it.halfAlong, it.halfAcross)) }
-    }
+    RobotElement.Chassis -> listOf(robot.chassisCorners)
+    RobotElement.Brick -> robot.brickSeat.let { listOf(box(it.middle, it.halfAlong, it.halfAcross)) }
 
     is RobotElement.Corner -> {
         listOf(robot.chassisCorners) +

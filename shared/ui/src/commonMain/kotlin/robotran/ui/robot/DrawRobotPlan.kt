@@ -125,9 +125,7 @@ private fun DrawScope.drawView(view: SensorView, transform: SheetTransform, isCh
             drawCircle(SheetColours.SIGHT.copy(alpha = strength), radius, centre, style = Stroke(1.5.dp.toPx()))
         }
 
-        is SensorView.Cone -> {
-            drawCone(view, transform, strength)
-        }
+        is SensorView.Cone -> drawCone(view, transform, strength)
     }
 }
 

@@ -10,25 +10,7 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.portsOf
 import robotran.robotediting.thingsOn
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_bumper_depth
-import robotran.ui.resources.robot_bumper_width
-import robotran.ui.resources.robot_direction
-import robotran.ui.resources.robot_eye_height
-import robotran.ui.resources.robot_fixed
-import robotran.ui.resources.robot_looks
-import robotran.ui.resources.robot_looks_ahead
-import robotran.ui.resources.robot_looks_down
-import robotran.ui.resources.robot_looks_free
-import robotran.ui.resources.robot_no_name
-import robotran.ui.resources.robot_port
-import robotran.ui.resources.robot_port_none
-import robotran.ui.resources.robot_port_taken
-import robotran.ui.resources.robot_side
-import robotran.ui.resources.robot_side_left
-import robotran.ui.resources.robot_side_right
-import robotran.ui.resources.robot_turret
-import robotran.ui.resources.robot_wheel
+import robotran.ui.resources.*
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.NumberRow
 import robotran.world.BumperPart
@@ -73,9 +55,7 @@ internal fun PartFields(scope: RobotScope, number: Int) {
             }
         }
 
-        is SensorPart -> {
-            SensorFields(scope, number, part)
-        }
+        is SensorPart -> SensorFields(scope, number, part)
 
         is RotationPart -> {
             ChipRow(stringResource(Res.string.robot_wheel), sideWords(), part.wheel, "robot-wheel") {

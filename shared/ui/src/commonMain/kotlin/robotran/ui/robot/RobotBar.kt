@@ -25,12 +25,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_fit
-import robotran.ui.resources.robot_on_sheet
-import robotran.ui.resources.worldedit_done
-import robotran.ui.resources.worldedit_redo
-import robotran.ui.resources.worldedit_undo
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours

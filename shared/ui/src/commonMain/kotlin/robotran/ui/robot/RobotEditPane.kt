@@ -38,8 +38,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_bench
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.CarriedSign
 import robotran.workshop.event.WorkshopEvent

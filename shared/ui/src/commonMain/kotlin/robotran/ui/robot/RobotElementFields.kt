@@ -14,30 +14,7 @@ import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.placeOf
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_ahead
-import robotran.ui.resources.robot_brick_turned
-import robotran.ui.resources.robot_gear
-import robotran.ui.resources.robot_grip
-import robotran.ui.resources.robot_height
-import robotran.ui.resources.robot_left_motor
-import robotran.ui.resources.robot_leftwards
-import robotran.ui.resources.robot_length
-import robotran.ui.resources.robot_mass_kg
-import robotran.ui.resources.robot_mass_side
-import robotran.ui.resources.robot_motor
-import robotran.ui.resources.robot_pen_help
-import robotran.ui.resources.robot_reversed
-import robotran.ui.resources.robot_right_motor
-import robotran.ui.resources.robot_speed
-import robotran.ui.resources.robot_track
-import robotran.ui.resources.robot_tyre
-import robotran.ui.resources.robot_wheel_diameter
-import robotran.ui.resources.robot_width
-import robotran.ui.resources.worldedit_add_corner
-import robotran.ui.resources.worldedit_delete
-import robotran.ui.resources.worldedit_turn_left
-import robotran.ui.resources.worldedit_turn_right
+import robotran.ui.resources.*
 import robotran.ui.settings.SwitchRow
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.EditIcons
@@ -91,13 +68,8 @@ internal fun RobotElementActions(scope: RobotScope, element: RobotElement) {
 internal fun RobotElementFields(scope: RobotScope, element: RobotElement) {
     val robot = scope.robot
     when (element) {
-        is RobotElement.Part -> {
-            PartFields(scope, element.number)
-        }
-
-        RobotElement.Wheels -> {
-            WheelFields(scope)
-        }
+        is RobotElement.Part -> PartFields(scope, element.number)
+        RobotElement.Wheels -> WheelFields(scope)
 
         RobotElement.Pen -> {
             Remark(stringResource(Res.string.robot_pen_help))
@@ -113,17 +85,9 @@ internal fun RobotElementFields(scope: RobotScope, element: RobotElement) {
             }
         }
 
-        RobotElement.Mass -> {
-            MassFields(scope)
-        }
-
-        RobotElement.Chassis -> {
-            ChassisFields(scope)
-        }
-
-        is RobotElement.Caster, is RobotElement.Corner -> {
-            PlaceRows(scope, element)
-        }
+        RobotElement.Mass -> MassFields(scope)
+        RobotElement.Chassis -> ChassisFields(scope)
+        is RobotElement.Caster, is RobotElement.Corner -> PlaceRows(scope, element)
     }
 }
 

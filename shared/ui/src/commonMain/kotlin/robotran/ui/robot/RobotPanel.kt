@@ -43,18 +43,7 @@ import robotran.ui.language.LocalLanguage
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.readyRobotWithBrick
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_brick
-import robotran.ui.resources.robot_choose_first
-import robotran.ui.resources.robot_open
-import robotran.ui.resources.robot_parts_help
-import robotran.ui.resources.robot_ready
-import robotran.ui.resources.robot_ready_help
-import robotran.ui.resources.robot_save
-import robotran.ui.resources.robot_tab_chosen
-import robotran.ui.resources.robot_tab_parts
-import robotran.ui.resources.robot_tab_robot
-import robotran.ui.resources.worldedit_name
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -137,7 +126,6 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
                 }
 
                 RobotTab.PARTS -> PartsPanel(scope) { onTab(RobotTab.CHOSEN) }
-
                 RobotTab.ROBOT -> WholeRobotPanel(scope)
             }
         }

@@ -23,8 +23,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_plan
+import robotran.ui.resources.*
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing

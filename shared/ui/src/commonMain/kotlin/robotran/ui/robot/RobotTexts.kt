@@ -12,51 +12,7 @@ import robotran.robotediting.elementOf
 import robotran.robotediting.placeOf
 import robotran.robotediting.portsOf
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.robot_brick
-import robotran.ui.resources.robot_caster
-import robotran.ui.resources.robot_caster_numbered
-import robotran.ui.resources.robot_chassis
-import robotran.ui.resources.robot_chosen
-import robotran.ui.resources.robot_corner_numbered
-import robotran.ui.resources.robot_item_bumper
-import robotran.ui.resources.robot_item_colour
-import robotran.ui.resources.robot_item_compass
-import robotran.ui.resources.robot_item_finger_touch
-import robotran.ui.resources.robot_item_gyro
-import robotran.ui.resources.robot_item_hitechnic_acceleration
-import robotran.ui.resources.robot_item_hitechnic_colour
-import robotran.ui.resources.robot_item_infrared_seeker
-import robotran.ui.resources.robot_item_infrared_seeker_2
-import robotran.ui.resources.robot_item_light
-import robotran.ui.resources.robot_item_mindsensors_acceleration
-import robotran.ui.resources.robot_item_mindsensors_compass
-import robotran.ui.resources.robot_item_nxt_temperature
-import robotran.ui.resources.robot_item_optical_distance
-import robotran.ui.resources.robot_item_rcx_light
-import robotran.ui.resources.robot_item_rcx_link
-import robotran.ui.resources.robot_item_rotation
-import robotran.ui.resources.robot_item_sound
-import robotran.ui.resources.robot_item_temperature
-import robotran.ui.resources.robot_item_ultrasonic
-import robotran.ui.resources.robot_looks_at
-import robotran.ui.resources.robot_looks_at_floor
-import robotran.ui.resources.robot_looks_at_right
-import robotran.ui.resources.robot_looks_back
-import robotran.ui.resources.robot_looks_straight
-import robotran.ui.resources.robot_mass
-import robotran.ui.resources.robot_none_chosen
-import robotran.ui.resources.robot_on_port
-import robotran.ui.resources.robot_pen
-import robotran.ui.resources.robot_place
-import robotran.ui.resources.robot_refusal_casters
-import robotran.ui.resources.robot_refusal_corners
-import robotran.ui.resources.robot_refusal_few_corners
-import robotran.ui.resources.robot_refusal_needed
-import robotran.ui.resources.robot_refusal_parts
-import robotran.ui.resources.robot_refusal_same
-import robotran.ui.resources.robot_unplugged
-import robotran.ui.resources.robot_wheels
+import robotran.ui.resources.*
 import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.RobotDescription
@@ -129,17 +85,11 @@ internal fun robotElementText(robot: RobotDescription, element: RobotElement): S
     }.orEmpty()
 
     is RobotElement.Caster -> stringResource(Res.string.robot_caster_numbered, element.number + 1)
-
     is RobotElement.Corner -> stringResource(Res.string.robot_corner_numbered, element.number + 1)
-
     RobotElement.Wheels -> stringResource(Res.string.robot_wheels)
-
     RobotElement.Pen -> stringResource(Res.string.robot_pen)
-
     RobotElement.Brick -> stringResource(Res.string.robot_brick)
-
     RobotElement.Mass -> stringResource(Res.string.robot_mass)
-
     RobotElement.Chassis -> stringResource(Res.string.robot_chassis)
 }
 
@@ -163,7 +113,6 @@ internal fun chosenText(editing: RobotEditing): String {
 @Composable
 private fun directionText(part: SensorPart): String? = when (val facing = part.facing) {
     Facing.Free -> null
-
     Facing.Down -> stringResource(Res.string.robot_looks_at_floor)
 
     is Facing.Ahead -> when {

@@ -78,7 +78,6 @@ private class PlanFinger(private val view: PlanView, private val scope: () -> Ro
         }
         when {
             end == End.SECOND_FINGER && held -> scope().make(RobotEdit.CancelDrag)
-
             held -> scope().make(RobotEdit.Drop)
 
             end == End.UP && handle is RobotHandle.Corner -> scope().make(

@@ -115,17 +115,11 @@ private fun DrawScope.drawMark(mark: TimelineMark, place: Offset, colours: Robot
         )
 
         MarkKind.FAILURE -> drawCross(place, unit, colours.error)
-
         MarkKind.GOAL -> drawPath(star(place, unit * 1.5f), colours.onPane)
-
         MarkKind.GOAL_LOST -> drawCross(place, unit * 0.8f, colours.quiet)
-
         MarkKind.REMARK -> drawPath(shape(place, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
-
         MarkKind.BUMP -> drawPath(shape(place, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.error)
-
         MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, place)
-
         MarkKind.MESSAGE -> drawRect(colours.focus, place - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))
     }
 }

@@ -4,13 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.compositionLocalOf
 import org.jetbrains.compose.resources.StringResource
 import robotran.brick.kind.BrickKind
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_tab_calls
-import robotran.ui.resources.run_tab_chart
-import robotran.ui.resources.run_tab_goals
-import robotran.ui.resources.run_tab_log
-import robotran.ui.resources.run_tab_variables
-import robotran.ui.resources.run_tab_why
+import robotran.ui.resources.*
 import robotran.workshop.state.DrawerTab
 
 /** The kind of brick of the watched robot. */
@@ -30,8 +24,6 @@ internal val DrawerTab.word: StringResource
         }
 
         DrawerTab.CHART -> Res.string.run_tab_chart
-
         DrawerTab.GOALS -> Res.string.run_tab_goals
-
         DrawerTab.WHY -> Res.string.run_tab_why
     }

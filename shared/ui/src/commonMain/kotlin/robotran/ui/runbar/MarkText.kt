@@ -4,14 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.MarkKind
 import robotran.runcontrol.TimelineMark
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_mark_beep
-import robotran.ui.resources.run_mark_bump
-import robotran.ui.resources.run_mark_end
-import robotran.ui.resources.run_mark_goal
-import robotran.ui.resources.run_mark_goal_lost
-import robotran.ui.resources.run_mark_message
-import robotran.ui.resources.run_mark_start
+import robotran.ui.resources.*
 
 /** The text of a mark. */
 @Composable

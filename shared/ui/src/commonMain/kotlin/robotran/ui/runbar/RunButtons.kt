@@ -31,15 +31,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.run
-import robotran.ui.resources.run_go_on
-import robotran.ui.resources.run_go_on_help
-import robotran.ui.resources.run_help
-import robotran.ui.resources.run_pause
-import robotran.ui.resources.run_pause_help
-import robotran.ui.resources.stop
-import robotran.ui.resources.stop_help
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.Motion
 import robotran.ui.theme.RobotranColours

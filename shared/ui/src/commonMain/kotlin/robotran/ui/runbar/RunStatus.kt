@@ -16,11 +16,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.clock
-import robotran.ui.resources.run_clock_of
-import robotran.ui.resources.run_status_past
-import robotran.ui.resources.run_status_seeking
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -24,16 +24,7 @@ import robotran.runcontrol.RunSpeed
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.SteadySize
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_speed
-import robotran.ui.resources.run_speed_double
-import robotran.ui.resources.run_speed_fastest
-import robotran.ui.resources.run_speed_fivefold
-import robotran.ui.resources.run_speed_half
-import robotran.ui.resources.run_speed_quarter
-import robotran.ui.resources.run_speed_real
-import robotran.ui.resources.run_speed_tenfold
-import robotran.ui.resources.run_speed_tenth
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

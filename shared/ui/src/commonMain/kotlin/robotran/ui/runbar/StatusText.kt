@@ -5,32 +5,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 import robotran.language.withComma
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.mistake_in_line_of_file
-import robotran.ui.resources.run_status_paused
-import robotran.ui.resources.run_status_paused_line
-import robotran.ui.resources.status_changed
-import robotran.ui.resources.status_compiler_failed
-import robotran.ui.resources.status_compiling
-import robotran.ui.resources.status_empty
-import robotran.ui.resources.status_ended
-import robotran.ui.resources.status_ended_goal_not_met
-import robotran.ui.resources.status_ended_goals_not_met
-import robotran.ui.resources.status_ended_undecided
-import robotran.ui.resources.status_failed
-import robotran.ui.resources.status_mistake
-import robotran.ui.resources.status_mistake_anywhere
-import robotran.ui.resources.status_mistake_in_file
-import robotran.ui.resources.status_no_compiler
-import robotran.ui.resources.status_off
-import robotran.ui.resources.status_off_paper
-import robotran.ui.resources.status_off_paper_robot
-import robotran.ui.resources.status_ready
-import robotran.ui.resources.status_running
-import robotran.ui.resources.status_running_line
-import robotran.ui.resources.status_solved
-import robotran.ui.resources.status_stopped
-import robotran.ui.resources.time_up
+import robotran.ui.resources.*
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.messages.sentence
@@ -40,49 +15,17 @@ import kotlin.math.roundToLong
 /** [status] in simple words for pupils. */
 @Composable
 internal fun statusText(status: WorkshopStatus): String = when (status) {
-    WorkshopStatus.Ready -> {
-        stringResource(Res.string.status_ready)
-    }
-
-    WorkshopStatus.Empty -> {
-        stringResource(Res.string.status_empty)
-    }
-
-    WorkshopStatus.Changed -> {
-        stringResource(Res.string.status_changed)
-    }
-
-    WorkshopStatus.Solved -> {
-        stringResource(Res.string.status_solved)
-    }
-
-    is WorkshopStatus.TimeUp -> {
-        stringResource(Res.string.time_up, status.seconds)
-    }
-
-    WorkshopStatus.Off -> {
-        stringResource(Res.string.status_off)
-    }
-
-    WorkshopStatus.Compiling -> {
-        stringResource(Res.string.status_compiling)
-    }
-
-    WorkshopStatus.NoCompiler -> {
-        stringResource(Res.string.status_no_compiler)
-    }
-
-    WorkshopStatus.CompilerFailed -> {
-        stringResource(Res.string.status_compiler_failed)
-    }
-
-    is WorkshopStatus.HasErrors -> {
-        mistakenText(status.line, status.file)
-    }
-
-    is WorkshopStatus.RobotImpossible -> {
-        status.draft.error.sentence(LocalLanguage.current)
-    }
+    WorkshopStatus.Ready -> stringResource(Res.string.status_ready)
+    WorkshopStatus.Empty -> stringResource(Res.string.status_empty)
+    WorkshopStatus.Changed -> stringResource(Res.string.status_changed)
+    WorkshopStatus.Solved -> stringResource(Res.string.status_solved)
+    is WorkshopStatus.TimeUp -> stringResource(Res.string.time_up, status.seconds)
+    WorkshopStatus.Off -> stringResource(Res.string.status_off)
+    WorkshopStatus.Compiling -> stringResource(Res.string.status_compiling)
+    WorkshopStatus.NoCompiler -> stringResource(Res.string.status_no_compiler)
+    WorkshopStatus.CompilerFailed -> stringResource(Res.string.status_compiler_failed)
+    is WorkshopStatus.HasErrors -> mistakenText(status.line, status.file)
+    is WorkshopStatus.RobotImpossible -> status.draft.error.sentence(LocalLanguage.current)
 
     is WorkshopStatus.OffPaper -> {
         status.robot?.let { stringResource(Res.string.status_off_paper_robot, it) }
@@ -109,9 +52,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
         if (status.stopped) stringResource(Res.string.status_stopped) else endedText(status.goals)
     }
 
-    is WorkshopStatus.Failed -> {
-        failedText(status.line, status.file, status.message)
-    }
+    is WorkshopStatus.Failed -> failedText(status.line, status.file, status.message)
 }
 
 /** Reports success only if the goals are met, too. */

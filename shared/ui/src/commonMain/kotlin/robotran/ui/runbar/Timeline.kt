@@ -28,11 +28,7 @@ import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
 import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.TimelineMark
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_mark_next
-import robotran.ui.resources.run_mark_previous
-import robotran.ui.resources.run_timeline
-import robotran.ui.resources.run_timeline_place
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing

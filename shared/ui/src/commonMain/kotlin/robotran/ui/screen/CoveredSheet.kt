@@ -23,8 +23,7 @@ import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.Res
-import robotran.ui.resources.brick_whole
+import robotran.ui.resources.*
 import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane

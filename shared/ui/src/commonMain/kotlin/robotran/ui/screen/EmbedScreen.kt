@@ -24,9 +24,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.drawer.RunAnnouncer
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_start_over
-import robotran.ui.resources.run_start_over_help
+import robotran.ui.resources.*
 import robotran.ui.runbar.BarButton
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunIcon

@@ -18,9 +18,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
-import robotran.ui.resources.Res
-import robotran.ui.resources.full_program
-import robotran.ui.resources.full_world
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours

@@ -39,8 +39,7 @@ import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.IconTouch
 import robotran.ui.program.ProgramPane
 import robotran.ui.program.blocks.LocalSheetPicture
-import robotran.ui.resources.Res
-import robotran.ui.resources.brick_whole
+import robotran.ui.resources.*
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.world.MiniSheet

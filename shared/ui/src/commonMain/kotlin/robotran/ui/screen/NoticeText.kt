@@ -7,61 +7,7 @@ import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.robotTitle
 import robotran.ui.program.portNumbers
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_begun_again
-import robotran.ui.resources.assignment_begun_before
-import robotran.ui.resources.assignment_go_on
-import robotran.ui.resources.assignment_world_locked
-import robotran.ui.resources.course_too_long
-import robotran.ui.resources.course_too_many
-import robotran.ui.resources.documents_back
-import robotran.ui.resources.documents_back_others
-import robotran.ui.resources.documents_back_unnamed
-import robotran.ui.resources.documents_delete_failed
-import robotran.ui.resources.documents_go_back
-import robotran.ui.resources.documents_kept_before
-import robotran.ui.resources.documents_kit_mistake
-import robotran.ui.resources.documents_last_elsewhere
-import robotran.ui.resources.documents_more_remarks
-import robotran.ui.resources.documents_my_work
-import robotran.ui.resources.documents_no_room
-import robotran.ui.resources.documents_not_copied
-import robotran.ui.resources.documents_open_elsewhere
-import robotran.ui.resources.documents_opened_more
-import robotran.ui.resources.documents_others_there
-import robotran.ui.resources.documents_own_elsewhere
-import robotran.ui.resources.documents_replay_empty
-import robotran.ui.resources.documents_save_failed
-import robotran.ui.resources.documents_save_full
-import robotran.ui.resources.documents_saved
-import robotran.ui.resources.documents_too_long
-import robotran.ui.resources.documents_trouble_silent
-import robotran.ui.resources.documents_undo
-import robotran.ui.resources.documents_unexpected
-import robotran.ui.resources.documents_untitled
-import robotran.ui.resources.documents_work_elsewhere
-import robotran.ui.resources.documents_work_unusable
-import robotran.ui.resources.hand_in_go_back
-import robotran.ui.resources.hand_in_notice
-import robotran.ui.resources.hand_in_notice_run
-import robotran.ui.resources.learning_help_no_room
-import robotran.ui.resources.learning_world_done
-import robotran.ui.resources.learning_world_no_room
-import robotran.ui.resources.notice_change_number
-import robotran.ui.resources.notice_try_change
-import robotran.ui.resources.nxt_escape_alone
-import robotran.ui.resources.program_fix_gone
-import robotran.ui.resources.program_too_long
-import robotran.ui.resources.robot_impossible
-import robotran.ui.resources.robot_kept_as_draft
-import robotran.ui.resources.robot_replaced
-import robotran.ui.resources.robot_to_bench
-import robotran.ui.resources.run_log_copied
-import robotran.ui.resources.run_log_not_copied
-import robotran.ui.resources.run_new_future
-import robotran.ui.resources.run_plugged_in
-import robotran.ui.resources.run_plugged_in_several
-import robotran.ui.resources.status_no_compiler
+import robotran.ui.resources.*
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.world.messages.sentence
@@ -70,9 +16,7 @@ import robotran.world.messages.sentence
 @Composable
 internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ForeignError -> notice.sentence
-
     is Notice.WithRemarks -> withRemarks(notice)
-
     Notice.Unexpected -> stringResource(Res.string.documents_unexpected)
 
     is Notice.ProgramTooLong -> stringResource(
@@ -82,39 +26,22 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     )
 
     Notice.FixOutdated -> stringResource(Res.string.program_fix_gone)
-
     Notice.NoSlotForTask -> stringResource(Res.string.learning_world_no_room)
-
     Notice.NoSlotForExample -> stringResource(Res.string.learning_help_no_room)
-
     is Notice.NoSlotForProgram -> stringResource(Res.string.documents_no_room, notice.program, notice.maxPrograms)
-
     Notice.LogCopied -> stringResource(Res.string.run_log_copied)
-
     Notice.LogNotCopied -> stringResource(Res.string.run_log_not_copied)
-
     Notice.LinkNotCopied -> stringResource(Res.string.documents_not_copied)
-
     is Notice.FileSaved -> stringResource(Res.string.documents_saved, notice.name)
-
     is Notice.FileNotSaved -> stringResource(notSaved(notice), notice.reason)
-
     Notice.StoreSilent -> stringResource(Res.string.documents_trouble_silent)
-
     Notice.ProjectTooLong -> stringResource(Res.string.documents_too_long)
-
     is Notice.FileOpenElsewhere -> stringResource(Res.string.documents_open_elsewhere, notice.name)
-
     is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
-
     is Notice.TooManyCourses -> stringResource(Res.string.course_too_many, notice.max)
-
     Notice.CourseTooLong -> stringResource(Res.string.course_too_long)
-
     Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
-
     is Notice.KitNeedsCorrectProgram -> stringResource(Res.string.documents_kit_mistake, notice.line)
-
     Notice.CompilerMissing -> stringResource(Res.string.status_no_compiler)
 
     is Notice.ProjectOpenElsewhere -> stringResource(
@@ -129,30 +56,20 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     }
 
     Notice.OwnProjectOpenElsewhere -> stringResource(Res.string.documents_own_elsewhere)
-
     is Notice.ProjectUnusable -> stringResource(Res.string.documents_work_unusable, notice.reason)
-
     is Notice.ProjectNotDeleted -> stringResource(Res.string.documents_delete_failed, notice.reason)
-
     is Notice.ProjectRestored -> restored(notice)
-
     is Notice.OtherProjectsOpen -> stringResource(othersOpen(notice))
-
     is Notice.EarlierProjectSaved -> stringResource(Res.string.documents_kept_before)
-
     is Notice.AssignmentBegunBefore -> stringResource(Res.string.assignment_begun_before)
-
     Notice.BegunAgain -> stringResource(Res.string.assignment_begun_again)
-
     Notice.WorldOfAssignment -> stringResource(Res.string.assignment_world_locked)
-
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
 
     is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
         ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
 
     is Notice.RobotReplaced -> stringResource(Res.string.robot_replaced, notice.robot, robotTitle(notice.description))
-
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
     is Notice.HandInOpened -> notice.run?.let { run ->
@@ -175,7 +92,6 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     )
 
     Notice.EscapeAlone -> stringResource(Res.string.nxt_escape_alone)
-
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 

@@ -45,15 +45,7 @@ import robotran.ui.parts.IconTouch
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.learning_harder
-import robotran.ui.resources.learning_hint
-import robotran.ui.resources.learning_next
-import robotran.ui.resources.learning_try_worlds
-import robotran.ui.resources.outcome_close
-import robotran.ui.resources.outcome_missing
-import robotran.ui.resources.outcome_solved
-import robotran.ui.resources.time_up
+import robotran.ui.resources.*
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
@@ -134,13 +126,8 @@ private fun Solved(
         )
     }
     when {
-        assignment == null -> {
-            Next(solved, onEvent)
-        }
-
-        course == null -> {
-            Tries(assignment, canHandIn, tellsTries, onEvent)
-        }
+        assignment == null -> Next(solved, onEvent)
+        course == null -> Tries(assignment, canHandIn, tellsTries, onEvent)
 
         else -> {
             Tries(assignment, canHandIn = false, tellsTries, onEvent)

@@ -39,10 +39,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.divider
-import robotran.ui.resources.divider_reset
-import robotran.ui.resources.divider_upright
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 

@@ -2,14 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.outcome_learned
-import robotran.ui.resources.outcome_lines
-import robotran.ui.resources.outcome_lines_before
-import robotran.ui.resources.outcome_lines_best
-import robotran.ui.resources.outcome_time
-import robotran.ui.resources.outcome_time_before
-import robotran.ui.resources.outcome_time_best
+import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
 import robotran.workshop.state.SolvedTask
 

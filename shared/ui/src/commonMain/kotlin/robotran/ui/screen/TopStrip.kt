@@ -15,13 +15,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.ProjectMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.Res
-import robotran.ui.resources.edit_world
-import robotran.ui.resources.edit_world_help
-import robotran.ui.resources.learn
-import robotran.ui.resources.learn_help
-import robotran.ui.resources.worlds
-import robotran.ui.resources.worlds_help
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent

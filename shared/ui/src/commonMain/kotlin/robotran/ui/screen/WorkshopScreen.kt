@@ -111,9 +111,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                         }
 
                         layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
-
                         layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
-
                         else -> NarrowScreen(state, onEvent)
                     }
                 }

@@ -10,13 +10,7 @@ import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.device.DatalogSource
 import robotran.legofirmware.device.source
 import robotran.legofirmware.device.sourceNumber
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_datalog_more
-import robotran.ui.resources.send_datalog_other
-import robotran.ui.resources.send_datalog_sensor
-import robotran.ui.resources.send_datalog_timer
-import robotran.ui.resources.send_datalog_variable
-import robotran.ui.resources.send_datalog_watch
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 

@@ -6,23 +6,7 @@ import robotran.tower.Remains
 import robotran.tower.firmware.FirmwareFile
 import robotran.tower.firmware.FirmwareImage
 import robotran.tower.firmware.FirmwareKind
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_file_lego
-import robotran.ui.resources.send_file_lego_none
-import robotran.ui.resources.send_file_lego_old
-import robotran.ui.resources.send_file_lego_unknown
-import robotran.ui.resources.send_file_lego_version
-import robotran.ui.resources.send_file_lejos
-import robotran.ui.resources.send_firmware_lego
-import robotran.ui.resources.send_firmware_lejos_2_1
-import robotran.ui.resources.send_firmware_lejos_3_0
-import robotran.ui.resources.send_firmware_none
-import robotran.ui.resources.send_firmware_unknown
-import robotran.ui.resources.send_left_empty_slot
-import robotran.ui.resources.send_left_no_firmware
-import robotran.ui.resources.send_left_nothing
-import robotran.ui.resources.send_left_unknown
-import robotran.ui.resources.send_left_unknown_slot
+import robotran.ui.resources.*
 import robotran.workshop.state.ChosenFirmware
 
 /** What the file [chosen] is, where LEGO's own firmware is needed, or else leJOS. */
@@ -66,7 +50,6 @@ private fun legoVersion(name: String, firmware: FirmwareImage): String {
 @Composable
 internal fun remainsSentence(remains: Remains, slot: Int?): String? = when (remains) {
     Remains.AS_BEFORE -> null
-
     Remains.NO_FIRMWARE -> stringResource(Res.string.send_left_no_firmware)
 
     Remains.NO_PROGRAM -> slot?.let { stringResource(Res.string.send_left_empty_slot, it) }

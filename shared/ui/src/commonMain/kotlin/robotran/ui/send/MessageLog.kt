@@ -7,9 +7,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.ReceivedMessage
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_bytes
-import robotran.ui.resources.send_message
+import robotran.ui.resources.*
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

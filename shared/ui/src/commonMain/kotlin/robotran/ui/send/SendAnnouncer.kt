@@ -11,8 +11,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_said_progress
+import robotran.ui.resources.*
 import robotran.workshop.state.SendStep
 
 /** Tells screen readers each new step, and a quarter of a transfer at a time. */

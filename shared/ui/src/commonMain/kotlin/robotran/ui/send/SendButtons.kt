@@ -16,21 +16,7 @@ import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
 import robotran.ui.parts.ButtonRows
 import robotran.ui.parts.SteadySize
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_again
-import robotran.ui.resources.send_again_after
-import robotran.ui.resources.send_cancel
-import robotran.ui.resources.send_close
-import robotran.ui.resources.send_datalog_read
-import robotran.ui.resources.send_datalog_save
-import robotran.ui.resources.send_empty_slots
-import robotran.ui.resources.send_firmware_choose
-import robotran.ui.resources.send_firmware_other
-import robotran.ui.resources.send_firmware_send
-import robotran.ui.resources.send_mistake_show
-import robotran.ui.resources.send_other_tower
-import robotran.ui.resources.send_to_slots
-import robotran.ui.resources.send_watch
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -69,9 +55,7 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
 /** What can be done in [step], the most likely last. */
 private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
     SendStep.Building, SendStep.Checking, SendStep.NoTowers, SendStep.CompilerFailed -> emptyList()
-
     is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.Watching, is SendStep.ReadingDatalog -> emptyList()
-
     is SendStep.ChoosingSlot -> listOf(SendAction.READ_DATALOG)
 
     is SendStep.Datalog -> when {
@@ -81,7 +65,6 @@ private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
     }
 
     is SendStep.HasErrors -> listOf(SendAction.SHOW_MISTAKE)
-
     SendStep.NoCompiler -> listOf(SendAction.AGAIN)
 
     is SendStep.NeedsFirmware -> when {
@@ -90,9 +73,7 @@ private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
     }
 
     is SendStep.Cancelled -> listOf(SendAction.SEND_AGAIN)
-
     is SendStep.Done -> listOf(SendAction.WATCH)
-
     is SendStep.Failed -> actionsOf(step.error)
 }
 

@@ -4,11 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.programs.ProgramDiagnostic
 import robotran.tower.TransferProgress
-import robotran.ui.resources.Res
-import robotran.ui.resources.mistake_in_file
-import robotran.ui.resources.mistake_in_line_of_file
-import robotran.ui.resources.send_minutes_left
-import robotran.ui.resources.send_seconds_left
+import robotran.ui.resources.*
 import robotran.ui.runbar.oneDecimal
 
 /** [millivolts] as volts with one decimal. */

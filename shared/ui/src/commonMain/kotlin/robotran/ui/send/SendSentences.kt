@@ -6,53 +6,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerKind
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_building
-import robotran.ui.resources.send_cancelled_firmware
-import robotran.ui.resources.send_cancelled_program
-import robotran.ui.resources.send_cancelled_slot
-import robotran.ui.resources.send_checking
-import robotran.ui.resources.send_choose
-import robotran.ui.resources.send_choose_missing
-import robotran.ui.resources.send_compiler_failed
-import robotran.ui.resources.send_datalog
-import robotran.ui.resources.send_datalog_none
-import robotran.ui.resources.send_datalog_reading
-import robotran.ui.resources.send_datalog_refused
-import robotran.ui.resources.send_datalog_saved
-import robotran.ui.resources.send_done
-import robotran.ui.resources.send_done_help
-import robotran.ui.resources.send_done_slot
-import robotran.ui.resources.send_error_battery
-import robotran.ui.resources.send_error_brick_silent
-import robotran.ui.resources.send_error_brick_silent_help
-import robotran.ui.resources.send_error_busy
-import robotran.ui.resources.send_error_connection
-import robotran.ui.resources.send_error_held
-import robotran.ui.resources.send_error_large
-import robotran.ui.resources.send_error_not_allowed
-import robotran.ui.resources.send_error_refused
-import robotran.ui.resources.send_error_tower_gone
-import robotran.ui.resources.send_error_tower_silent
-import robotran.ui.resources.send_firmware
-import robotran.ui.resources.send_firmware_where
-import robotran.ui.resources.send_full_slots
-import robotran.ui.resources.send_has_lego
-import robotran.ui.resources.send_keep_still
-import robotran.ui.resources.send_lego_too_old
-import robotran.ui.resources.send_lego_where
-import robotran.ui.resources.send_mistake
-import robotran.ui.resources.send_needs_firmware
-import robotran.ui.resources.send_needs_lego
-import robotran.ui.resources.send_no_compiler
-import robotran.ui.resources.send_no_towers
-import robotran.ui.resources.send_program
-import robotran.ui.resources.send_serial_elsewhere
-import robotran.ui.resources.send_slot
-import robotran.ui.resources.send_slot_help
-import robotran.ui.resources.send_usb_elsewhere
-import robotran.ui.resources.send_watching
-import robotran.ui.resources.send_watching_over
+import robotran.ui.resources.*
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer
@@ -61,13 +15,9 @@ import robotran.workshop.state.Transfer
 @Composable
 internal fun sentenceOf(step: SendStep): String = when (step) {
     SendStep.Building -> stringResource(Res.string.send_building)
-
     is SendStep.HasErrors -> stringResource(Res.string.send_mistake)
-
     SendStep.NoCompiler -> stringResource(Res.string.send_no_compiler)
-
     SendStep.CompilerFailed -> stringResource(Res.string.send_compiler_failed)
-
     SendStep.NoTowers -> stringResource(Res.string.send_no_towers)
 
     is SendStep.ChoosingTower -> stringResource(
@@ -75,9 +25,7 @@ internal fun sentenceOf(step: SendStep): String = when (step) {
     )
 
     SendStep.Checking -> stringResource(Res.string.send_checking)
-
     is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot)
-
     is SendStep.ReadingDatalog -> stringResource(Res.string.send_datalog_reading)
 
     is SendStep.Datalog -> if (step.entries.isEmpty()) {
@@ -157,20 +105,15 @@ private fun sentenceOf(error: SendError): String = when (error) {
 @Composable
 private fun sentenceOf(error: TowerError): String = when (error) {
     TowerError.TowerGone -> stringResource(Res.string.send_error_tower_gone)
-
     TowerError.TowerSilent -> stringResource(Res.string.send_error_tower_silent)
-
     TowerError.BrickSilent -> stringResource(Res.string.send_error_brick_silent)
 
     is TowerError.NoLejos -> error.lego?.let { stringResource(Res.string.send_has_lego, "$it") }
         ?: stringResource(Res.string.send_needs_firmware)
 
     TowerError.NoLegoFirmware -> stringResource(Res.string.send_needs_lego)
-
     is TowerError.LegoFirmwareTooOld -> stringResource(Res.string.send_lego_too_old, "${error.version}")
-
     TowerError.BadConnection -> stringResource(Res.string.send_error_connection)
-
     is TowerError.BatteryLow -> stringResource(Res.string.send_error_battery, voltsOf(error.millivolts))
 
     is TowerError.TooLarge -> error.maxBytes?.let { stringResource(Res.string.send_error_large, error.bytes, it) }

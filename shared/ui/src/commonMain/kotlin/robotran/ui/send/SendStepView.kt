@@ -20,8 +20,7 @@ import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_datalog_entry
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep

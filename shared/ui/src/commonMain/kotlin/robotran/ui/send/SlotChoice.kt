@@ -18,9 +18,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.LegoLimits
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_slot_last
-import robotran.ui.resources.send_slot_number
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -15,13 +15,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_look_serial
-import robotran.ui.resources.send_look_usb
-import robotran.ui.resources.send_serial_named
-import robotran.ui.resources.send_serial_tower
-import robotran.ui.resources.send_usb_named
-import robotran.ui.resources.send_usb_tower
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

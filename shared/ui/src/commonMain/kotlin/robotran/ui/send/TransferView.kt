@@ -14,9 +14,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TransferProgress
 import robotran.ui.documents.Explanation
-import robotran.ui.resources.Res
-import robotran.ui.resources.send_block
-import robotran.ui.resources.send_weak
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes

@@ -21,10 +21,7 @@ import androidx.compose.ui.text.input.KeyboardType
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.siteAddress
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.Res
-import robotran.ui.resources.settings_site
-import robotran.ui.resources.settings_site_help
-import robotran.ui.resources.settings_site_wrong
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 

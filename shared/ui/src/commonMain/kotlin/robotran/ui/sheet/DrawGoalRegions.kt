@@ -57,9 +57,7 @@ internal fun DrawScope.drawRegion(
             drawDashes(drawing.outline, SheetColours.STAY_OUT, width, SHORT_DASH)
         }
 
-        RegionRole.PERMITTED -> {
-            drawDashes(drawing.outline, SheetColours.STAY_IN, width, LONG_DASH)
-        }
+        RegionRole.PERMITTED -> drawDashes(drawing.outline, SheetColours.STAY_IN, width, LONG_DASH)
     }
 }
 

@@ -73,9 +73,7 @@ private fun placeOf(part: RobotPart, robot: RobotState, box: Bounds): Point = wh
         robot.ahead(0.0, y)
     }
 
-    is FingerTouchPart -> {
-        robot.ahead(box.left - BEHIND, -BEHIND)
-    }
+    is FingerTouchPart -> robot.ahead(box.left - BEHIND, -BEHIND)
 
     is SensorPart -> {
         when {

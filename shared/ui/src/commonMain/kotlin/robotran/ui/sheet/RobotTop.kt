@@ -126,9 +126,7 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, brick: BrickKind) {
             for (y in listOf(-0.7f, 0f, 0.7f)) disc(Offset(0.5f, y), 0.22f, RobotColours.NXT_FACE)
         }
 
-        SensorKind.RCX_LIGHT -> {
-            plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
-        }
+        SensorKind.RCX_LIGHT -> plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
 
         SensorKind.COMPASS, SensorKind.GYRO -> {
             plate(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)

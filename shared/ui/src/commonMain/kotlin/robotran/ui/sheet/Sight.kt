@@ -52,9 +52,7 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
     return when {
         part.sensor.seesSurfaces -> {
             when (part.facing) {
-                Facing.Down -> {
-                    Sight.Spot(eye)
-                }
+                Facing.Down -> Sight.Spot(eye)
 
                 is Facing.Ahead -> {
                     val direction = robot.pose.heading + robot.direction(part)
@@ -85,9 +83,7 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
             Sight.Cone(eye, direction, OpticalDistance.BEAM, OpticalDistance.FARTHEST)
         }
 
-        else -> {
-            null
-        }
+        else -> null
     }
 }
 

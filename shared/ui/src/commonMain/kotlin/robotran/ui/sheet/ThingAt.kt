@@ -59,13 +59,9 @@ private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<In
 private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> =
     when (kind) {
         SheetElementKind.MARK -> world.marks.map { distanceTo(it, point) }
-
         SheetElementKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
-
         SheetElementKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
-
         SheetElementKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
-
         SheetElementKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
 
         SheetElementKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved ->
@@ -80,9 +76,7 @@ private fun distances(kind: SheetElementKind, world: World, state: SessionState,
     }
 
 private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = mark.figure) {
-    is MarkFigure.Area -> {
-        figure.shape.distanceTo(point)
-    }
+    is MarkFigure.Area -> figure.shape.distanceTo(point)
 
     is MarkFigure.Line -> {
         val points = if (figure.closed) figure.points + figure.points.first() else figure.points

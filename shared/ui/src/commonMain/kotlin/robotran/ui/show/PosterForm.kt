@@ -31,12 +31,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.fieldColours
 import robotran.ui.parts.scrollHint
 import robotran.ui.poster.DrawnPoster
-import robotran.ui.resources.Res
-import robotran.ui.resources.show_poster_date
-import robotran.ui.resources.show_poster_maker
-import robotran.ui.resources.show_poster_preview
-import robotran.ui.resources.show_poster_private
-import robotran.ui.resources.show_poster_title
+import robotran.ui.resources.*
 import robotran.ui.settings.SwitchRow
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -7,14 +7,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
 import robotran.ui.parts.ButtonRows
-import robotran.ui.resources.Res
-import robotran.ui.resources.show_back
-import robotran.ui.resources.show_cancel
-import robotran.ui.resources.show_close
-import robotran.ui.resources.show_make
-import robotran.ui.resources.show_more
-import robotran.ui.resources.show_poster_print
-import robotran.ui.resources.show_poster_save
+import robotran.ui.resources.*
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.state.ShowState
 import robotran.workshop.state.ShowStep
@@ -37,25 +30,15 @@ internal fun ShowButtons(state: ShowState, onEvent: (ShowEvent) -> Unit, modifie
 }
 
 private fun actionsOf(state: ShowState): Pair<ShowAction, List<ShowAction>> = when (state.step) {
-    ShowStep.Choosing -> {
-        ShowAction.CLOSE to emptyList()
-    }
-
-    is ShowStep.ChoosingSpeed -> {
-        ShowAction.BACK to listOf(ShowAction.MAKE)
-    }
-
-    is ShowStep.Making -> {
-        ShowAction.CANCEL to emptyList()
-    }
+    ShowStep.Choosing -> ShowAction.CLOSE to emptyList()
+    is ShowStep.ChoosingSpeed -> ShowAction.BACK to listOf(ShowAction.MAKE)
+    is ShowStep.Making -> ShowAction.CANCEL to emptyList()
 
     is ShowStep.ChoosingPoster -> {
         ShowAction.BACK to listOf(ShowAction.SAVE, ShowAction.PRINT).filter { it != ShowAction.PRINT || state.canPrint }
     }
 
-    is ShowStep.Saved, is ShowStep.Failed -> {
-        ShowAction.MORE to listOf(ShowAction.CLOSE)
-    }
+    is ShowStep.Saved, is ShowStep.Failed -> ShowAction.MORE to listOf(ShowAction.CLOSE)
 }
 
 private enum class ShowAction(val words: StringResource, val tag: String, val event: ShowEvent) {

@@ -29,21 +29,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.Res
-import robotran.ui.resources.show_full
-import robotran.ui.resources.show_making_moving
-import robotran.ui.resources.show_making_video
-import robotran.ui.resources.show_no_video
-import robotran.ui.resources.show_not_printed
-import robotran.ui.resources.show_not_saved
-import robotran.ui.resources.show_percent
-import robotran.ui.resources.show_saved
-import robotran.ui.resources.show_seconds
-import robotran.ui.resources.show_speed_own
-import robotran.ui.resources.show_speed_times
-import robotran.ui.resources.show_speed_title
-import robotran.ui.resources.show_too_large
-import robotran.ui.resources.show_video_time
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -135,9 +121,7 @@ internal fun SavedView(name: String) = Told(stringResource(Res.string.show_saved
 internal fun FailedView(error: ShowError) = Told(
     when (error) {
         ShowError.TooLarge -> stringResource(Res.string.show_too_large)
-
         ShowError.NoVideo -> stringResource(Res.string.show_no_video)
-
         is ShowError.NotPrinted -> stringResource(Res.string.show_not_printed, error.reason).trim()
 
         is ShowError.NotSaved -> when {

@@ -6,8 +6,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.style.LineHeightStyle
 import org.jetbrains.compose.resources.Font
-import robotran.ui.resources.Res
-import robotran.ui.resources.jetbrains_mono_regular
+import robotran.ui.resources.*
 
 /** The style of program text: the bundled monospaced font with a fixed line height. */
 @Composable

@@ -24,15 +24,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.simulation.SessionInput
 import robotran.simulation.state.AmbientConditions
 import robotran.ui.parts.AppMenu
-import robotran.ui.resources.Res
-import robotran.ui.resources.sheet_celsius
-import robotran.ui.resources.sheet_light
-import robotran.ui.resources.sheet_light_bright
-import robotran.ui.resources.sheet_light_dark
-import robotran.ui.resources.sheet_light_day
-import robotran.ui.resources.sheet_light_dim
-import robotran.ui.resources.sheet_surroundings
-import robotran.ui.resources.sheet_temperature
+import robotran.ui.resources.*
 import robotran.ui.sheet.has
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

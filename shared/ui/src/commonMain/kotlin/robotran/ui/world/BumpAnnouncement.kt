@@ -17,13 +17,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.Res
-import robotran.ui.resources.sheet_bump
-import robotran.ui.resources.sheet_bump_into
-import robotran.ui.resources.sheet_touch_barrier
-import robotran.ui.resources.sheet_touch_block
-import robotran.ui.resources.sheet_touch_robot
-import robotran.ui.resources.sheet_touch_wall
+import robotran.ui.resources.*
 import robotran.world.TouchKind
 import robotran.world.World
 

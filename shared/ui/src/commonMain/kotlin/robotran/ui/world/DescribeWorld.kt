@@ -4,19 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.Res
-import robotran.ui.resources.centimetres
-import robotran.ui.resources.degrees
-import robotran.ui.resources.ink_length
-import robotran.ui.resources.robot_pen_down
-import robotran.ui.resources.robot_pen_up
-import robotran.ui.resources.robot_pose
-import robotran.ui.resources.sheet_region_met
-import robotran.ui.resources.sheet_region_reach
-import robotran.ui.resources.sheet_region_reach_numbered
-import robotran.ui.resources.sheet_region_stay_in
-import robotran.ui.resources.sheet_region_stay_out
-import robotran.ui.resources.sheet_robot_of_several
+import robotran.ui.resources.*
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.goalRegions
@@ -69,13 +57,8 @@ private fun regionWords(region: GoalRegion, session: SessionState): String {
             }
         }
 
-        RegionRole.FORBIDDEN -> {
-            stringResource(Res.string.sheet_region_stay_out, place)
-        }
-
-        RegionRole.PERMITTED -> {
-            stringResource(Res.string.sheet_region_stay_in, place)
-        }
+        RegionRole.FORBIDDEN -> stringResource(Res.string.sheet_region_stay_out, place)
+        RegionRole.PERMITTED -> stringResource(Res.string.sheet_region_stay_in, place)
     }
     return if (region.isMet(session.goals)) stringResource(Res.string.sheet_region_met, words) else words
 }

@@ -30,14 +30,7 @@ import androidx.compose.ui.unit.max
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.Res
-import robotran.ui.resources.sheet_lamp_switch
-import robotran.ui.resources.sheet_move_down
-import robotran.ui.resources.sheet_move_left
-import robotran.ui.resources.sheet_move_right
-import robotran.ui.resources.sheet_move_up
-import robotran.ui.resources.sheet_turn_left
-import robotran.ui.resources.sheet_turn_right
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetElement

@@ -30,12 +30,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.measure_next
-import robotran.ui.resources.sheet_move_down
-import robotran.ui.resources.sheet_move_left
-import robotran.ui.resources.sheet_move_right
-import robotran.ui.resources.sheet_move_up
+import robotran.ui.resources.*
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.focusRing
@@ -107,34 +102,18 @@ private fun MeasuringHandle(
                 if (event.type != KeyEventType.KeyDown || event.hasModifier) return@onKeyEvent false
                 val step = if (event.isShiftPressed) FINE_STEP else STEP
                 when (event.key) {
-                    Key.DirectionLeft -> {
-                        move(-step, 0.0)
-                    }
-
-                    Key.DirectionRight -> {
-                        move(step, 0.0)
-                    }
-
-                    Key.DirectionUp -> {
-                        move(0.0, step)
-                    }
-
-                    Key.DirectionDown -> {
-                        move(0.0, -step)
-                    }
-
-                    Key.Enter, Key.NumPadEnter, Key.Spacebar -> {
-                        goToNext()
-                    }
+                    Key.DirectionLeft -> move(-step, 0.0)
+                    Key.DirectionRight -> move(step, 0.0)
+                    Key.DirectionUp -> move(0.0, step)
+                    Key.DirectionDown -> move(0.0, -step)
+                    Key.Enter, Key.NumPadEnter, Key.Spacebar -> goToNext()
 
                     Key.Escape -> {
                         put(null)
                         true
                     }
 
-                    else -> {
-                        false
-                    }
+                    else -> false
                 }
             }
             .focusable()

@@ -31,15 +31,12 @@ internal fun poseOf(thing: SheetElement, world: World, session: SessionState): P
     }
 
     SheetElementKind.LAMP -> session.lamps.getOrNull(thing.number)?.let { Pose(it.place.x, it.place.y, 0.0) }
-
     else -> null
 }
 
 /** The radius of a movable element around that point. */
 internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.kind) {
-    SheetElementKind.ROBOT -> {
-        (world.robots.getOrNull(thing.number) ?: world.robots.first()).description.box.right + 1
-    }
+    SheetElementKind.ROBOT -> (world.robots.getOrNull(thing.number) ?: world.robots.first()).description.box.right + 1
 
     SheetElementKind.BLOCK -> {
         world.blocks.getOrNull(thing.number)?.shape?.let { shape ->
@@ -48,9 +45,7 @@ internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.ki
             ?: 0.0
     }
 
-    else -> {
-        LAMP_REACH
-    }
+    else -> LAMP_REACH
 }
 
 /** The position of the handle for turning a robot or a block; null for other elements. */

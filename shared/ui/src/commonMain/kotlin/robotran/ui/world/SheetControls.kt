@@ -10,13 +10,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.Res
-import robotran.ui.resources.measure
-import robotran.ui.resources.sheet_further
-import robotran.ui.resources.sheet_nearer
-import robotran.ui.resources.sheet_whole
-import robotran.ui.resources.show_title
-import robotran.ui.resources.space_view
+import robotran.ui.resources.*
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet3d.leastZoom
 import robotran.ui.theme.Dimensions

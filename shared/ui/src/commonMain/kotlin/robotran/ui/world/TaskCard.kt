@@ -48,10 +48,7 @@ import robotran.ui.learning.UNFOLD_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.task_fold
-import robotran.ui.resources.task_hide
-import robotran.ui.resources.task_unfold
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -26,19 +26,12 @@ internal fun inputOf(event: KeyEvent, thing: SheetElement, pose: Pose): SessionI
     return when {
         // A German keyboard types brackets with Alt Gr.
         event.isLeftTurn -> turned(thing, pose, turn)
-
         event.isRightTurn -> turned(thing, pose, -turn)
-
         event.isAltPressed -> null
-
         event.key == Key.DirectionLeft -> moved(thing, pose, -step, 0.0)
-
         event.key == Key.DirectionRight -> moved(thing, pose, step, 0.0)
-
         event.key == Key.DirectionUp -> moved(thing, pose, 0.0, step)
-
         event.key == Key.DirectionDown -> moved(thing, pose, 0.0, -step)
-
         else -> null
     }
 }

@@ -17,10 +17,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_of_assignment
-import robotran.ui.resources.worldedit_of_variation
-import robotran.ui.resources.worldedit_to_assignment
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -23,10 +23,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.notice_close
-import robotran.ui.resources.worldedit_mend_first
-import robotran.ui.resources.worldedit_show_trouble
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes

@@ -29,11 +29,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_tab_chosen
-import robotran.ui.resources.worldedit_tab_goals
-import robotran.ui.resources.worldedit_tab_things
-import robotran.ui.resources.worldedit_tab_world
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -56,17 +56,13 @@ private class SheetFinger(
         val there = making.world.elementsAt(centimetres(down), reach)
         when {
             making.editing.tool != Tool.SELECT -> draw(down)
-
             handle != null -> drag(down, adding) { making.make(Edit.StartDrag(handle.handle.grip, centimetres(down))) }
 
             there.any {
                 it in making.editing.selection
             } -> drag(down, adding) { making.make(Edit.StartDrag(DragHandle.Body, centimetres(down))) }
-
             there.isNotEmpty() && !adding && !making.editing.several -> drag(down, adding = false) { takeNew(down) }
-
             adding || making.editing.several -> box(down, adding)
-
             else -> push(down)
         }
     }

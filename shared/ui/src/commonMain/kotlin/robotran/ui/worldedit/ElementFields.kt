@@ -2,21 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_brightness
-import robotran.ui.resources.worldedit_closed
-import robotran.ui.resources.worldedit_cone
-import robotran.ui.resources.worldedit_cone_help
-import robotran.ui.resources.worldedit_direction
-import robotran.ui.resources.worldedit_friction
-import robotran.ui.resources.worldedit_friction_help
-import robotran.ui.resources.worldedit_grey_map_help
-import robotran.ui.resources.worldedit_lamp_infrared
-import robotran.ui.resources.worldedit_lamp_on
-import robotran.ui.resources.worldedit_mass
-import robotran.ui.resources.worldedit_name
-import robotran.ui.resources.worldedit_no_name
-import robotran.ui.resources.worldedit_thickness
+import robotran.ui.resources.*
 import robotran.ui.settings.SwitchRow
 import robotran.world.Block
 import robotran.world.Lamp
@@ -33,9 +19,7 @@ import robotran.worldediting.named
 @Composable
 internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Element) {
     when (piece) {
-        is Element.OfRobot -> {
-            RobotFields(making, thing, piece)
-        }
+        is Element.OfRobot -> RobotFields(making, thing, piece)
 
         is Element.OfWall -> {
             FormFields(making, thing, piece)
@@ -55,21 +39,10 @@ internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Elemen
             FormFields(making, thing, piece)
         }
 
-        is Element.OfMark -> {
-            MarkFields(making, thing, piece)
-        }
-
-        is Element.OfLamp -> {
-            LampFields(making, thing, piece)
-        }
-
-        is Element.OfStroke -> {
-            FormFields(making, thing, piece)
-        }
-
-        is Element.OfGoal -> {
-            GoalFields(making, thing, piece)
-        }
+        is Element.OfMark -> MarkFields(making, thing, piece)
+        is Element.OfLamp -> LampFields(making, thing, piece)
+        is Element.OfStroke -> FormFields(making, thing, piece)
+        is Element.OfGoal -> GoalFields(making, thing, piece)
     }
 }
 
@@ -121,9 +94,7 @@ private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.Of
     val mark = piece.mark
     NameField(making, thing, piece)
     when (val figure = mark.figure) {
-        is MarkFigure.GreyMap -> {
-            Remark(stringResource(Res.string.worldedit_grey_map_help))
-        }
+        is MarkFigure.GreyMap -> Remark(stringResource(Res.string.worldedit_grey_map_help))
 
         is MarkFigure.Area -> {
             ShadeFields(making, mark.shade) { making.change(thing, Element.OfMark(mark.copy(shade = it))) }

@@ -3,33 +3,7 @@ package robotran.ui.worldedit
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_black
-import robotran.ui.resources.worldedit_blue
-import robotran.ui.resources.worldedit_green
-import robotran.ui.resources.worldedit_grey_map
-import robotran.ui.resources.worldedit_item_area
-import robotran.ui.resources.worldedit_item_block
-import robotran.ui.resources.worldedit_item_box
-import robotran.ui.resources.worldedit_item_column
-import robotran.ui.resources.worldedit_item_cornered_barrier
-import robotran.ui.resources.worldedit_item_dot
-import robotran.ui.resources.worldedit_item_lamp
-import robotran.ui.resources.worldedit_item_line
-import robotran.ui.resources.worldedit_item_robot
-import robotran.ui.resources.worldedit_item_template_line
-import robotran.ui.resources.worldedit_item_wall
-import robotran.ui.resources.worldedit_none_chosen
-import robotran.ui.resources.worldedit_numbered
-import robotran.ui.resources.worldedit_one_chosen
-import robotran.ui.resources.worldedit_orange
-import robotran.ui.resources.worldedit_purple
-import robotran.ui.resources.worldedit_red
-import robotran.ui.resources.worldedit_robot_named
-import robotran.ui.resources.worldedit_several_chosen
-import robotran.ui.resources.worldedit_wall_numbered
-import robotran.ui.resources.worldedit_white
-import robotran.ui.resources.worldedit_yellow
+import robotran.ui.resources.*
 import robotran.world.MarkFigure
 import robotran.world.RobotColour
 import robotran.world.World
@@ -49,18 +23,14 @@ internal fun elementText(world: World, thing: ElementRef): String {
     val piece = world.piece(thing) ?: return ""
     val number = thing.number + 1
     return when (piece) {
-        is Element.OfRobot -> {
-            stringResource(Res.string.worldedit_robot_named, piece.robot.name)
-        }
+        is Element.OfRobot -> stringResource(Res.string.worldedit_robot_named, piece.robot.name)
 
         is Element.OfWall -> {
             val length = length(piece.wall.to.x - piece.wall.from.x, piece.wall.to.y - piece.wall.from.y)
             stringResource(Res.string.worldedit_wall_numbered, number, written(round(length * 10) / 10))
         }
 
-        is Element.OfGoal -> {
-            piece.goal.says ?: stringResource(goalTitle(piece.goal.condition))
-        }
+        is Element.OfGoal -> piece.goal.says ?: stringResource(goalTitle(piece.goal.condition))
 
         is Element.OfBarrier, is Element.OfBlock, is Element.OfMark, is Element.OfLamp, is Element.OfStroke -> {
             piece.name ?: stringResource(Res.string.worldedit_numbered, stringResource(kindOf(piece)), number)
@@ -82,7 +52,6 @@ internal fun selectionText(editing: WorldEditing): String {
 /** The kind of an element in one or two words. */
 internal fun kindOf(piece: Element): StringResource = when (piece) {
     is Element.OfRobot -> Res.string.worldedit_item_robot
-
     is Element.OfWall -> Res.string.worldedit_item_wall
 
     is Element.OfBarrier -> when (piece.barrier.shape) {
@@ -94,13 +63,8 @@ internal fun kindOf(piece: Element): StringResource = when (piece) {
     is Element.OfBlock -> Res.string.worldedit_item_block
 
     is Element.OfMark -> when (val figure = piece.mark.figure) {
-        is MarkFigure.Line -> {
-            Res.string.worldedit_item_line
-        }
-
-        is MarkFigure.GreyMap -> {
-            Res.string.worldedit_grey_map
-        }
+        is MarkFigure.Line -> Res.string.worldedit_item_line
+        is MarkFigure.GreyMap -> Res.string.worldedit_grey_map
 
         is MarkFigure.Area -> {
             if (figure.shape is Shape.Circle) Res.string.worldedit_item_dot else Res.string.worldedit_item_area
@@ -108,9 +72,7 @@ internal fun kindOf(piece: Element): StringResource = when (piece) {
     }
 
     is Element.OfLamp -> Res.string.worldedit_item_lamp
-
     is Element.OfStroke -> Res.string.worldedit_item_template_line
-
     is Element.OfGoal -> goalTitle(piece.goal.condition)
 }
 

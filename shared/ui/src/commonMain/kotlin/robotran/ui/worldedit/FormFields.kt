@@ -13,19 +13,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_add_corner
-import robotran.ui.resources.worldedit_angle
-import robotran.ui.resources.worldedit_corner
-import robotran.ui.resources.worldedit_corners
-import robotran.ui.resources.worldedit_heading
-import robotran.ui.resources.worldedit_height
-import robotran.ui.resources.worldedit_make_corners
-import robotran.ui.resources.worldedit_radius
-import robotran.ui.resources.worldedit_remove_corner
-import robotran.ui.resources.worldedit_width
-import robotran.ui.resources.worldedit_x
-import robotran.ui.resources.worldedit_y
+import robotran.ui.resources.*
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -43,13 +31,8 @@ import robotran.worldediting.withForm
 internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) {
     val change = { form: Form -> making.change(thing, piece.withForm(form)) }
     when (val form = piece.form) {
-        is Form.Area -> {
-            ShapeFields(making, thing, form.shape) { change(Form.Area(it)) }
-        }
-
-        is Form.Way -> {
-            CornerFields(making, thing, form.corners, canGrow = form.isBent)
-        }
+        is Form.Area -> ShapeFields(making, thing, form.shape) { change(Form.Area(it)) }
+        is Form.Way -> CornerFields(making, thing, form.corners, canGrow = form.isBent)
 
         is Form.Start -> {
             PlaceFields(making, Point(form.pose.x, form.pose.y)) {
@@ -60,14 +43,8 @@ internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) 
             }
         }
 
-        is Form.Light -> {
-            PlaceFields(making, form.place) { change(form.copy(place = it)) }
-        }
-
-        is Form.Picture -> {
-            PlaceFields(making, form.corner) { change(form.copy(corner = it)) }
-        }
-
+        is Form.Light -> PlaceFields(making, form.place) { change(form.copy(place = it)) }
+        is Form.Picture -> PlaceFields(making, form.corner) { change(form.copy(corner = it)) }
         null -> {}
     }
 }
@@ -97,9 +74,7 @@ private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, on
             MakeCorners(making, thing)
         }
 
-        is Shape.Polygon -> {
-            CornerFields(making, thing, shape.corners, canGrow = true)
-        }
+        is Shape.Polygon -> CornerFields(making, thing, shape.corners, canGrow = true)
     }
 }
 

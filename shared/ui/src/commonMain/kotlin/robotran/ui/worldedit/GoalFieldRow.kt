@@ -3,11 +3,7 @@ package robotran.ui.worldedit
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_kind_barriers
-import robotran.ui.resources.worldedit_kind_blocks
-import robotran.ui.resources.worldedit_kind_robots
-import robotran.ui.resources.worldedit_kind_walls
+import robotran.ui.resources.*
 import robotran.ui.settings.SwitchRow
 import robotran.world.GoalCondition
 import robotran.world.MarkFigure
@@ -41,9 +37,7 @@ internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
             )
         }
 
-        is GoalField.Number -> {
-            SpecifiedNumberRow(sender, words, field.value, field.spec, field.with)
-        }
+        is GoalField.Number -> SpecifiedNumberRow(sender, words, field.value, field.spec, field.with)
 
         is GoalField.OptionalNumber -> {
             SwitchRow(stringResource(words.switchLabel), field.value != null, words.switchTag) { on ->
@@ -52,13 +46,8 @@ internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
             field.value?.let { SpecifiedNumberRow(sender, words, it, field.spec, field.with) }
         }
 
-        is GoalField.Line -> {
-            LineRow(sender, words, field)
-        }
-
-        is GoalField.TouchKinds -> {
-            TouchRows(sender, words, field)
-        }
+        is GoalField.Line -> LineRow(sender, words, field)
+        is GoalField.TouchKinds -> TouchRows(sender, words, field)
     }
 }
 

@@ -5,10 +5,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_group_help
-import robotran.ui.resources.worldedit_says
-import robotran.ui.resources.worldedit_says_hint
+import robotran.ui.resources.*
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.HasActor

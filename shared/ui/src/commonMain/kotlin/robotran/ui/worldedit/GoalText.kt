@@ -1,39 +1,7 @@
 package robotran.ui.worldedit
 
 import org.jetbrains.compose.resources.StringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_at_least
-import robotran.ui.resources.worldedit_at_most
-import robotran.ui.resources.worldedit_counted
-import robotran.ui.resources.worldedit_coverage
-import robotran.ui.resources.worldedit_excess
-import robotran.ui.resources.worldedit_goal_all
-import robotran.ui.resources.worldedit_goal_any_of
-import robotran.ui.resources.worldedit_goal_draw_template
-import robotran.ui.resources.worldedit_goal_end_within
-import robotran.ui.resources.worldedit_goal_follow_line
-import robotran.ui.resources.worldedit_goal_in_order
-import robotran.ui.resources.worldedit_goal_ink_length
-import robotran.ui.resources.worldedit_goal_never_touch
-import robotran.ui.resources.worldedit_goal_reach
-import robotran.ui.resources.worldedit_goal_show
-import robotran.ui.resources.worldedit_goal_sound
-import robotran.ui.resources.worldedit_goal_stay_in
-import robotran.ui.resources.worldedit_goal_stay_out
-import robotran.ui.resources.worldedit_highest
-import robotran.ui.resources.worldedit_laps
-import robotran.ui.resources.worldedit_length
-import robotran.ui.resources.worldedit_line
-import robotran.ui.resources.worldedit_lowest
-import robotran.ui.resources.worldedit_pitch
-import robotran.ui.resources.worldedit_seconds
-import robotran.ui.resources.worldedit_stays
-import robotran.ui.resources.worldedit_text
-import robotran.ui.resources.worldedit_times
-import robotran.ui.resources.worldedit_tolerance
-import robotran.ui.resources.worldedit_touch_what
-import robotran.ui.resources.worldedit_whole
-import robotran.ui.resources.worldedit_within
+import robotran.ui.resources.*
 import robotran.world.GoalCondition
 import robotran.worldediting.GoalFieldName
 
@@ -72,7 +40,6 @@ internal class GoalFieldWords(
 
 internal fun wordsFor(field: GoalFieldName): GoalFieldWords = when (field) {
     GoalFieldName.WHOLE -> GoalFieldWords("whole", Res.string.worldedit_whole)
-
     GoalFieldName.STAYS -> GoalFieldWords("stays", Res.string.worldedit_stays)
 
     GoalFieldName.WITHIN -> GoalFieldWords(
@@ -83,28 +50,16 @@ internal fun wordsFor(field: GoalFieldName): GoalFieldWords = when (field) {
     )
 
     GoalFieldName.TOUCH_KINDS -> GoalFieldWords("touch", Res.string.worldedit_touch_what)
-
     GoalFieldName.TOLERANCE -> GoalFieldWords("tolerance", Res.string.worldedit_tolerance)
-
     GoalFieldName.COVERAGE -> GoalFieldWords("coverage", Res.string.worldedit_coverage)
-
     GoalFieldName.EXCESS -> GoalFieldWords("excess", Res.string.worldedit_excess)
-
     GoalFieldName.MIN_LENGTH -> GoalFieldWords("least", Res.string.worldedit_length, Res.string.worldedit_at_least)
-
     GoalFieldName.MAX_LENGTH -> GoalFieldWords("most", Res.string.worldedit_length, Res.string.worldedit_at_most)
-
     GoalFieldName.LINE -> GoalFieldWords("line", Res.string.worldedit_line)
-
     GoalFieldName.LAPS -> GoalFieldWords("laps", Res.string.worldedit_laps)
-
     GoalFieldName.SECONDS -> GoalFieldWords("seconds", Res.string.worldedit_seconds)
-
     GoalFieldName.TEXT -> GoalFieldWords("text", Res.string.worldedit_text)
-
     GoalFieldName.TIMES -> GoalFieldWords("times", Res.string.worldedit_times, Res.string.worldedit_counted)
-
     GoalFieldName.LOWEST_TONE -> GoalFieldWords("lowest", Res.string.worldedit_pitch, Res.string.worldedit_lowest)
-
     GoalFieldName.HIGHEST_TONE -> GoalFieldWords("highest", Res.string.worldedit_pitch, Res.string.worldedit_highest)
 }

@@ -4,34 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_kind_barriers
-import robotran.ui.resources.worldedit_kind_blocks
-import robotran.ui.resources.worldedit_kind_goals
-import robotran.ui.resources.worldedit_kind_lamps
-import robotran.ui.resources.worldedit_kind_marks
-import robotran.ui.resources.worldedit_kind_robots
-import robotran.ui.resources.worldedit_kind_strokes
-import robotran.ui.resources.worldedit_kind_walls
-import robotran.ui.resources.worldedit_refusal_corners
-import robotran.ui.resources.worldedit_refusal_deep
-import robotran.ui.resources.worldedit_refusal_far
-import robotran.ui.resources.worldedit_refusal_last_robot
-import robotran.ui.resources.worldedit_refusal_name
-import robotran.ui.resources.worldedit_refusal_needs_line
-import robotran.ui.resources.worldedit_refusal_needs_template
-import robotran.ui.resources.worldedit_refusal_points
-import robotran.ui.resources.worldedit_refusal_range
-import robotran.ui.resources.worldedit_refusal_same_place
-import robotran.ui.resources.worldedit_refusal_size
-import robotran.ui.resources.worldedit_refusal_text
-import robotran.ui.resources.worldedit_refusal_too_many
-import robotran.ui.resources.worldedit_trouble_in_the_way
-import robotran.ui.resources.worldedit_trouble_no_line
-import robotran.ui.resources.worldedit_trouble_no_template
-import robotran.ui.resources.worldedit_trouble_nobody
-import robotran.ui.resources.worldedit_trouble_off_paper
-import robotran.ui.resources.worldedit_trouble_tangled
+import robotran.ui.resources.*
 import robotran.world.World
 import robotran.worldediting.EditError
 import robotran.worldediting.ElementKind
@@ -58,11 +31,8 @@ internal fun validationErrorText(world: World, error: ValidationError): String =
     )
 
     is ValidationError.MissingActor -> stringResource(Res.string.worldedit_trouble_nobody, error.name)
-
     is ValidationError.MissingLine -> stringResource(Res.string.worldedit_trouble_no_line, error.name)
-
     is ValidationError.MissingTemplate -> stringResource(Res.string.worldedit_trouble_no_template)
-
     is ValidationError.Rejected -> error.message(LocalLanguage.current)
 }
 
@@ -76,27 +46,16 @@ internal fun editErrorText(error: EditError): String = when (error) {
     )
 
     EditError.TooManyPoints -> stringResource(Res.string.worldedit_refusal_points)
-
     EditError.TooFar -> stringResource(Res.string.worldedit_refusal_far)
-
     EditError.InvalidSize -> stringResource(Res.string.worldedit_refusal_size)
-
     EditError.OutOfRange -> stringResource(Res.string.worldedit_refusal_range)
-
     EditError.TooFewCorners -> stringResource(Res.string.worldedit_refusal_corners)
-
     EditError.CoincidentPoints -> stringResource(Res.string.worldedit_refusal_same_place)
-
     is EditError.NameTaken -> stringResource(Res.string.worldedit_refusal_name, error.name)
-
     EditError.InvalidText -> stringResource(Res.string.worldedit_refusal_text)
-
     EditError.LastRobot -> stringResource(Res.string.worldedit_refusal_last_robot)
-
     EditError.NeedsLine -> stringResource(Res.string.worldedit_refusal_needs_line)
-
     EditError.NeedsTemplate -> stringResource(Res.string.worldedit_refusal_needs_template)
-
     EditError.TooDeep -> stringResource(Res.string.worldedit_refusal_deep)
 }
 

@@ -2,8 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_who
+import robotran.ui.resources.*
 import robotran.world.HasActor
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit

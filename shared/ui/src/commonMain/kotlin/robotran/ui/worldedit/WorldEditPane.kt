@@ -37,9 +37,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.resources.Res
-import robotran.ui.resources.edit_world
-import robotran.ui.resources.worldedit_new_title
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState

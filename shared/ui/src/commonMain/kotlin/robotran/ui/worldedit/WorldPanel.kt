@@ -2,25 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.worldedit_height
-import robotran.ui.resources.worldedit_light
-import robotran.ui.resources.worldedit_new_world
-import robotran.ui.resources.worldedit_new_world_help
-import robotran.ui.resources.worldedit_paper
-import robotran.ui.resources.worldedit_realism
-import robotran.ui.resources.worldedit_realism_help
-import robotran.ui.resources.worldedit_room
-import robotran.ui.resources.worldedit_run
-import robotran.ui.resources.worldedit_seed
-import robotran.ui.resources.worldedit_seed_help
-import robotran.ui.resources.worldedit_start_over
-import robotran.ui.resources.worldedit_task
-import robotran.ui.resources.worldedit_task_hint
-import robotran.ui.resources.worldedit_temperature
-import robotran.ui.resources.worldedit_time_limit
-import robotran.ui.resources.worldedit_title
-import robotran.ui.resources.worldedit_width
+import robotran.ui.resources.*
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit
 import robotran.worldediting.SheetProperties

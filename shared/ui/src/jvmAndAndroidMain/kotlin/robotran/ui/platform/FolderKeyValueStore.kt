@@ -67,14 +67,10 @@ class FolderKeyValueStore(private val folder: Path, private val reading: Corouti
         val file = folder.resolve("claims").resolve("${checked(name)}.lock").toAbsolutePath()
         if (CLAIMED.putIfAbsent(file, NOTHING) != null) return@withContext null
         when (val lock = lock(file)) {
-            Locking.Taken -> {
-                null.also { CLAIMED.remove(file) }
-            }
+            Locking.Taken -> null.also { CLAIMED.remove(file) }
 
             // Without OS locks, at least the windows of this process are separated.
-            Locking.Impossible -> {
-                ProjectLock { CLAIMED.remove(file) }
-            }
+            Locking.Impossible -> ProjectLock { CLAIMED.remove(file) }
 
             is Locking.Locked -> {
                 CLAIMED[file] = lock.channel

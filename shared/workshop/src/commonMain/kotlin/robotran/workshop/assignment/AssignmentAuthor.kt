@@ -284,13 +284,8 @@ internal class AssignmentAuthor(
         // Meanwhile the teacher may have left, or gone on writing.
         val assignment = state?.assignment ?: return
         when {
-            fitted is FittedPicture.Refused -> {
-                tell(fitted.error)
-            }
-
-            hasAllPictures() -> {
-                tell(PictureError.TOO_MANY)
-            }
+            fitted is FittedPicture.Refused -> tell(fitted.error)
+            hasAllPictures() -> tell(PictureError.TOO_MANY)
 
             fitted is FittedPicture.Fits -> {
                 change(withPicture(assignment, file.name, fitted.bytes))

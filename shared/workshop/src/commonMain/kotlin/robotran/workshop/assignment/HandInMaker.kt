@@ -164,10 +164,7 @@ internal class HandInMaker(
                 remember(made, now.name)
             }
 
-            is Saving.Failed -> {
-                step = now.copy(saveError = saving.reason)
-            }
-
+            is Saving.Failed -> step = now.copy(saveError = saving.reason)
             Saving.Cancelled -> {}
         }
     }

@@ -98,15 +98,7 @@ fun BlockRow.placeBelow(program: BlockProgram): BlockPlace? = when (this) {
         if (block is Block.Construct && !isCollapsed) BlockPlace(block.id, 0, 0) else program.placeOf(block.id)?.next
     }
 
-    is BlockRow.Branch -> {
-        BlockPlace(block.id, slot, 0)
-    }
-
-    is BlockRow.Empty -> {
-        BlockPlace(block.id, slot, 0)
-    }
-
-    is BlockRow.End -> {
-        program.placeOf(block.id)?.next
-    }
+    is BlockRow.Branch -> BlockPlace(block.id, slot, 0)
+    is BlockRow.Empty -> BlockPlace(block.id, slot, 0)
+    is BlockRow.End -> program.placeOf(block.id)?.next
 }

@@ -94,57 +94,23 @@ internal class CourseAuthor(
                 write(course.copy(text = event.text.take(AssignmentLimits.MAXIMUM_TEXT_CHARACTERS)))
             }
 
-            CourseEvent.FilesRequested -> {
-                launch { addFiles() }
-            }
-
-            is CourseEvent.WorksShown -> {
-                launch { showWorks(event.shown) }
-            }
-
-            is CourseEvent.WorkAdded -> {
-                launch { addWork(event.id) }
-            }
-
-            is CourseEvent.TaskMoved -> {
-                move(course, event.index, event.by)
-            }
+            CourseEvent.FilesRequested -> launch { addFiles() }
+            is CourseEvent.WorksShown -> launch { showWorks(event.shown) }
+            is CourseEvent.WorkAdded -> launch { addWork(event.id) }
+            is CourseEvent.TaskMoved -> move(course, event.index, event.by)
 
             is CourseEvent.TaskRemoved -> {
                 change(course.copy(assignments = course.assignments.filterIndexed { index, _ -> index != event.index }))
             }
 
-            is CourseEvent.TaskOpened -> {
-                launch { openTask(event.index) }
-            }
-
-            CourseEvent.UndoRequested -> {
-                undo()
-            }
-
-            CourseEvent.TeacherFileSaved -> {
-                launch { share { sharing.saveForTeacher(it) } }
-            }
-
-            CourseEvent.PupilFileSaved -> {
-                launch { share { sharing.saveForPupils(it) } }
-            }
-
-            CourseEvent.LinkRequested -> {
-                launch { share { sharing.makeLink(it) } }
-            }
-
-            CourseEvent.LinkCopied -> {
-                launch { share { sharing.copyLink(it) } }
-            }
-
-            CourseEvent.LinkShared -> {
-                launch { share { sharing.shareLink(it) } }
-            }
-
-            CourseEvent.LinkClosed -> {
-                update { it.copy(link = null) }
-            }
+            is CourseEvent.TaskOpened -> launch { openTask(event.index) }
+            CourseEvent.UndoRequested -> undo()
+            CourseEvent.TeacherFileSaved -> launch { share { sharing.saveForTeacher(it) } }
+            CourseEvent.PupilFileSaved -> launch { share { sharing.saveForPupils(it) } }
+            CourseEvent.LinkRequested -> launch { share { sharing.makeLink(it) } }
+            CourseEvent.LinkCopied -> launch { share { sharing.copyLink(it) } }
+            CourseEvent.LinkShared -> launch { share { sharing.shareLink(it) } }
+            CourseEvent.LinkClosed -> update { it.copy(link = null) }
         }
     }
 
@@ -194,9 +160,7 @@ internal class CourseAuthor(
         if (files.isEmpty()) return
         val opening = withContext(platform.background) { openFiles(unpackedCourses(files), preferences.language) }
         when (opening) {
-            is OpenFilesResult.Rejected -> {
-                update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
-            }
+            is OpenFilesResult.Rejected -> update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
 
             is OpenFilesResult.Opened -> {
                 val other =
@@ -264,13 +228,8 @@ internal class CourseAuthor(
                 update { it.copy(isKept = true) }
             }
 
-            KeptCourse.TooLong -> {
-                update { it.copy(isKept = false, problem = CourseProblem.TooLong) }
-            }
-
-            else -> {
-                update { it.copy(isKept = false, problem = CourseProblem.NotKept) }
-            }
+            KeptCourse.TooLong -> update { it.copy(isKept = false, problem = CourseProblem.TooLong) }
+            else -> update { it.copy(isKept = false, problem = CourseProblem.NotKept) }
         }
     }
 

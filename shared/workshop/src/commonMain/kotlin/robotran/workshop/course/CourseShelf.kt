@@ -53,17 +53,9 @@ internal class CourseShelf(private val store: KeyValueStore, scope: CoroutineSco
                 KeptCourse.Kept(key)
             }
 
-            StoreResult.Full -> {
-                KeptCourse.Full
-            }
-
-            StoreResult.NoAnswer -> {
-                KeptCourse.Failed("timeout")
-            }
-
-            is StoreResult.Failed -> {
-                KeptCourse.Failed(result.reason)
-            }
+            StoreResult.Full -> KeptCourse.Full
+            StoreResult.NoAnswer -> KeptCourse.Failed("timeout")
+            is StoreResult.Failed -> KeptCourse.Failed(result.reason)
         }
     }
 

@@ -198,7 +198,6 @@ class CourseStateHolder(
             }
 
             is CoursePage.MyCourses -> if (page.removing == null) show(null) else askForRemoval(null)
-
             null -> Unit
         }
     }

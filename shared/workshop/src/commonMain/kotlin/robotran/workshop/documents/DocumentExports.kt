@@ -116,9 +116,7 @@ internal class DocumentExports(
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
 
-            is RobolangResult.Ready -> {
-                saveKit(program, kitFiles(translateRobolang(result.program), program.name, text))
-            }
+            is RobolangResult.Ready -> saveKit(program, kitFiles(translateRobolang(result.program), program.name, text))
         }
     }
 

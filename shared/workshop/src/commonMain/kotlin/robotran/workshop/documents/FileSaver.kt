@@ -69,10 +69,7 @@ internal class FileSaver(
             }
 
             Saving.Cancelled -> {}
-
-            is Saving.Failed -> {
-                notices.show(Notice.FileNotSaved(saving.reason, saving.isFull))
-            }
+            is Saving.Failed -> notices.show(Notice.FileNotSaved(saving.reason, saving.isFull))
         }
         return saving is Saving.Saved
     }

@@ -29,7 +29,6 @@ internal class ProjectRestoration(
         for (id in platform.window.leftIds()) if (id != own) saveHandover(id)
         return when {
             own != null -> takeOwn(own)
-
             isBroughtSomething || !platform.restoresLastProject -> null
 
             else -> autosaver.openProjects.takeBack(platform.window::hasEnded, ::mayOpen)

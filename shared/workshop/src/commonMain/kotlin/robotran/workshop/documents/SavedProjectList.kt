@@ -183,13 +183,8 @@ internal class SavedProjectList(
         changing(id) { work ->
             val result = autosaver.repository.delete(id)
             when (result) {
-                is StoreResult.Failed -> {
-                    tell(Notice.ProjectNotDeleted(result.reason))
-                }
-
-                StoreResult.NoAnswer -> {
-                    tell(Notice.StoreSilent)
-                }
+                is StoreResult.Failed -> tell(Notice.ProjectNotDeleted(result.reason))
+                StoreResult.NoAnswer -> tell(Notice.StoreSilent)
 
                 StoreResult.Done, StoreResult.Full -> {
                     lastDeleted = work
@@ -221,13 +216,8 @@ internal class SavedProjectList(
         val lock = autosaver.repository.claim(id) ?: return tellOpenElsewhere(id)
         try {
             when (val reading = autosaver.repository.read(id)) {
-                is SavedProjectResult.Found -> {
-                    change(reading.work)
-                }
-
-                is SavedProjectResult.Unusable -> {
-                    tell(Notice.ProjectUnusable(reading.reason(preferences.language)))
-                }
+                is SavedProjectResult.Found -> change(reading.work)
+                is SavedProjectResult.Unusable -> tell(Notice.ProjectUnusable(reading.reason(preferences.language)))
 
                 SavedProjectResult.Missing -> {
                     // Another window has removed it.

@@ -26,13 +26,8 @@ fun equalLines(lines: List<String>, others: List<String>): List<Boolean> {
                 j++
             }
 
-            common[i + 1][j] >= common[i][j + 1] -> {
-                i++
-            }
-
-            else -> {
-                j++
-            }
+            common[i + 1][j] >= common[i][j + 1] -> i++
+            else -> j++
         }
     }
     return lines.indices.map { place ->

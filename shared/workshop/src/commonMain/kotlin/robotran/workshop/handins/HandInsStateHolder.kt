@@ -70,27 +70,16 @@ class HandInsStateHolder internal constructor(
         val open = open ?: return
         when (event) {
             HandInsEvent.Requested -> Unit
-
             HandInsEvent.Closed -> closeForNow(open)
-
             HandInsEvent.FilesRequested -> scope.launch { bring(platform.files.open(KINDS)) }
-
             HandInsEvent.PastingRequested -> show { copy(dialog = HandInsDialog.PastingLinks) }
-
             is HandInsEvent.LinksPasted -> bringLinks(event.text)
-
             is HandInsEvent.ScanRequested -> scanning.begin(event.kind, event.words)
-
             HandInsEvent.ScanEnded -> scanning.end()
-
             is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted(open.language) }
-
             HandInsEvent.GradingCancelled -> stopGrading()
-
             HandInsEvent.GradingResumed -> grading.begin(open)
-
             is HandInsEvent.HandInChosen -> choose(event.id)
-
             HandInsEvent.ComparisonsRequested -> show { copy(dialog = HandInsDialog.Comparing) }
 
             is HandInsEvent.ComparisonChosen -> show {
@@ -98,27 +87,16 @@ class HandInsStateHolder internal constructor(
             }
 
             is HandInsEvent.CommentChanged -> comment(open, event.id, event.comment)
-
             is HandInsEvent.ReplayRequested -> replay(open, now, event)
-
             HandInsEvent.CsvRequested -> exports.saveCsv(open, now)
-
             HandInsEvent.PageRequested -> exports.savePage(open, now)
-
             HandInsEvent.FeedbackRequested -> exports.saveFeedback(open, now)
-
             is HandInsEvent.FeedbackFileRequested -> exports.saveFeedback(open, now, event.id)
-
             is HandInsEvent.HandInRemoved -> removeOne(open, event.id)
-
             HandInsEvent.RemovalUndone -> undoRemoval(open)
-
             HandInsEvent.RemovalRequested -> show { copy(dialog = HandInsDialog.Removing(rows.size)) }
-
             HandInsEvent.RemovalConfirmed -> remove(open)
-
             HandInsEvent.DialogClosed -> show { copy(dialog = null) }
-
             HandInsEvent.MessageDismissed -> show { copy(told = null) }
         }
     }
@@ -208,13 +186,8 @@ class HandInsStateHolder internal constructor(
                 if (open == null) request() else open(open.emptied())
             }
 
-            open == null -> {
-                request()
-            }
-
-            state?.isStopped == false -> {
-                grading.begin(open)
-            }
+            open == null -> request()
+            state?.isStopped == false -> grading.begin(open)
         }
     }
 

@@ -37,7 +37,6 @@ data class Measuring(val from: Point, val to: Point, val base: MeasuringBase) {
     /** The place of [end]; a direction is held [BASE_CENTIMETRES] from [from]. */
     fun placeOf(end: MeasuringEnd): Point = when (end) {
         MeasuringEnd.FROM -> from
-
         MeasuringEnd.TO -> to
 
         MeasuringEnd.BASE -> when (base) {

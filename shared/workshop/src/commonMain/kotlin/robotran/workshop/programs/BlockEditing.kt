@@ -154,9 +154,7 @@ private fun ProgramFileMemory.moved(now: BlocksState, place: BlockPlace?): Progr
 
 internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
     when (val result = apply(now.program, edit)) {
-        is BlockEditResult.Refused -> {
-            copy(blocks = now.copy(drag = null, error = result.reason))
-        }
+        is BlockEditResult.Refused -> copy(blocks = now.copy(drag = null, error = result.reason))
 
         is BlockEditResult.Done -> {
             val said = describe(now.program, edit, result, BlockMessages.of(now.language))
@@ -210,7 +208,6 @@ private val BlockEdit.isInLine: Boolean
         is BlockEdit.ChangeForm, is BlockEdit.AddItem, is BlockEdit.RemoveItem, is BlockEdit.AddParameter,
         is BlockEdit.RemoveParameter, is BlockEdit.SetNote, is BlockEdit.Rename,
         -> true
-
         is BlockEdit.Insert, is BlockEdit.Move, is BlockEdit.Duplicate, is BlockEdit.Delete, is BlockEdit.Wrap,
         is BlockEdit.Unwrap, is BlockEdit.AddElse, is BlockEdit.RemoveElse, is BlockEdit.ReplaceLine,
         is BlockEdit.ApplyFix,

@@ -18,7 +18,6 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>, b
         }
 
         ProgramLanguage.NQC -> PupilProgram(uniqueName("program", language, taken), FIRST_NQC)
-
         ProgramLanguage.LASM -> PupilProgram(uniqueName("program", language, taken), FIRST_LASM)
     }
 }

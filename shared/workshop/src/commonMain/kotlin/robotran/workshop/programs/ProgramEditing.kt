@@ -45,25 +45,15 @@ internal class ProgramEditing(
     fun handle(event: ProgramEvent, robot: RobotPrograms) {
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
-
             is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
-
             ProgramEvent.Undone -> robot.memory.undone()?.let { rememberUndo(robot, it, isRedo = false) }
-
             ProgramEvent.Redone -> robot.memory.redone()?.let { rememberUndo(robot, it, isRedo = true) }
-
             ProgramEvent.Formatted -> format(robot)
-
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
-
             is BlockEvent -> editBlocks(robot, event)
-
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
-
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
-
             is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
-
             is ProgramEvent.ProgramAdded -> add(robot, opened(event.program.withPlainLineEnds()))
 
             is ProgramEvent.NewProgramRequested -> add(
@@ -72,19 +62,12 @@ internal class ProgramEditing(
             )
 
             ProgramEvent.FileAdded -> addFile(robot)
-
             is ProgramEvent.FileRenamed -> rename(robot, event)
-
             is ProgramEvent.FileClosed -> closeFile(robot, event.index)
-
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
-
             ProgramEvent.ProgramReopened -> reopen(robot)
-
             ProgramEvent.ClosedMessageDismissed -> robot.closedMessageShown = false
-
             ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
-
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> resetEditState()
         }
     }
@@ -257,9 +240,7 @@ internal class ProgramEditing(
         val closed = robot.closed ?: return
         robot.closed = null
         when (closed) {
-            is ClosedFile.Program -> {
-                add(robot, closed.entry)
-            }
+            is ClosedFile.Program -> add(robot, closed.entry)
 
             is ClosedFile.OfProgram -> {
                 val entry = robot.list.entries[closed.slot]

@@ -57,29 +57,12 @@ internal class RobotEditStateHolder(
 
     fun handle(event: RobotEditEvent) {
         when (event) {
-            is RobotEditEvent.BenchOpened -> {
-                open(event.robot)
-            }
-
-            is RobotEditEvent.Edited -> {
-                edit(event.edit)
-            }
-
-            RobotEditEvent.BenchClosed -> {
-                close()
-            }
-
-            is RobotEditEvent.SheetShown -> {
-                showSheet(event.shown)
-            }
-
-            RobotEditEvent.OpenRequested -> {
-                scope.launch { openFile() }
-            }
-
-            RobotEditEvent.SaveRequested -> {
-                save()
-            }
+            is RobotEditEvent.BenchOpened -> open(event.robot)
+            is RobotEditEvent.Edited -> edit(event.edit)
+            RobotEditEvent.BenchClosed -> close()
+            is RobotEditEvent.SheetShown -> showSheet(event.shown)
+            RobotEditEvent.OpenRequested -> scope.launch { openFile() }
+            RobotEditEvent.SaveRequested -> save()
 
             RobotEditEvent.HintsClosed -> {
                 state =
@@ -127,18 +110,14 @@ internal class RobotEditStateHolder(
     }
 
     private fun isAnother(edit: RobotEdit, before: RobotEditing, after: RobotEditing): Boolean = when (edit) {
-        is RobotEdit.Replace -> {
-            true
-        }
+        is RobotEdit.Replace -> true
 
         RobotEdit.Undo, RobotEdit.Redo -> {
             before.robot.title != after.robot.title &&
                 before.robot.base != after.robot.base
         }
 
-        else -> {
-            false
-        }
+        else -> false
     }
 
     private fun keep(robot: Int, editing: RobotEditing) {
@@ -177,9 +156,7 @@ internal class RobotEditStateHolder(
                 notices.add(result.warnings.map { "${file.name}: ${it.message}" })
             }
 
-            is RobotFileResult.Rejected -> {
-                state = state?.copy(fileError = result.message, hintsShown = true)
-            }
+            is RobotFileResult.Rejected -> state = state?.copy(fileError = result.message, hintsShown = true)
         }
     }
 

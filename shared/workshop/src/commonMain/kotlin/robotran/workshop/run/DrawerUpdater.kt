@@ -80,9 +80,7 @@ internal class DrawerUpdater {
             }
         }
 
-        DrawerTab.LOG -> {
-            drawer.copy(log = updateLog(player))
-        }
+        DrawerTab.LOG -> drawer.copy(log = updateLog(player))
 
         DrawerTab.CHART -> {
             val lanes = ChartLane.of(player.state.robots[player.watched].brick.kind)
@@ -95,9 +93,7 @@ internal class DrawerUpdater {
             )
         }
 
-        DrawerTab.GOALS -> {
-            drawer
-        }
+        DrawerTab.GOALS -> drawer
     }
 
     private fun updateVariables(player: RunPlayer): VariablesState {

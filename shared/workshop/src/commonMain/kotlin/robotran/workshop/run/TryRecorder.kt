@@ -37,7 +37,6 @@ internal class TryRecorder(private val run: WatchedRun) {
         val met = outcome.goals.count { it.status == GoalStatus.MET }
         val end = when {
             outcome.finished != null -> outcome.finished
-
             run.world.goals.isNotEmpty() -> null
 
             // Without goals, nothing decides when a run is over but its program.

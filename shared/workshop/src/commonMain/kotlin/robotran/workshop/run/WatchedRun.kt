@@ -136,7 +136,6 @@ internal class WatchedRun(
 
             // The lines of a changed program differ from those of the running one.
             isChanged -> null
-
             else -> programs.breakpoints(world.robots[robot].name, player.state.robots[robot].brick.selectedSlot)
         }
     }

@@ -49,9 +49,7 @@ internal class ProgramImageBuilder(
                 ProgramImageResult.Ready(BuiltProgram.Lego(image))
             }
 
-            is ProgramResult.HasErrors -> {
-                ProgramImageResult.HasErrors(compiled.diagnostics)
-            }
+            is ProgramResult.HasErrors -> ProgramImageResult.HasErrors(compiled.diagnostics)
         }
 
     private fun maxBytes(): Int = BrickRoom.of(current.project.settings.java.version).maxImageBytes

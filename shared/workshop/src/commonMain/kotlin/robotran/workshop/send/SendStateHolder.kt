@@ -102,17 +102,9 @@ class SendStateHolder(
         program = null
         slot = null
         when (val result = images.build(current.shownProgram)) {
-            is ProgramImageResult.HasErrors -> {
-                show(SendStep.HasErrors(result.diagnostics.first()))
-            }
-
-            ProgramImageResult.NoCompiler -> {
-                show(SendStep.NoCompiler)
-            }
-
-            ProgramImageResult.CompilerFailed -> {
-                show(SendStep.CompilerFailed)
-            }
+            is ProgramImageResult.HasErrors -> show(SendStep.HasErrors(result.diagnostics.first()))
+            ProgramImageResult.NoCompiler -> show(SendStep.NoCompiler)
+            ProgramImageResult.CompilerFailed -> show(SendStep.CompilerFailed)
 
             is ProgramImageResult.Ready -> {
                 program = result.program
@@ -160,9 +152,7 @@ class SendStateHolder(
     }
 
     private suspend fun sendProgram() = when (val program = checkNotNull(program) { "The program was not built." }) {
-        is BuiltProgram.Lejos -> {
-            end(transfer(Transfer.PROGRAM) { link().sendProgram(program, it) })
-        }
+        is BuiltProgram.Lejos -> end(transfer(Transfer.PROGRAM) { link().sendProgram(program, it) })
 
         is BuiltProgram.Lego -> {
             slot?.let { sendInto(it, emptiesOthers = false) } ?: show(SendStep.ChoosingSlot(lastSlot))

@@ -25,9 +25,7 @@ internal class TowerConnection(private val ports: TowerPorts, private val robots
         close()
         this.device = device
         return when (val opened = ports.open(device)) {
-            is OpenedTower.Failed -> {
-                opened
-            }
+            is OpenedTower.Failed -> opened
 
             is OpenedTower.Open -> {
                 port = opened.port

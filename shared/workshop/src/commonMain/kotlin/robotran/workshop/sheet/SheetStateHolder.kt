@@ -44,9 +44,7 @@ class SheetStateHolder(private val preferences: Preferences) {
                 )
             }
 
-            is SheetEvent.FollowChosen -> {
-                follow(event.robot)
-            }
+            is SheetEvent.FollowChosen -> follow(event.robot)
 
             is SheetEvent.LayerSwitched -> {
                 state.copy(
@@ -59,9 +57,7 @@ class SheetStateHolder(private val preferences: Preferences) {
                 )
             }
 
-            is SheetEvent.ElementChosen -> {
-                state.copy(chosen = event.thing)
-            }
+            is SheetEvent.ElementChosen -> state.copy(chosen = event.thing)
 
             is SheetEvent.SpaceSwitched -> {
                 preferences.change(preferences.settings.copy(isIn3D = event.on))
@@ -74,9 +70,7 @@ class SheetStateHolder(private val preferences: Preferences) {
                 state.copy(spaceCamera = SpaceCamera(robot = event.robot))
             }
 
-            is SheetEvent.SpaceCameraMoved -> {
-                state.copy(spaceCamera = event.camera)
-            }
+            is SheetEvent.SpaceCameraMoved -> state.copy(spaceCamera = event.camera)
 
             is SheetEvent.MeasuringChanged -> {
                 if (event.measuring != null && state.isIn3D) {

@@ -46,13 +46,8 @@ internal class MovingPictureMaker(private val platform: Platform) {
                     emit(MakingStep.Progress(REPEATING + step.done * (1 - REPEATING) / step.total))
                 }
 
-                is AnimationStep.Finished -> {
-                    emit(MakingStep.Done(step.bytes))
-                }
-
-                AnimationStep.TooLarge -> {
-                    emit(MakingStep.TooLarge)
-                }
+                is AnimationStep.Finished -> emit(MakingStep.Done(step.bytes))
+                AnimationStep.TooLarge -> emit(MakingStep.TooLarge)
             }
             if (++slice % FRAMES_PER_SLICE == 0) delay(1)
         }

@@ -117,24 +117,18 @@ data class WorkshopState(
             ?: runStatus(run.brick.run)
 
     private fun runStatus(now: RunState): WorkshopStatus = when (now) {
-        RunState.Idle -> {
-            WorkshopStatus.Ready
-        }
+        RunState.Idle -> WorkshopStatus.Ready
 
         is RunState.Running -> {
             val line = lineOf(run.frame?.sourceLine ?: now.sourceLine)
             when {
-                run.isPaused && run.isSolved -> {
-                    WorkshopStatus.Solved
-                }
+                run.isPaused && run.isSolved -> WorkshopStatus.Solved
 
                 run.isPaused && run.isTimeUp && run.time == run.outcome.finished -> {
                     WorkshopStatus.TimeUp(run.world.timeLimit)
                 }
 
-                run.isPaused -> {
-                    WorkshopStatus.Paused(line)
-                }
+                run.isPaused -> WorkshopStatus.Paused(line)
 
                 else -> {
                     strayed?.let { WorkshopStatus.OffPaper(it.takeIf { world.robots.size > 1 }) }
@@ -147,9 +141,7 @@ data class WorkshopState(
             WorkshopStatus.Ended(now.stopped, if (isImmediate) GoalCount() else GoalCount.of(session.goals))
         }
 
-        is RunState.Failed -> {
-            with(now.failure) { WorkshopStatus.Failed(lineOf(sourceLine), message, sourceFile) }
-        }
+        is RunState.Failed -> with(now.failure) { WorkshopStatus.Failed(lineOf(sourceLine), message, sourceFile) }
     }
 
     /** The name of a robot that has left the paper, if possible of the one that the status is about; null if none has. */

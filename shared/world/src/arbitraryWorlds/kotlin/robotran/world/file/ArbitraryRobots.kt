@@ -68,7 +68,6 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
             )
 
             2 -> List(random.nextInt(3, 13)) { Point(number(back, front), number(-half, half)) }
-
             else -> listOf(Point(back, -half), Point(front, -half), Point(front, half), Point(back, half))
         }
         val massAt = Point(if (random.nextInt(6) == 0) -1.0 else number(0.0, 2.0), 0.0)

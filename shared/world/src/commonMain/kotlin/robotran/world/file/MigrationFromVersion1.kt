@@ -44,7 +44,6 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
     private fun stepsBefore(steps: List<JsonStep>): List<JsonStep> =
         when ((steps.firstOrNull() as? JsonStep.Member)?.name) {
             "title" -> listOf(JsonStep.Member("name")) + steps.drop(1)
-
             "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
 
             "walls" -> steps.mapIndexed { number, step ->

@@ -110,9 +110,7 @@ private fun readPart(place: JsonCursor): RobotPart {
         )
 
         PartKind.TOUCH -> FingerTouchPart(port, unknownOf(place))
-
         PartKind.ROTATION -> RotationPart(port, place.member("wheel").choice(SIDES), unknownOf(place))
-
         else -> readSensor(place, port, checkNotNull(kind.sensor))
     }
 }

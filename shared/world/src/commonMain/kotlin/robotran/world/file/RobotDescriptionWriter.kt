@@ -65,9 +65,7 @@ private fun elementOf(part: RobotPart): JsonObject = jsonObject(part.unknown.mem
             text("side", part.side?.let(::wordFor))
         }
 
-        is FingerTouchPart -> {
-            head(PartKind.TOUCH, part)
-        }
+        is FingerTouchPart -> head(PartKind.TOUCH, part)
 
         is RotationPart -> {
             head(PartKind.ROTATION, part)

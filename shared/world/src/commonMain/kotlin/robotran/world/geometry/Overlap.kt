@@ -31,13 +31,8 @@ fun overlap(one: Outline, other: Outline): Boolean = when {
 
 /** Same as [Shape.outline], without the physics engine. */
 fun flat(shape: Shape): Outline = when (shape) {
-    is Shape.Circle -> {
-        Outline.Round(shape.centre, shape.radius)
-    }
-
-    is Shape.Polygon -> {
-        Outline.Angular(shape.corners)
-    }
+    is Shape.Circle -> Outline.Round(shape.centre, shape.radius)
+    is Shape.Polygon -> Outline.Angular(shape.corners)
 
     is Shape.Rectangle -> {
         val halfWidth = shape.width / 2

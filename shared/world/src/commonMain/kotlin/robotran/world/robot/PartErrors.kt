@@ -42,9 +42,7 @@ internal fun partErrors(robot: RobotDescription): List<RobotError> {
                 )
             }
 
-            else -> {
-                emptyList()
-            }
+            else -> emptyList()
         }
     }
 }

@@ -62,9 +62,7 @@ private fun rangeErrors(robot: RobotDescription): List<RobotError> = buildList {
                 check(part.towards, RobotLimits.ANGLES, RobotPiece.PART, RobotFigure.ANGLE, number)
             }
 
-            else -> {
-                Unit
-            }
+            else -> Unit
         }
     }
 }

@@ -24,17 +24,9 @@ fun RobotDescription.partFor(kind: SensorKind, port: Int): RobotPart {
     val front = roundToThousandths(chassis.outline.maxOf { it.x })
     val height = roundToThousandths(chassis.height)
     return when (kind) {
-        SensorKind.TOUCH -> {
-            bumperFor(port, front)
-        }
-
-        SensorKind.ROTATION -> {
-            RotationPart(port, sideOf(port) ?: BumperSide.LEFT)
-        }
-
-        SensorKind.LIGHT -> {
-            SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Free)
-        }
+        SensorKind.TOUCH -> bumperFor(port, front)
+        SensorKind.ROTATION -> RotationPart(port, sideOf(port) ?: BumperSide.LEFT)
+        SensorKind.LIGHT -> SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Free)
 
         SensorKind.COLOUR, SensorKind.HITECHNIC_COLOUR, SensorKind.RCX_LIGHT -> {
             SensorPart(port, kind, Point(front, 0.0), DOWN_HEIGHT, Facing.Down)
@@ -86,21 +78,14 @@ private fun penbotSensors(kind: SensorKind, port: Int): List<PortSensor> = when 
         }
     }
 
-    SensorKind.TEMPERATURE -> {
-        listOf(PortSensor.TEMPERATURE)
-    }
-
-    SensorKind.LIGHT -> {
-        listOf(PortSensor.LIGHT)
-    }
+    SensorKind.TEMPERATURE -> listOf(PortSensor.TEMPERATURE)
+    SensorKind.LIGHT -> listOf(PortSensor.LIGHT)
 
     SensorKind.ROTATION -> {
         listOf(if (port == BrickKind.RCX.inputPorts) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
     }
 
-    else -> {
-        emptyList()
-    }
+    else -> emptyList()
 }
 
 /** null for a port between. */

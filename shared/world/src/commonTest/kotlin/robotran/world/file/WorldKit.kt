@@ -110,9 +110,7 @@ internal fun complaint(
  */
 internal fun holds(result: WorldFileResult) {
     when (result) {
-        is WorldFileResult.Loaded -> {
-            assertEquals(result.world, loaded(writeWorld(result.world)))
-        }
+        is WorldFileResult.Loaded -> assertEquals(result.world, loaded(writeWorld(result.world)))
 
         is WorldFileResult.Rejected -> {
             assertTrue(result.message.endsWith("."), result.message)

@@ -28,7 +28,6 @@ internal fun countRefused(world: JsonElement): Int {
 /** The validator takes ten times as long for a decimal number: it tries to read an integer first. */
 private fun withoutDecimals(element: JsonElement): JsonElement = when (element) {
     is JsonObject -> JsonObject(element.mapValues { withoutDecimals(it.value) })
-
     is JsonArray -> JsonArray(element.map(::withoutDecimals))
 
     is JsonPrimitive -> element.takeIf { !it.isString }?.doubleOrNull?.takeIf { abs(it) >= 1 }

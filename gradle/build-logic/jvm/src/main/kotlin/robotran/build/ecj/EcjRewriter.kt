@@ -53,17 +53,9 @@ internal class EcjRewriter {
                     )
                 }
 
-                TEXT_CONSTANT -> {
-                    BoundedStringVisitor(target)
-                }
-
-                FILE_READING -> {
-                    ByteWiseReadVisitor(target)
-                }
-
-                STEPS -> {
-                    counted(ByteStepVisitor(PlatformCallVisitor(target)))
-                }
+                TEXT_CONSTANT -> BoundedStringVisitor(target)
+                FILE_READING -> ByteWiseReadVisitor(target)
+                STEPS -> counted(ByteStepVisitor(PlatformCallVisitor(target)))
 
                 else -> {
                     val safe = if (className == CONSTANTS) SafeDivisionVisitor(target) else target

@@ -46,9 +46,7 @@ internal class WorkBudgetVisitor(target: MethodVisitor, private val isPlace: Boo
     override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
         val builds = owner in BUILDERS
         when {
-            owner == "java/lang/System" && name == "arraycopy" -> {
-                count(name, descriptor)
-            }
+            owner == "java/lang/System" && name == "arraycopy" -> count(name, descriptor)
 
             builds && name == "append" && descriptor.substringBefore(')') in TEXTS -> {
                 countTop("text", descriptor.substringBefore(')') + ")V")
@@ -60,9 +58,7 @@ internal class WorkBudgetVisitor(target: MethodVisitor, private val isPlace: Boo
                 countTop("text", "(Ljava/lang/String;)V")
             }
 
-            else -> {
-                super.visitMethodInsn(opcode, owner, name, descriptor, isInterface)
-            }
+            else -> super.visitMethodInsn(opcode, owner, name, descriptor, isInterface)
         }
     }
 

@@ -21,9 +21,7 @@ fun fencedBlocks(path: String, document: String, mark: String): Map<String, Stri
                 block = null
             }
 
-            open != null -> {
-                open.append(line).append('\n')
-            }
+            open != null -> open.append(line).append('\n')
         }
     }
     require(block == null) { "$path: the block that begins at line $firstLine has no end" }

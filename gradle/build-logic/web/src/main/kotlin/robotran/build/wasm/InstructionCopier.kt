@@ -96,21 +96,10 @@ internal class InstructionCopier(private val copier: WasmCopier) {
             copier.anyNumber()
         }
 
-        ARRAY_NEW_DATA, ARRAY_INIT_DATA -> {
-            indexOf(IndexSpace.TYPE, IndexSpace.DATA)
-        }
-
-        ARRAY_NEW_ELEMENTS, ARRAY_INIT_ELEMENTS -> {
-            indexOf(IndexSpace.TYPE, IndexSpace.ELEMENT)
-        }
-
-        ARRAY_COPY -> {
-            indexOf(IndexSpace.TYPE, IndexSpace.TYPE)
-        }
-
-        in CASTS -> {
-            copier.heapType()
-        }
+        ARRAY_NEW_DATA, ARRAY_INIT_DATA -> indexOf(IndexSpace.TYPE, IndexSpace.DATA)
+        ARRAY_NEW_ELEMENTS, ARRAY_INIT_ELEMENTS -> indexOf(IndexSpace.TYPE, IndexSpace.ELEMENT)
+        ARRAY_COPY -> indexOf(IndexSpace.TYPE, IndexSpace.TYPE)
+        in CASTS -> copier.heapType()
 
         in BRANCHING_CASTS -> {
             copier.byte()
@@ -119,17 +108,9 @@ internal class InstructionCopier(private val copier: WasmCopier) {
             copier.heapType()
         }
 
-        ARRAY_LENGTH, in CONVERSIONS -> {
-            Unit
-        }
-
-        in ON_TYPES -> {
-            copier.index(IndexSpace.TYPE)
-        }
-
-        else -> {
-            error("The instruction 0xfb $code is not known.")
-        }
+        ARRAY_LENGTH, in CONVERSIONS -> Unit
+        in ON_TYPES -> copier.index(IndexSpace.TYPE)
+        else -> error("The instruction 0xfb $code is not known.")
     }
 
     private fun bulkInstruction(code: Int): Unit = when (code) {

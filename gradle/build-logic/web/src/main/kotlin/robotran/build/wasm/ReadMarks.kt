@@ -36,9 +36,7 @@ internal class ReadMarks(
                 return WasmWriter().constant(code.number()).byte(CALL).number(ofRead).bytes()
             }
 
-            CALL -> {
-                if (copies >= 0 && code.number() == copies) return WasmWriter().byte(CALL).number(ofCopy).bytes()
-            }
+            CALL -> if (copies >= 0 && code.number() == copies) return WasmWriter().byte(CALL).number(ofCopy).bytes()
         }
         return ByteArray(0)
     }

@@ -26,9 +26,7 @@ private fun writeGraded(graded: GradedHandIn, chosen: Int, plan: GradingPlan): S
         )
 
         is GradedHandIn.HasMistakes -> GradedText(chosen, mistakes = graded.reasons)
-
         is GradedHandIn.Failed -> GradedText(chosen, failures = graded.reasons)
-
         is GradedHandIn.Unusable -> error("What cannot be used is not graded.")
     },
 )
@@ -53,13 +51,8 @@ fun readGraded(text: String, submission: Submission.Usable, plan: GradingPlan, s
     require(graded.chosen in submission.attempts.indices) { "There is no attempt ${graded.chosen}." }
     val counting = submission.choose(graded.chosen)
     return when {
-        graded.mistakes != null -> {
-            GradedHandIn.HasMistakes(counting, graded.mistakes)
-        }
-
-        graded.failures != null -> {
-            GradedHandIn.Failed(counting, graded.failures)
-        }
+        graded.mistakes != null -> GradedHandIn.HasMistakes(counting, graded.mistakes)
+        graded.failures != null -> GradedHandIn.Failed(counting, graded.failures)
 
         else -> {
             val runs = graded.runs.map { it.runIn(plan) }

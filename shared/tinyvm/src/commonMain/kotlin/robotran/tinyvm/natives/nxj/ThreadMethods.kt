@@ -55,13 +55,8 @@ private inline fun standStill(
     begin: () -> ThreadState,
 ) {
     when {
-        milliseconds < 0 -> {
-            machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
-        }
-
-        thread.isInterrupted -> {
-            interruptNow(machine, thread)
-        }
+        milliseconds < 0 -> machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
+        thread.isInterrupted -> interruptNow(machine, thread)
 
         else -> {
             val time = minOf(milliseconds, LONGEST)
@@ -91,13 +86,8 @@ private fun join(machine: VirtualMachine, thread: VmThread, reference: Int, mill
 
 private fun interrupt(machine: VirtualMachine, thread: VmThread) {
     when (thread.state) {
-        ThreadState.SLEEPING, ThreadState.JOINING -> {
-            thread.state = ThreadState.READY
-        }
-
-        ThreadState.WAITING -> {
-            thread.state = ThreadState.BLOCKED
-        }
+        ThreadState.SLEEPING, ThreadState.JOINING -> thread.state = ThreadState.READY
+        ThreadState.WAITING -> thread.state = ThreadState.BLOCKED
 
         else -> {
             thread.isInterrupted = true

@@ -12,20 +12,7 @@ import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.worldName
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.hand_in_cancel
-import robotran.ui.resources.make_check
-import robotran.ui.resources.make_check_all
-import robotran.ui.resources.make_missing_allowed
-import robotran.ui.resources.make_missing_goals
-import robotran.ui.resources.make_missing_solution
-import robotran.ui.resources.make_missing_task
-import robotran.ui.resources.make_try_failed
-import robotran.ui.resources.make_try_mistakes
-import robotran.ui.resources.make_try_passed
-import robotran.ui.resources.make_try_solution
-import robotran.ui.resources.make_try_start
-import robotran.ui.resources.make_trying
+import robotran.ui.resources.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.MakingState
@@ -73,9 +60,7 @@ private val SolutionCheck.newsKey: Any get() = if (this is SolutionCheck.Running
 private fun CheckResult(check: SolutionCheck?) {
     val news = Modifier.testTag("make-checked").semantics { liveRegion = LiveRegionMode.Polite }
     when (check) {
-        null, is SolutionCheck.Running -> {
-            Unit
-        }
+        null, is SolutionCheck.Running -> Unit
 
         is SolutionCheck.Passed -> {
             Explanation(stringResource(Res.string.make_try_passed, check.runs), news)

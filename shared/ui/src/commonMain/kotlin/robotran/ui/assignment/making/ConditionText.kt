@@ -2,28 +2,7 @@ package robotran.ui.assignment.making
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.make_when_any
-import robotran.ui.resources.make_when_ended_too_early
-import robotran.ui.resources.make_when_hit_a_wall
-import robotran.ui.resources.make_when_left_its_place
-import robotran.ui.resources.make_when_left_the_line
-import robotran.ui.resources.make_when_left_the_paper
-import robotran.ui.resources.make_when_never_moved
-import robotran.ui.resources.make_when_never_stops
-import robotran.ui.resources.make_when_no_sound
-import robotran.ui.resources.make_when_nothing_changed
-import robotran.ui.resources.make_when_pen_never_down
-import robotran.ui.resources.make_when_program_failed
-import robotran.ui.resources.make_when_too_far
-import robotran.ui.resources.make_when_too_short
-import robotran.ui.resources.make_when_too_slow
-import robotran.ui.resources.make_when_touched_something
-import robotran.ui.resources.make_when_went_where_it_must_not
-import robotran.ui.resources.make_when_word_missing
-import robotran.ui.resources.make_when_word_used
-import robotran.ui.resources.make_when_wrong_port
-import robotran.ui.resources.make_when_wrong_text
+import robotran.ui.resources.*
 
 /** What went wrong, in the author's language; the phrase itself for a condition that the page does not offer. */
 @Composable

@@ -6,11 +6,7 @@ import robotran.ui.documents.DialogFrame
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_cancel
-import robotran.ui.resources.make_giving_help
-import robotran.ui.resources.make_giving_share
-import robotran.ui.resources.make_giving_title
+import robotran.ui.resources.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 

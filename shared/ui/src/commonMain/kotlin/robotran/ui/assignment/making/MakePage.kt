@@ -27,11 +27,7 @@ import robotran.ui.documents.Explanation
 import robotran.ui.parts.Page
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.Res
-import robotran.ui.resources.make_intro
-import robotran.ui.resources.make_remove
-import robotran.ui.resources.make_title
-import robotran.ui.resources.make_undo
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -19,16 +19,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.make_solution
-import robotran.ui.resources.make_solution_changed
-import robotran.ui.resources.make_solution_closed
-import robotran.ui.resources.make_solution_first
-import robotran.ui.resources.make_solution_help
-import robotran.ui.resources.make_solution_none
-import robotran.ui.resources.make_solution_of_world
-import robotran.ui.resources.make_solution_show
-import robotran.ui.resources.make_solution_take
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -10,10 +10,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.program.FailureFrame
 import robotran.nxt.state.ExceptionView
-import robotran.ui.resources.Res
-import robotran.ui.resources.nxt_exception_call
-import robotran.ui.resources.nxt_exception_calls
-import robotran.ui.resources.nxt_exception_library
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

@@ -30,11 +30,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.ui.parts.holdable
-import robotran.ui.resources.Res
-import robotran.ui.resources.nxt_enter
-import robotran.ui.resources.nxt_escape
-import robotran.ui.resources.nxt_left
-import robotran.ui.resources.nxt_right
+import robotran.ui.resources.*
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 

@@ -20,11 +20,7 @@ import kotlinx.coroutines.delay
 import org.jetbrains.compose.resources.stringResource
 import robotran.nxt.display.DisplaySize
 import robotran.nxt.state.NxtState
-import robotran.ui.resources.Res
-import robotran.ui.resources.display
-import robotran.ui.resources.display_blank
-import robotran.ui.resources.display_drawing
-import robotran.ui.resources.display_marked
+import robotran.ui.resources.*
 
 /**
  * The display, dot by dot. Screen readers announce the marked entry of a menu and its lines when they change, but not more often than every

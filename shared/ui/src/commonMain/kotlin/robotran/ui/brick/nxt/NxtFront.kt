@@ -18,8 +18,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.nxt.state.NxtState
-import robotran.ui.resources.Res
-import robotran.ui.resources.brick
+import robotran.ui.resources.*
 import robotran.world.FingerTouchPart
 import robotran.world.RobotDescription
 import robotran.world.RobotPart

@@ -27,15 +27,7 @@ import robotran.brick.controls.MotorState
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.SensorPortState
 import robotran.ui.parts.holdable
-import robotran.ui.resources.Res
-import robotran.ui.resources.nxt_motor_backward
-import robotran.ui.resources.nxt_motor_brake
-import robotran.ui.resources.nxt_motor_float
-import robotran.ui.resources.nxt_motor_forward
-import robotran.ui.resources.run_sensor_none
-import robotran.ui.resources.run_sensor_touch
-import robotran.ui.resources.sensor
-import robotran.ui.resources.sensor_value
+import robotran.ui.resources.*
 import robotran.ui.sheet.valueText
 import robotran.ui.theme.focusRing
 import robotran.world.FingerTouchPart

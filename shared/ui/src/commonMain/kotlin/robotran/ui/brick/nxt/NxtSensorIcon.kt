@@ -11,26 +11,7 @@ import androidx.compose.ui.graphics.drawscope.scale
 import org.jetbrains.compose.resources.StringResource
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.ColourKind
-import robotran.ui.resources.Res
-import robotran.ui.resources.light_sensor
-import robotran.ui.resources.nxt_bumper
-import robotran.ui.resources.nxt_colour_sensor
-import robotran.ui.resources.nxt_compass
-import robotran.ui.resources.nxt_gyro
-import robotran.ui.resources.nxt_hitechnic_acceleration
-import robotran.ui.resources.nxt_hitechnic_colour
-import robotran.ui.resources.nxt_infrared_seeker
-import robotran.ui.resources.nxt_infrared_seeker_2
-import robotran.ui.resources.nxt_mindsensors_acceleration
-import robotran.ui.resources.nxt_mindsensors_compass
-import robotran.ui.resources.nxt_nxt_temperature
-import robotran.ui.resources.nxt_optical_distance
-import robotran.ui.resources.nxt_rcx_light
-import robotran.ui.resources.nxt_rcx_link
-import robotran.ui.resources.nxt_sound_sensor
-import robotran.ui.resources.nxt_ultrasonic_sensor
-import robotran.ui.resources.run_sensor_rotation
-import robotran.ui.resources.run_sensor_temperature
+import robotran.ui.resources.*
 
 /** The name of a sensor. */
 internal val SensorKind.words: StringResource

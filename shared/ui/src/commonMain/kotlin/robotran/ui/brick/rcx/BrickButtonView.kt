@@ -27,11 +27,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.ui.parts.holdable
-import robotran.ui.resources.Res
-import robotran.ui.resources.button_on_off
-import robotran.ui.resources.button_prgm
-import robotran.ui.resources.button_run
-import robotran.ui.resources.button_view
+import robotran.ui.resources.*
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
@@ -113,8 +109,6 @@ private fun look(button: BrickButton): ButtonLook = when (button) {
     )
 
     BrickButton.PRGM -> ButtonLook(Res.string.button_prgm, BrickColours.PRGM, BrickColours.LABEL)
-
     BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
-
     BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error("An RCX has no $button.")
 }

@@ -13,9 +13,7 @@ import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.describe
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.Res
-import robotran.ui.resources.display
-import robotran.ui.resources.display_blank
+import robotran.ui.resources.*
 
 /** The display, segment by segment. Screen readers announce its text and icons on every change. */
 @Composable

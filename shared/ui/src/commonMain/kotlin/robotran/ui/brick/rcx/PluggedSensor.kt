@@ -8,14 +8,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import org.jetbrains.compose.resources.StringResource
 import robotran.rcxrom.sensors.SensorState
-import robotran.ui.resources.Res
-import robotran.ui.resources.left_bumper
-import robotran.ui.resources.light_sensor
-import robotran.ui.resources.right_bumper
-import robotran.ui.resources.run_sensor_none
-import robotran.ui.resources.run_sensor_rotation
-import robotran.ui.resources.run_sensor_temperature
-import robotran.ui.resources.run_sensor_touch
+import robotran.ui.resources.*
 import robotran.world.PortSensor
 
 /**

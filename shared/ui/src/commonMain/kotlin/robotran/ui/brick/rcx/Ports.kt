@@ -29,13 +29,7 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.rcxrom.sensors.SensorState
 import robotran.ui.parts.holdable
-import robotran.ui.resources.Res
-import robotran.ui.resources.motor_backward
-import robotran.ui.resources.motor_brake
-import robotran.ui.resources.motor_float
-import robotran.ui.resources.motor_forward
-import robotran.ui.resources.sensor
-import robotran.ui.resources.sensor_value
+import robotran.ui.resources.*
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 

@@ -16,8 +16,7 @@ import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.rcxrom.state.RcxState
-import robotran.ui.resources.Res
-import robotran.ui.resources.brick
+import robotran.ui.resources.*
 import robotran.world.PortSensor
 
 /**

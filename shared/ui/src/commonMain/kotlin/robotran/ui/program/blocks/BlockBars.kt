@@ -41,11 +41,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Plus
 import robotran.ui.parts.SignPicture
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_add
-import robotran.ui.resources.blocks_first
-import robotran.ui.resources.blocks_first_from_rail
-import robotran.ui.resources.notice_close
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

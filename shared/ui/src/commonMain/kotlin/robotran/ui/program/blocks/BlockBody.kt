@@ -26,8 +26,7 @@ import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_empty
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -84,9 +83,7 @@ private fun FlowRowScope.FirstLine(row: BlockRow.First, scope: BlockScope, look:
     val block = row.block
     when (block) {
         is Block.Blank -> Unit
-
         is Block.Comment -> Note(scope.textOf(block.head.span), scope, look, onLine())
-
         is Block.Loose -> BlockWords(scope.wordsOf(block.head), scope, look, onLine())
 
         is Block.Command, is Block.Construct -> if (block.head.form == null) {

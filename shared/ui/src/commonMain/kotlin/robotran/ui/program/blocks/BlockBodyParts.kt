@@ -25,10 +25,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.ui.parts.Icon
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_fold
-import robotran.ui.resources.blocks_more
-import robotran.ui.resources.blocks_unfold
+import robotran.ui.resources.*
 import robotran.ui.theme.Corners
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockSheet

@@ -129,9 +129,7 @@ private fun carriedBlocks(scope: BlockScope): Set<BlockId> {
 @Composable
 private fun Carried(scope: BlockScope, dragging: BlockDragging) {
     val (words, look) = when (val load = scope.state.drag?.load) {
-        null -> {
-            return
-        }
+        null -> return
 
         is BlockLoad.Blocks -> {
             scope.state.program[load.run.first]?.let {
@@ -145,9 +143,7 @@ private fun Carried(scope: BlockScope, dragging: BlockDragging) {
             scope.textOf(load.span) to scope.looks.of(group)
         }
 
-        is BlockLoad.New -> {
-            load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
-        }
+        is BlockLoad.New -> load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
     }
     val shape = RoundedCornerShape(BlockSizes.CORNER)
     Text(

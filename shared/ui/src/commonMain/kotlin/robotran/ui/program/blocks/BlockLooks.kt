@@ -65,17 +65,9 @@ internal class BlockLooks(private val colours: RobotranColours) {
     }
 
     private fun noteLook(): BlockLook = when {
-        hasContrast -> {
-            BlockLook(colours.pane, colours.quiet, colours.onPane, colours.pane, colours.onPane)
-        }
-
-        colours.isDark -> {
-            noteLook(BlockColours.DARK_NOTE, colours.pane)
-        }
-
-        else -> {
-            noteLook(BlockColours.LIGHT_NOTE, WHITE)
-        }
+        hasContrast -> BlockLook(colours.pane, colours.quiet, colours.onPane, colours.pane, colours.onPane)
+        colours.isDark -> noteLook(BlockColours.DARK_NOTE, colours.pane)
+        else -> noteLook(BlockColours.LIGHT_NOTE, WHITE)
     }
 
     private fun noteLook(hues: NoteHues, socket: Color) =

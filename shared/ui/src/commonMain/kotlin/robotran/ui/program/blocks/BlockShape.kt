@@ -115,17 +115,9 @@ internal data class BlockShape(val notch: Dp?, val bump: Dp?, val isOpenAbove: B
                     BlockShape(NOTCH.takeIf { !isOuter }, bump, isOpenAbove = false, isOpenBelow = isOpen)
                 }
 
-                is BlockRow.Branch -> {
-                    BlockShape(INNER, INNER, isOpenAbove = true, isOpenBelow = true)
-                }
-
-                is BlockRow.End -> {
-                    BlockShape(INNER, NOTCH.takeIf { !isOuter }, isOpenAbove = true, isOpenBelow = false)
-                }
-
-                is BlockRow.Empty -> {
-                    BlockShape(NOTCH, null, isOpenAbove = false, isOpenBelow = false)
-                }
+                is BlockRow.Branch -> BlockShape(INNER, INNER, isOpenAbove = true, isOpenBelow = true)
+                is BlockRow.End -> BlockShape(INNER, NOTCH.takeIf { !isOuter }, isOpenAbove = true, isOpenBelow = false)
+                is BlockRow.Empty -> BlockShape(NOTCH, null, isOpenAbove = false, isOpenBelow = false)
             }
         }
     }

@@ -23,9 +23,7 @@ import robotran.blockediting.describe.describe
 import robotran.blockediting.describe.place
 import robotran.ui.parts.TreePlace
 import robotran.ui.parts.treePlace
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_empty_in
-import robotran.ui.resources.blocks_end_of
+import robotran.ui.resources.*
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow

@@ -33,8 +33,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.toSize
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.Shapes

@@ -19,8 +19,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.canBeTried
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_do_now_this
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing

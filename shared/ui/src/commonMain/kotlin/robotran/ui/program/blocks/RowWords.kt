@@ -4,20 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.staticCompositionLocalOf
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_add_below
-import robotran.ui.resources.blocks_change
-import robotran.ui.resources.blocks_delete
-import robotran.ui.resources.blocks_do_now
-import robotran.ui.resources.blocks_down
-import robotran.ui.resources.blocks_duplicate
-import robotran.ui.resources.blocks_fold
-import robotran.ui.resources.blocks_folded
-import robotran.ui.resources.blocks_more
-import robotran.ui.resources.blocks_runs_now
-import robotran.ui.resources.blocks_stops_before
-import robotran.ui.resources.blocks_unfold
-import robotran.ui.resources.blocks_up
+import robotran.ui.resources.*
 
 /** What all rows say to a screen reader. It is looked up once: a row that scrolls into sight should cost little. */
 @Immutable

@@ -34,9 +34,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.complete.Completion
 import robotran.textediting.complete.CompletionList
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_completions
-import robotran.ui.resources.editor_no_completions
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

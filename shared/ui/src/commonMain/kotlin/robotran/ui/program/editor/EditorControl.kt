@@ -155,25 +155,15 @@ internal class EditorControl(
         }
         val list = completions ?: return false
         when {
-            command == EditorCommand.Move(CaretMove.DOWN, false) -> {
-                chosen = (chosen + 1) % list.items.size
-            }
+            command == EditorCommand.Move(CaretMove.DOWN, false) -> chosen = (chosen + 1) % list.items.size
 
             command == EditorCommand.Move(CaretMove.UP, false) -> {
                 chosen = (chosen + list.items.size - 1) % list.items.size
             }
 
-            isEnter || command == EditorCommand.Plain.INDENT -> {
-                acceptCompletion(list.items[chosen])
-            }
-
-            command == EditorCommand.Plain.LEAVE -> {
-                closeOffered()
-            }
-
-            else -> {
-                return false
-            }
+            isEnter || command == EditorCommand.Plain.INDENT -> acceptCompletion(list.items[chosen])
+            command == EditorCommand.Plain.LEAVE -> closeOffered()
+            else -> return false
         }
         return true
     }

@@ -20,9 +20,7 @@ import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.text.Draft
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_breakpoint
-import robotran.ui.resources.program_label
+import robotran.ui.resources.*
 
 /** Keyboard input and semantics of an editor. */
 @Composable
@@ -70,9 +68,7 @@ private fun handleKey(
             true
         }
 
-        command == null || leavesToField(command, control) -> {
-            false
-        }
+        command == null || leavesToField(command, control) -> false
 
         command == EditorCommand.Plain.LEAVE -> {
             onCommand(command)

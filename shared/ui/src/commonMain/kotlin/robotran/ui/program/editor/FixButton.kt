@@ -10,14 +10,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import org.jetbrains.compose.resources.stringResource
 import robotran.programs.ProgramDiagnostic
-import robotran.ui.resources.Res
-import robotran.ui.resources.mistake_fix
-import robotran.ui.resources.mistake_fix_add
-import robotran.ui.resources.mistake_fix_new_line
-import robotran.ui.resources.mistake_fix_normal_spaces
-import robotran.ui.resources.mistake_fix_remove
-import robotran.ui.resources.mistake_fix_remove_words
-import robotran.ui.resources.mistake_fix_space
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -48,13 +41,8 @@ internal fun FixButton(diagnostic: ProgramDiagnostic, line: String, onFix: (Prog
 
 @Composable
 private fun textOf(label: FixLabel): String = when (label) {
-    is FixLabel.Add -> {
-        stringResource(Res.string.mistake_fix_add, label.words)
-    }
-
-    is FixLabel.Change -> {
-        stringResource(Res.string.mistake_fix, label.words)
-    }
+    is FixLabel.Add -> stringResource(Res.string.mistake_fix_add, label.words)
+    is FixLabel.Change -> stringResource(Res.string.mistake_fix, label.words)
 
     is FixLabel.Remove -> {
         val words = label.words
@@ -65,15 +53,7 @@ private fun textOf(label: FixLabel): String = when (label) {
         }
     }
 
-    is FixLabel.Space -> {
-        stringResource(Res.string.mistake_fix_space, label.mended)
-    }
-
-    FixLabel.NormalSpaces -> {
-        stringResource(Res.string.mistake_fix_normal_spaces)
-    }
-
-    FixLabel.NewLine -> {
-        stringResource(Res.string.mistake_fix_new_line)
-    }
+    is FixLabel.Space -> stringResource(Res.string.mistake_fix_space, label.mended)
+    FixLabel.NormalSpaces -> stringResource(Res.string.mistake_fix_normal_spaces)
+    FixLabel.NewLine -> stringResource(Res.string.mistake_fix_new_line)
 }

@@ -20,10 +20,7 @@ import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_caret_left
-import robotran.ui.resources.editor_caret_right
-import robotran.ui.resources.editor_indent
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 

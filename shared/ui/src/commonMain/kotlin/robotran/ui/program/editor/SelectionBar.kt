@@ -29,12 +29,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_copy
-import robotran.ui.resources.editor_cut
-import robotran.ui.resources.editor_help
-import robotran.ui.resources.editor_paste
-import robotran.ui.resources.editor_select_all
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

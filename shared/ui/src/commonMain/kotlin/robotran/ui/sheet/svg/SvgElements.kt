@@ -36,9 +36,7 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
                 }
             }
 
-            is MarkFigure.GreyMap -> {
-                greyMap(figure)
-            }
+            is MarkFigure.GreyMap -> greyMap(figure)
         }
     }
 

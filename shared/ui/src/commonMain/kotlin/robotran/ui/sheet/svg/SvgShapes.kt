@@ -38,9 +38,7 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
                 )
             }
 
-            is Shape.Polygon -> {
-                svg.element("polygon", "points" to figures(down(shape.corners)), *attributes)
-            }
+            is Shape.Polygon -> svg.element("polygon", "points" to figures(down(shape.corners)), *attributes)
         }
     }
 

@@ -90,11 +90,8 @@ private fun escaped(words: String): String = buildString {
     for ((place, letter) in words.withIndex()) {
         when {
             letter == '&' -> append("&amp;")
-
             letter == '<' -> append("&lt;")
-
             letter == '>' -> append("&gt;")
-
             letter == '"' -> append("&quot;")
 
             letter.isHighSurrogate() -> append(
@@ -114,9 +111,7 @@ private fun escaped(words: String): String = buildString {
             )
 
             letter < ' ' && letter != '\n' && letter != '\t' -> append(' ')
-
             letter == '\uFFFE' || letter == '\uFFFF' -> append(MISSING)
-
             else -> append(letter)
         }
     }

@@ -24,8 +24,7 @@ import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_dial
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import kotlin.math.PI

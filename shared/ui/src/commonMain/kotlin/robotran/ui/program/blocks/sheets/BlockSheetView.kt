@@ -43,22 +43,10 @@ private fun OpenSheet(
 ) {
     when (val sheet = scope.state.sheet) {
         null -> {}
-
-        BlockSheet.Palette -> {
-            PaletteSheet(scope, dragging, room, close, below)
-        }
-
-        is BlockSheet.Actions -> {
-            ActionsSheet(sheet.block, scope, close, below)
-        }
-
-        is BlockSheet.Note -> {
-            NoteSheet(sheet.line, scope, close, below)
-        }
-
-        is BlockSheet.Line -> {
-            LineSheet(sheet.line, scope, close, below)
-        }
+        BlockSheet.Palette -> PaletteSheet(scope, dragging, room, close, below)
+        is BlockSheet.Actions -> ActionsSheet(sheet.block, scope, close, below)
+        is BlockSheet.Note -> NoteSheet(sheet.line, scope, close, below)
+        is BlockSheet.Line -> LineSheet(sheet.line, scope, close, below)
 
         is BlockSheet.Part -> {
             // The place of the part begins at the same offset while it is edited.

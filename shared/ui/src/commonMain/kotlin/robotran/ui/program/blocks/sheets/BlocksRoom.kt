@@ -44,9 +44,7 @@ internal data class BlocksRoom(
             val scale = 1 + (textScale.coerceAtLeast(1f) - 1) * SCALED
             val rail = if (width >= RAIL_FROM * scale) RAIL * scale else 0.dp
             return when {
-                isVeryLow && width >= OVER_FROM -> {
-                    BlocksRoom(RAIL * scale, SheetPlace.OVER, width, height, height)
-                }
+                isVeryLow && width >= OVER_FROM -> BlocksRoom(RAIL * scale, SheetPlace.OVER, width, height, height)
 
                 height < LOW && width - rail - BESIDE_WIDTH * scale >= LEFT_BESIDE * scale -> {
                     BlocksRoom(rail, SheetPlace.BESIDE, BESIDE_WIDTH * scale, height, height)

@@ -8,8 +8,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_choose
+import robotran.ui.resources.*
 
 /** The words that may stand at [part]. */
 @OptIn(ExperimentalLayoutApi::class)

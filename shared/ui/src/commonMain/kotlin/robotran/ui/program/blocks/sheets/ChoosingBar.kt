@@ -21,12 +21,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_chosen
-import robotran.ui.resources.blocks_delete
-import robotran.ui.resources.blocks_done
-import robotran.ui.resources.blocks_duplicate
-import robotran.ui.resources.editor_copy
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

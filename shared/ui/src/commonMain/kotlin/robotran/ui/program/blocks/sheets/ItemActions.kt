@@ -12,11 +12,7 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_item_add
-import robotran.ui.resources.blocks_item_remove
-import robotran.ui.resources.blocks_parameter_add
-import robotran.ui.resources.blocks_parameter_remove
+import robotran.ui.resources.*
 
 /** Adds and deletes elements at the end of the list at [part]; nothing if no list is written there. */
 @OptIn(ExperimentalLayoutApi::class)

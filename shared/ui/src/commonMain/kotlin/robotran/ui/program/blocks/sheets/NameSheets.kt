@@ -16,11 +16,7 @@ import robotran.blockediting.namesFor
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_name
-import robotran.ui.resources.blocks_name_new
-import robotran.ui.resources.blocks_names
-import robotran.ui.resources.blocks_rename
+import robotran.ui.resources.*
 
 /** Where a name is declared, it can be renamed everywhere; elsewhere another one can be chosen, or a new one made. */
 @OptIn(ExperimentalLayoutApi::class)

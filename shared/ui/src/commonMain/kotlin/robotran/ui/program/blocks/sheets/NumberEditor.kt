@@ -43,10 +43,7 @@ import robotran.blockediting.scale
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_less
-import robotran.ui.resources.blocks_more_of
-import robotran.ui.resources.blocks_number
+import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.worldediting.written

@@ -11,11 +11,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.StrokeIcon
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_digit_erase
-import robotran.ui.resources.blocks_digit_point
-import robotran.ui.resources.blocks_digit_sign
-import robotran.ui.resources.blocks_done
+import robotran.ui.resources.*
 
 /**
  * A number pad, so that no on-screen keyboard is needed.

@@ -29,8 +29,7 @@ import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.Carrier
 import robotran.ui.program.blocks.carry
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_add_this
+import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

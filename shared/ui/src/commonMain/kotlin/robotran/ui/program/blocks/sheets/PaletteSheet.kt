@@ -56,15 +56,7 @@ import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.DoNowButton
-import robotran.ui.resources.Res
-import robotran.ui.resources.assignment_blocks_none
-import robotran.ui.resources.blocks_none_found
-import robotran.ui.resources.blocks_not_yet
-import robotran.ui.resources.blocks_palette
-import robotran.ui.resources.blocks_palette_lines
-import robotran.ui.resources.blocks_palette_values
-import robotran.ui.resources.blocks_search
-import robotran.ui.resources.blocks_show_all
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.areKeysInUse

@@ -4,11 +4,7 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_preview_ahead
-import robotran.ui.resources.blocks_preview_back
-import robotran.ui.resources.blocks_preview_left
-import robotran.ui.resources.blocks_preview_right
+import robotran.ui.resources.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.previewOf
 import robotran.world.geometry.Pose

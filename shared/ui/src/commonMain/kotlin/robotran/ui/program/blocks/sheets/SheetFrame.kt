@@ -48,8 +48,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_sheet_close
+import robotran.ui.resources.*
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes

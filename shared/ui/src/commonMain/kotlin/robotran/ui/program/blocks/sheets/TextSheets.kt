@@ -21,12 +21,7 @@ import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.parts.fieldColours
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_done
-import robotran.ui.resources.blocks_line
-import robotran.ui.resources.blocks_note
-import robotran.ui.resources.blocks_note_delete
-import robotran.ui.resources.blocks_shown_text
+import robotran.ui.resources.*
 
 /** The comment of the line [line]. */
 @Composable

@@ -11,10 +11,7 @@ import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_names
-import robotran.ui.resources.blocks_tones
-import robotran.ui.resources.blocks_values
+import robotran.ui.resources.*
 
 /** The names and the values of the palette that fit at [part]. */
 @Composable

@@ -7,9 +7,7 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueKind
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_choose
-import robotran.ui.resources.blocks_number
+import robotran.ui.resources.*
 
 /** What may stand at [part]: a number, a name, or another value. */
 @Composable
