@@ -65,9 +65,7 @@ class LinkCommandTest : CommandTest() {
         assertEquals(0, link(tree.resolve("examples/lejos/Square.java").toString()))
         assertEquals(
             listOf("Square.java"),
-            assertIs<LinkResult.OfProject>(opened()).project.robots.single().programs.single().files.map {
-                it.name
-            },
+            assertIs<LinkResult.OfProject>(opened()).project.robots.single().programs.single().files.map { it.name },
         )
     }
 

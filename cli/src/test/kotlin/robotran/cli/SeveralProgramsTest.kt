@@ -42,9 +42,7 @@ class SeveralProgramsTest : CommandTest() {
         assertEquals(2, run(program("hop\n", "first.robo"), javaProgram("Second", "hop();")))
         assertEquals(
             listOf("$folder/first.robo:1:1", "$folder/Second.java:5:9"),
-            console.complaints.map {
-                it.substringBefore(": ")
-            },
+            console.complaints.map { it.substringBefore(": ") },
         )
     }
 

@@ -44,9 +44,7 @@ internal fun brickReport(session: Session): String {
             put(
                 "motors",
                 JsonObject(
-                    brick.motors.associate {
-                        it.port.name to json(it, degrees?.get(it.port.ordinal))
-                    },
+                    brick.motors.associate { it.port.name to json(it, degrees?.get(it.port.ordinal)) },
                 ),
             )
             put("sensors", JsonArray(brick.inputs.map(::json)))

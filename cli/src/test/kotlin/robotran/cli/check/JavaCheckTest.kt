@@ -30,9 +30,7 @@ class JavaCheckTest : CommandTest() {
         assertEquals(1, check(main, robolang, robot))
         assertEquals(
             listOf("$main:6:17", "$robolang:1:1", "$robot:3:9"),
-            console.complaints.map {
-                it.substringBefore(": ")
-            },
+            console.complaints.map { it.substringBefore(": ") },
         )
     }
 

@@ -33,9 +33,7 @@ class TranslateCommandTest : CommandTest() {
         assertEquals(0, translate(square, tree.resolve("examples/star.robo").path))
         assertEquals(
             listOf("Square", "Star"),
-            console.said.map {
-                it.substringAfter("public class ").substringBefore(" ")
-            },
+            console.said.map { it.substringAfter("public class ").substringBefore(" ") },
         )
     }
 

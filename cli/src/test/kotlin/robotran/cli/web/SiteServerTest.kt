@@ -88,9 +88,7 @@ class SiteServerTest {
         val port = URI(server.address).port
         val halves = List(MANY) { number ->
             Socket(InetAddress.getLoopbackAddress(), port).apply {
-                val head = if (number % 2 ==
-                    0
-                ) {
+                val head = if (number % 2 == 0) {
                     "GET / HT"
                 } else {
                     "POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\n1"

@@ -62,8 +62,7 @@ internal class LineEdits(private val program: BlockProgram) {
     private fun SourceSpan.ending(change: TextEdit) = copy(end = change.start + change.inserted.length)
 
     private fun line(index: Int): OutlineLine? = program.outline.lines.getOrNull(index)?.takeIf {
-        index <
-            program.lineCount
+        index < program.lineCount
     }
 
     private fun change(start: Int, end: Int, text: String) = TextEdit(start, program.text.substring(start, end), text)

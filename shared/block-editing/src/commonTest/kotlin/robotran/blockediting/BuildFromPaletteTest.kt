@@ -103,9 +103,7 @@ private class Builder(private val target: BlockProgram) {
             it.span.textIn(target.text)
         }
         if (wanted.parts.any { it is PhrasePart.NamePart && it.role == NameRole.DECLARES_ROUTINE }) {
-            while (line().parts.count { it is PhrasePart.NamePart } >
-                1
-            ) {
+            while (line().parts.count { it is PhrasePart.NamePart } > 1) {
                 edit(BlockEdit.RemoveParameter(line().parts[1].span, 0))
             }
             for (name in parameters) edit(BlockEdit.AddParameter(line().parts[1].span, program.freeName(name)))

@@ -114,9 +114,7 @@ class TrialTest {
         )
         assertEquals(
             Palette.blocksOf(BlockGroup.SHOW_AND_SOUND),
-            tried.filter {
-                it.group == BlockGroup.SHOW_AND_SOUND
-            },
+            tried.filter { it.group == BlockGroup.SHOW_AND_SOUND },
         )
         for (block in tried) {
             assertTrue(block.template in (trialOf(blocksOf(""), block.template) as TrialResult.Ready).text)

@@ -113,9 +113,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
         )
 
         else -> OpenFilesResult.Opened(
-            parts.filterIsInstance<Part.OfProject>().map {
-                it.project
-            },
+            parts.filterIsInstance<Part.OfProject>().map { it.project },
             worlds.singleOrNull(),
             programs,
             parts.filterIsInstance<Part.OfCourse>().map { it.course },

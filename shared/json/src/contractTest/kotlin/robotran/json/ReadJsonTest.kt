@@ -68,15 +68,11 @@ class ReadJsonTest {
         assertEquals(5_000_000_000, read("5000000000") { it.longNumber(0..9_000_000_000) })
         assertEquals(
             "Line 1: the file must be a whole number from 0 to 20.",
-            refusal("1e30") {
-                it.wholeNumber(0..20)
-            }.message,
+            refusal("1e30") { it.wholeNumber(0..20) }.message,
         )
         assertEquals(
             "Line 1: the file must be a whole number from 0 to 9000000000.",
-            refusal("-1e30") {
-                it.longNumber(0..9_000_000_000)
-            }.message,
+            refusal("-1e30") { it.longNumber(0..9_000_000_000) }.message,
         )
     }
 

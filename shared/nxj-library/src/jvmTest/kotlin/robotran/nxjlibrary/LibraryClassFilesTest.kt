@@ -38,9 +38,7 @@ class LibraryClassFilesTest {
         for (name in listOf("java.lang.Thread", "lejos.nxt.MotorRegulation")) {
             assertEquals(
                 0,
-                libraryClasses.single {
-                    it.className == name
-                }.methods.count { it.name == "<clinit>" },
+                libraryClasses.single { it.className == name }.methods.count { it.name == "<clinit>" },
                 name,
             )
         }

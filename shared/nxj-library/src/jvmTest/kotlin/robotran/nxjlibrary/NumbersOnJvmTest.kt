@@ -162,9 +162,7 @@ class NumbersOnJvmTest {
         val digits = first.toString() + List(random.nextInt(25)) { random.nextInt(10) }.joinToString("")
         val point = random.nextInt(digits.length + 1)
         return "${digits.take(point)}.${digits.drop(point)}e${random.nextInt(-330, 310)}".let {
-            if (it[0] ==
-                '.'
-            ) {
+            if (it[0] == '.') {
                 "0$it"
             } else {
                 it

@@ -253,9 +253,7 @@ internal class NxtScript(private val path: String, private val text: String) {
             val quotes = Regex("\"(.*)\"").find(written)
             val brackets = Regex("\\[(.*)]").find(written)
             val numbers = written.substringAfter(' ', "").let {
-                if (quotes ==
-                    null
-                ) {
+                if (quotes == null) {
                     it
                 } else {
                     it.replace(quotes.value, "")

@@ -72,9 +72,7 @@ class JavaExampleRunTest {
     @Test
     fun `every recorded run is that of an example`() {
         assertEquals(
-            lejosExamples.keys.map {
-                it.removeSuffix(".java")
-            }.toSet(),
+            lejosExamples.keys.map { it.removeSuffix(".java") }.toSet(),
             expectedRuns.keys.map { it.substringBefore('.') }.toSet(),
         )
     }

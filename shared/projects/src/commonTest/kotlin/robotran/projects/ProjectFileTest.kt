@@ -85,9 +85,7 @@ class ProjectFileTest {
             val written = plain.replaceFirst("\"robolang\"", "\"robolang\", \"view\": \"${each.name.lowercase()}\"")
             assertEquals(each, view(written))
             assertEquals(
-                written.filterNot {
-                    it.isWhitespace()
-                },
+                written.filterNot { it.isWhitespace() },
                 writeProject(loaded(written)).filterNot { it.isWhitespace() },
             )
         }

@@ -52,9 +52,7 @@ class RobotLoadsTest {
         val given = warned.forFirstRobot(listOf(program("a.robo", "var unused = 1")))
         assertEquals(
             listOf("a.robo"),
-            assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map {
-                it.file
-            },
+            assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map { it.file },
         )
     }
 

@@ -76,9 +76,7 @@ class ProjectSchemaTest {
         is JsonObject -> element.filterKeys { it != "world" }.flatMap { (name, value) ->
             others(value).map { other ->
                 JsonObject(
-                    if (other ==
-                        null
-                    ) {
+                    if (other == null) {
                         element - name
                     } else {
                         element + (name to other)

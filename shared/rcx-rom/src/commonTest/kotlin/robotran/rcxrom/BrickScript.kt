@@ -88,9 +88,7 @@ internal class BrickScript(private val path: String, private val text: String) {
 
             "tower-sends" -> check(
                 tower.send(
-                    words.map {
-                        it.toInt(radix = 16)
-                    },
+                    words.map { it.toInt(radix = 16) },
                 ),
             ) { "$path:$line the tower still sends" }
         }

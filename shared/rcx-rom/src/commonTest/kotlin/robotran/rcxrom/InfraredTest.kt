@@ -175,9 +175,7 @@ class InfraredTest {
         val reported = brick.log.entries.filter(CallLogFilter(onlyReported = true)::accepts)
         assertEquals(
             listOf("receive 6 bytes, but nothing happens: programs come into this brick without infrared"),
-            reported.map {
-                it.meaning
-            },
+            reported.map { it.meaning },
         )
         assertEquals(CallOutcome.NOT_MODELLED, reported.single().outcome)
     }

@@ -69,9 +69,7 @@ class MemoryTest {
         assertEquals(0x0B, brick.memory().byte(0xEF43) and 0x0F)
         assertEquals(
             listOf(0xEF43),
-            brick.memory().changesSince(before).filter {
-                it in MemoryRegion.DISPLAY.addresses
-            },
+            brick.memory().changesSince(before).filter { it in MemoryRegion.DISPLAY.addresses },
         )
     }
 }

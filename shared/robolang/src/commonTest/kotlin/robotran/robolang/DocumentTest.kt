@@ -46,9 +46,7 @@ class DocumentTest {
             DiagnosticCode.TOO_MANY_ROUTINES,
         )
         assertEquals(
-            limits.map {
-                it.id
-            }.toSet(),
+            limits.map { it.id }.toSet(),
             rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet(),
         )
     }

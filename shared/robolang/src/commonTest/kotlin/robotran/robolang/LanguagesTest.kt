@@ -55,9 +55,7 @@ class LanguagesTest {
             for (language in Language.entries - Language.ENGLISH) {
                 val others = diagnosticsOf(source, language)
                 assertEquals(
-                    english.map {
-                        it.copy(message = "")
-                    },
+                    english.map { it.copy(message = "") },
                     others.map { it.copy(message = "") },
                     "$path in $language",
                 )

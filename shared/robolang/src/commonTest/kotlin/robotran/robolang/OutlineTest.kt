@@ -64,16 +64,12 @@ class OutlineTest {
         assertEquals(listOf("A", "B", "C"), (motor.parts[1] as PhrasePart.Choice).options)
         assertEquals(
             listOf("[", "1", ",", "2", "]"),
-            (list.parts.last() as PhrasePart.Value).value.parts.map {
-                it.span.textIn(outline.source)
-            },
+            (list.parts.last() as PhrasePart.Value).value.parts.map { it.span.textIn(outline.source) },
         )
         val element = (show.parts.last() as PhrasePart.Value).value
         assertEquals(
             listOf(ValueUse.LIST, ValueUse.INDEX),
-            element.parts.filterIsInstance<PhrasePart.Value>().map {
-                it.use
-            },
+            element.parts.filterIsInstance<PhrasePart.Value>().map { it.use },
         )
     }
 
@@ -82,9 +78,7 @@ class OutlineTest {
         val outline = outlineRobolang("repeat 4 times\n  forwrd 20\n  beep\nend\nshow 3000000000\n\"\n")
         assertEquals(
             listOf(LineForm.REPEAT, null, LineForm.BEEP, LineForm.END, null, null, null),
-            outline.lines.map {
-                it.form
-            },
+            outline.lines.map { it.form },
         )
         assertEquals(listOf(0, 1, 1, 0, 0, 0, 0), outline.lines.map { it.depth })
         assertNotNull(outline.lines[1].mistake)

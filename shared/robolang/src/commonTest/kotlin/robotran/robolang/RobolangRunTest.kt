@@ -112,9 +112,7 @@ class RobolangRunTest {
             )
         assertEquals(
             listOf(0L, 0L, 334L, 334L, 334L, 334L, 757L, 757L),
-            runToEnd(program).calls.map {
-                it.milliseconds
-            },
+            runToEnd(program).calls.map { it.milliseconds },
         )
     }
 }

@@ -121,9 +121,7 @@ class ThreadSteppingTest {
         assertEquals(listOf(CallFrame("Stepped.run", 8)), other.callStack)
         assertTrue(VariableView("first", "6") in session.variablesOf(main.number, 0).first().variables)
         assertTrue(
-            VariableView("count", "0") in session.variablesOf(other.number, 0).first {
-                it.name == "this"
-            }.variables,
+            VariableView("count", "0") in session.variablesOf(other.number, 0).first { it.name == "this" }.variables,
         )
         assertEquals(emptyList(), session.variablesOf(7, 0))
     }

@@ -47,9 +47,7 @@ class ExampleRunTest {
     @Test
     fun `every recorded run is that of an example`() {
         assertEquals(
-            exampleTexts.keys.map {
-                it.removeSuffix(".robo")
-            }.toSet(),
+            exampleTexts.keys.map { it.removeSuffix(".robo") }.toSet(),
             expectedRuns.keys.map { it.substringBefore('.') }.toSet(),
         )
     }

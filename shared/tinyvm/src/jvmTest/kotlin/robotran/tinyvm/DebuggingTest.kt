@@ -87,9 +87,7 @@ class DebuggingTest {
         repeat(50) { brick.tick() }
         assertEquals(
             listOf("0x27ac ; clear the LCD ; Helper.java:4"),
-            brick.log.entries.filter {
-                it.sourceLine > 0
-            }.map { it.text.substringAfter(' ') },
+            brick.log.entries.filter { it.sourceLine > 0 }.map { it.text.substringAfter(' ') },
         )
         val failure = assertIs<RunState.Failed>(brick.state.run).failure
         assertEquals("Helper.java, line 5", failure.place())

@@ -55,9 +55,7 @@ internal object JavaCompiler {
         }
         return Compilation(
             classes,
-            problems.diagnostics.filter {
-                it.kind == Diagnostic.Kind.ERROR
-            }.map { it.toString() },
+            problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }.map { it.toString() },
         )
     }
 }

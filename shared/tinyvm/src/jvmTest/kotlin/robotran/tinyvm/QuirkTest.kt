@@ -17,9 +17,7 @@ class QuirkTest {
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
         assertEquals(
             listOf(EnglishTinyVmMessages.quirkEffect(Quirk.DIVISOR_OF_16_BITS)),
-            ran(body).run.remarks.map {
-                it.message
-            },
+            ran(body).run.remarks.map { it.message },
         )
         assertEquals(
             listOf(EnglishTinyVmMessages.quirkWarning(Quirk.DIVISOR_OF_16_BITS)),

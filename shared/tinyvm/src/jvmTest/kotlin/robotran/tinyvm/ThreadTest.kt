@@ -121,9 +121,7 @@ class ThreadTest {
         assertEquals(ProgramStatus.Ended, ran.status)
         assertEquals(
             listOf("RuntimeException"),
-            ran.failures.map {
-                it.message.substringAfter("the ").substringBefore('.')
-            },
+            ran.failures.map { it.message.substringAfter("the ").substringBefore('.') },
         )
         assertEquals(listOf(10, 11, 12), ran.rom.shown)
     }

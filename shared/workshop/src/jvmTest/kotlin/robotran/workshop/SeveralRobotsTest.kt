@@ -46,9 +46,7 @@ class SeveralRobotsTest {
         assertFalse(workshop.state.programs.isWorldsOwn)
         assertEquals(
             "backward 5",
-            workshop.project.robots.single {
-                it.name == "red"
-            }.programs.single().files.single().text,
+            workshop.project.robots.single { it.name == "red" }.programs.single().files.single().text,
         )
         workshop.handle(ProgramEvent.RobotChosen("yellow"))
         assertEquals("square.robo", workshop.state.programName)

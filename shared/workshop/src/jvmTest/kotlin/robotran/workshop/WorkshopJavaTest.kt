@@ -199,9 +199,7 @@ class WorkshopJavaTest {
         assertEquals(5, workshop.state.programs.programs.size)
         assertEquals(
             workshop.state.programs.programs.size,
-            workshop.state.programs.programs.map {
-                it.name
-            }.toSet().size,
+            workshop.state.programs.programs.map { it.name }.toSet().size,
         )
         workshop.handle(ProgramEvent.ProgramChosen(0))
         workshop.handle(ProgramEvent.ProgramClosed(0))

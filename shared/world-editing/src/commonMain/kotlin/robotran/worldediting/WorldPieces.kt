@@ -66,9 +66,7 @@ internal fun World.plus(piece: Element): World = when (piece) {
     is Element.OfLamp -> copy(lamps = lamps + piece.lamp)
 
     is Element.OfStroke -> copy(
-        template = (template ?: Template(emptyList())).let {
-            it.copy(strokes = it.strokes + listOf(piece.points))
-        },
+        template = (template ?: Template(emptyList())).let { it.copy(strokes = it.strokes + listOf(piece.points)) },
     )
 
     is Element.OfGoal -> copy(goals = goals + piece.goal)

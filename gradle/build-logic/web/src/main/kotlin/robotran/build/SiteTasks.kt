@@ -88,9 +88,7 @@ internal class SiteTasks(private val project: Project) {
             replace(
                 "wholeRelease",
                 "Puts the optimised app into what webpack has made.",
-                optimize.flatMap {
-                    it.optimized
-                },
+                optimize.flatMap { it.optimized },
             )
         val page = addMarked("Site", project.layout.dir(builtApp))
         val published = addMarked("Release", whole.flatMap { it.replaced })

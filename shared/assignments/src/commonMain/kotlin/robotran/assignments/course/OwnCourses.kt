@@ -23,9 +23,7 @@ object OwnCourses {
     val names: List<String> get() = Lessons.strands.map { it.name } + WORLDS
 
     /** The course called [name], with checks and solutions; null if there is none. */
-    fun named(name: String, language: Language): Course? = if (name ==
-        WORLDS
-    ) {
+    fun named(name: String, language: Language): Course? = if (name == WORLDS) {
         worlds(language)
     } else {
         Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language) }

@@ -46,9 +46,7 @@ internal object GermanReportMessages : ReportMessages {
     }
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
-        val seeds = if (firstSeed ==
-            lastSeed
-        ) {
+        val seeds = if (firstSeed == lastSeed) {
             "der Startzahl $firstSeed"
         } else {
             "den Startzahlen $firstSeed bis $lastSeed"

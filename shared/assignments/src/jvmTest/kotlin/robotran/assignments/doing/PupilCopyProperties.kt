@@ -91,9 +91,7 @@ private fun project(random: Random): Project {
     val robot = ProjectRobot(world.robots.first().name, some())
     return Project(
         world,
-        listOf(robot).filter {
-            it.programs.isNotEmpty()
-        },
+        listOf(robot).filter { it.programs.isNotEmpty() },
         assignment = assignment,
         tries = AssignmentTries(1, best),
     )

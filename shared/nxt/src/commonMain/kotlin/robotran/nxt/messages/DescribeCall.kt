@@ -45,9 +45,7 @@ internal fun NxtMessages.describe(call: NxtCall, result: Int): String {
         NxtNative.SHUT_DOWN -> shutDown()
 
         NxtNative.OPEN, NxtNative.OPEN_CABLE -> {
-            if (result <
-                0
-            ) {
+            if (result < 0) {
                 noRobot(quoted(call.text.orEmpty()))
             } else {
                 connectTo(quoted(call.text.orEmpty()))

@@ -43,9 +43,7 @@ internal class VirtualNxt(private val hardware: NxtHardware) : Nxt {
         hardware.record(
             call,
             0,
-            if (sourceLine ==
-                0
-            ) {
+            if (sourceLine == 0) {
                 CallOrigin.LIBRARY
             } else {
                 CallOrigin.PROGRAM

@@ -41,9 +41,7 @@ internal class NxtMenu(
             val entries = page.entries()
             return MenuView(
                 page.title,
-                entries.map {
-                    it.text
-                },
+                entries.map { it.text },
                 if (entries.any { it.action != null }) page.selected else -1,
             )
         }

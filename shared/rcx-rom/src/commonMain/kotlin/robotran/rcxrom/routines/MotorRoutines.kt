@@ -48,9 +48,7 @@ internal class MotorRoutines(
                 state.mode,
                 state.power,
                 ignoredMode,
-                givenPower.takeIf {
-                    it != state.power
-                },
+                givenPower.takeIf { it != state.power },
             ),
         )
     }

@@ -36,9 +36,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val tree =
             SyntaxTree(
                 robot,
-                routines.sortedBy {
-                    it.range.line
-                },
+                routines.sortedBy { it.range.line },
                 behaviours,
                 statements,
                 lines.mapNotNull { it.comment },

@@ -43,9 +43,7 @@ internal class SensorSeats(
     private val bodies = SensorBodies(robot.brick, palette, round)
     private val box =
         Box(
-            hull.corners.minOf {
-                it.x
-            },
+            hull.corners.minOf { it.x },
             hull.corners.minOf { it.y },
             hull.corners.maxOf { it.x },
             hull.corners.maxOf { it.y },

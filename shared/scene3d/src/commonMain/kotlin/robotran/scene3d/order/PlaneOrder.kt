@@ -72,9 +72,7 @@ private class SeenFootprint(
     fun isInFrontOf(other: SeenFootprint, view: ViewPoint): Boolean {
         val mine = bestEdge(polygon, other.polygon)
         val its = bestEdge(other.polygon, polygon)
-        return if (mine.gap >=
-            its.gap
-        ) {
+        return if (mine.gap >= its.gap) {
             !isOutside(polygon, mine.edge, view)
         } else {
             isOutside(other.polygon, its.edge, view)

@@ -174,9 +174,7 @@ private object EnglishSensorMessages : SensorMessages {
             }
 
             numbers.size > 1 -> {
-                "${sensors(kind, numbers).replaceFirstChar {
-                    it.uppercase()
-                }} are missing ${places(numbers)}."
+                "${sensors(kind, numbers).replaceFirstChar { it.uppercase() }} are missing ${places(numbers)}."
             }
 
             else -> "${sensors(kind, numbers).replaceFirstChar { it.uppercase() }} is missing ${places(numbers)}."

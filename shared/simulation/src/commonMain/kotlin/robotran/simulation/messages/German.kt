@@ -203,9 +203,7 @@ private object GermanSensorMessages : SensorMessages {
             }
 
             numbers.size > 1 -> {
-                "${places(numbers).replaceFirstChar {
-                    it.uppercase()
-                }} fehlen ${sensors(kind, numbers)}."
+                "${places(numbers).replaceFirstChar { it.uppercase() }} fehlen ${sensors(kind, numbers)}."
             }
 
             else -> "${places(numbers).replaceFirstChar { it.uppercase() }} fehlt ${sensors(kind, numbers)}."

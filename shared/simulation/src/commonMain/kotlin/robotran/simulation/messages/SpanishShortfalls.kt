@@ -91,9 +91,7 @@ internal object SpanishShortfallMessages : ShortfallMessages {
         "${if (played == 1) "Sonó" else "Sonaron"} $played de $wanted tonos."
 
     override fun otherTones(played: Int, wanted: Int, others: Int, hertz: Int): String {
-        val more = if (others ==
-            1
-        ) {
+        val more = if (others == 1) {
             "Otro era demasiado agudo o grave"
         } else {
             "Otros $others eran demasiado agudos o graves"

@@ -20,9 +20,7 @@ class NxtMotorTest {
 
     private fun told(power: Int, brakes: Boolean = true) = MotorState(
         MotorPort.A,
-        if (power <
-            0
-        ) {
+        if (power < 0) {
             MotorMode.BACKWARD
         } else {
             MotorMode.FORWARD

@@ -62,9 +62,7 @@ internal class LinkedProgram(
     }
 
     /** The number that a brick shows for [method]: on an RCX that of its signature. */
-    fun numberOf(method: LinkedMethod): Int = if (classType !=
-        null
-    ) {
+    fun numberOf(method: LinkedMethod): Int = if (classType != null) {
         method.number
     } else {
         layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber

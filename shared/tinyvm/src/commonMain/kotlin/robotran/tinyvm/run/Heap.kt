@@ -22,9 +22,7 @@ internal class Heap(private val types: List<HeapType>, private val model: Machin
     val words = IntArray(
         if (model.isExact) {
             first + model.heapWords
-        } else if (model.heapWords ==
-            0
-        ) {
+        } else if (model.heapWords == 0) {
             bytes + first
         } else {
             model.heapWords

@@ -63,9 +63,7 @@ internal class NxtPeripherals(val nxt: Nxt) : Peripherals {
         if (font != 0) return font
         val glyphs = bytes()
         font = machine.newArray(type, glyphs.size)
-        if (font !=
-            0
-        ) {
+        if (font != 0) {
             for (index in glyphs.indices) {
                 machine.heap.words[font + Heap.HEADER_WORDS + index] =
                     glyphs[index].toInt()

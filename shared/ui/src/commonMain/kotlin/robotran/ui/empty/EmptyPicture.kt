@@ -96,9 +96,7 @@ private fun DrawScope.drawMissing(picture: EmptyPicture, colours: RobotranColour
         for (row in 0..4) {
             val y = 17f + row * 9f
             line(
-                if (row ==
-                    0
-                ) {
+                if (row == 0) {
                     RobotranColours.RUN_GREEN
                 } else {
                     colours.quiet

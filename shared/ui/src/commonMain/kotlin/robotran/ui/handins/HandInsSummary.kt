@@ -102,9 +102,7 @@ private fun Progress(progress: GradingProgress, onEvent: (HandInsEvent) -> Unit)
     }
 
 /** Nobody wants to watch seconds jump to and fro. */
-private fun rounded(seconds: Int): Int = if (seconds <=
-    STEP
-) {
+private fun rounded(seconds: Int): Int = if (seconds <= STEP) {
     seconds.coerceAtLeast(1)
 } else {
     (seconds + STEP / 2) / STEP * STEP

@@ -56,9 +56,7 @@ internal fun IconTouch(
         Alignment.CenterVertically,
     ) {
         Box(Modifier.size(24.dp)) { Canvas(Modifier.matchParentSize()) { with(icon) { draw(colour) } } }
-        if (label !=
-            null
-        ) {
+        if (label != null) {
             Text(label, color = colour, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium, maxLines = 1)
         }
     }

@@ -15,9 +15,7 @@ internal val DrawerTab.word: StringResource
     @Composable get() = when (this) {
         DrawerTab.VARIABLES -> Res.string.run_tab_variables
 
-        DrawerTab.LOG -> if (LocalBrickKind.current ==
-            BrickKind.RCX
-        ) {
+        DrawerTab.LOG -> if (LocalBrickKind.current == BrickKind.RCX) {
             Res.string.run_tab_log
         } else {
             Res.string.run_tab_calls

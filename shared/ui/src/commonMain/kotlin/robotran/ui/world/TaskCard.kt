@@ -105,9 +105,7 @@ internal fun TaskCard(
             val fold = {
                 val change = !isFolded
                 onEvent(
-                    if (assignment ==
-                        null
-                    ) {
+                    if (assignment == null) {
                         WorkshopEvent.TaskFolded(change)
                     } else {
                         AssignmentEvent.TaskFolded(change)

@@ -80,9 +80,7 @@ class HandInsPictures {
 
     private fun commented(state: HandInsState) = state.copy(
         rows = state.rows.mapIndexed { index, row ->
-            if (index % 3 ==
-                0
-            ) {
+            if (index % 3 == 0) {
                 row.copy(comment = "Your robot is nearly there, ${row.name}. Look at the turn.")
             } else {
                 row

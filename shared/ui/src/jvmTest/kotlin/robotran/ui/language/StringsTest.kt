@@ -80,9 +80,7 @@ class StringsTest {
         assertEquals(
             names.toSet().size,
             names.size,
-            "A key is twice in $language: ${names.groupBy {
-                it
-            }.filterValues { it.size > 1 }.keys}",
+            "A key is twice in $language: ${names.groupBy { it }.filterValues { it.size > 1 }.keys}",
         )
         return strings.associate { it.getAttribute("name") to it.textContent }
     }

@@ -99,15 +99,11 @@ class PaneSizesOnScreenTest {
                     for (form in WindowForm.entries) workshop.handle(SettingsEvent.ProgramShareChosen(form, share))
                     pass(300)
                     assertTrue(
-                        bounds("program").run {
-                            this.width >= 300 && this.height >= 120
-                        },
+                        bounds("program").run { this.width >= 300 && this.height >= 120 },
                         "$told: ${bounds("program")}",
                     )
                     assertTrue(
-                        bounds("world").run {
-                            this.width >= 300 && this.height >= 150
-                        },
+                        bounds("world").run { this.width >= 300 && this.height >= 150 },
                         "$told: ${bounds("world")}",
                     )
                     for (tag in listOf(

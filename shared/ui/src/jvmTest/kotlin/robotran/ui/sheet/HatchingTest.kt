@@ -21,9 +21,7 @@ class HatchingTest {
         val notch = corners.map { (x, y) -> Offset(x, y) }
         assertEquals(
             listOf(0f, 10f, 20f, 30f),
-            hatching(notch, 10f, right, inset = 0f).filter {
-                it.x == 10f
-            }.map { it.y },
+            hatching(notch, 10f, right, inset = 0f).filter { it.x == 10f }.map { it.y },
         )
     }
 

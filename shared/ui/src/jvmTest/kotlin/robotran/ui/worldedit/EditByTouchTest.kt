@@ -74,9 +74,7 @@ class EditByTouchTest {
         screen.pass(200)
         assertEquals(1, world.lamps.size)
         assertTrue(
-            world.lamps[0].place.let {
-                it.x in 78.0..82.0 && it.y in 58.0..62.0
-            },
+            world.lamps[0].place.let { it.x in 78.0..82.0 && it.y in 58.0..62.0 },
             "it is at ${world.lamps[0].place}",
         )
     }

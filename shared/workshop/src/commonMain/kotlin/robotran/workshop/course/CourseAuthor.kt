@@ -83,9 +83,7 @@ internal class CourseAuthor(
             is CourseEvent.TitleChanged -> {
                 write(
                     course.copy(
-                        title = event.title.filterNot {
-                            it.isISOControl()
-                        }.take(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
+                        title = event.title.filterNot { it.isISOControl() }.take(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
                     ),
                 )
             }

@@ -151,9 +151,7 @@ class CourseStateHolder(
         isFromList = false
         show(
             CoursePage.MyCourses(
-                shelf.records.entries.sortedByDescending {
-                    it.value.usedAt
-                }.map { it.value.entry(it.key) },
+                shelf.records.entries.sortedByDescending { it.value.usedAt }.map { it.value.entry(it.key) },
             ),
         )
     }

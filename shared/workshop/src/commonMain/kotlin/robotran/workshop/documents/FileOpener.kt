@@ -150,9 +150,7 @@ internal class FileOpener(
             autosaver.opened(first.name, first.file, before, isOnlyChosen = begun != null)
             view.show(null)
             opened.world?.let { editor.changeWorld(it) }
-            if (begun ==
-                null
-            ) {
+            if (begun == null) {
                 replacement.offerPreviousProject(before)
             } else {
                 notices.show(Notice.AssignmentBegunBefore(begun))

@@ -11,9 +11,7 @@ data class GoalCount(val all: Int = 0, val met: Int = 0, val failed: Int = 0) {
         fun of(goals: List<GoalProgress>) = GoalCount(
             goals.size,
             goals.count { it.status == GoalStatus.MET },
-            goals.count {
-                it.status == GoalStatus.FAILED
-            },
+            goals.count { it.status == GoalStatus.FAILED },
         )
     }
 }

@@ -43,7 +43,5 @@ data class PupilProgram(val files: List<ProgramFile>) {
 }
 
 fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(
-    files = files.map {
-        it.copy(text = it.text.withPlainLineEnds())
-    },
+    files = files.map { it.copy(text = it.text.withPlainLineEnds()) },
 )

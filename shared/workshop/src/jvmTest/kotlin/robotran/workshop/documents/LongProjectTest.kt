@@ -41,9 +41,7 @@ class LongProjectTest {
         assertEquals(Notice.FileSaved("long.robotran"), window.state.notice)
         assertEquals(
             window.state.programText,
-            machine.afterKill().also {
-                it.marks.times.clear()
-            }.window().state.programText,
+            machine.afterKill().also { it.marks.times.clear() }.window().state.programText,
         )
     }
 

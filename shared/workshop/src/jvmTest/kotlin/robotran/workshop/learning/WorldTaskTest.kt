@@ -125,8 +125,7 @@ class WorldTaskTest {
                 BlockEvent.DoneNow(
                     BlockLoad.New(
                         Palette.blocks.first {
-                            it.id ==
-                                "move"
+                            it.id == "move"
                         },
                     ),
                 ),

@@ -268,9 +268,7 @@ class RunStateHolderTest {
         did(RunEvent.PausePressed)
         assertEquals(
             listOf("n 3"),
-            run.drawer.variables.scopes.flatMap {
-                it.variables
-            }.map { "${it.name} ${it.value}" },
+            run.drawer.variables.scopes.flatMap { it.variables }.map { "${it.name} ${it.value}" },
         )
         assertEquals(1, run.watched)
     }

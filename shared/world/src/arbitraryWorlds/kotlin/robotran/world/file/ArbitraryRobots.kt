@@ -31,9 +31,7 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
     fun robot(): RobotDescription {
         val brick = wanted ?: BrickKind.entries.random(random)
         val base = if (random.nextBoolean()) {
-            ReadyRobots.all.values.filter {
-                it.brick == brick
-            }.random(random)
+            ReadyRobots.all.values.filter { it.brick == brick }.random(random)
         } else {
             null
         }
@@ -86,9 +84,7 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
     )
 
     private fun casters(front: Double) = List(
-        if (random.nextInt(6) ==
-            0
-        ) {
+        if (random.nextInt(6) == 0) {
             0
         } else {
             random.nextInt(1, 4)
@@ -99,9 +95,7 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         val ports = (1..brick.inputPorts).shuffled(random)
         return List(random.nextInt(brick.inputPorts + 1)) {
             part(
-                if (random.nextInt(5) ==
-                    0
-                ) {
+                if (random.nextInt(5) == 0) {
                     null
                 } else {
                     ports[it]

@@ -48,9 +48,7 @@ class AndroidAppPlugin : Plugin<Project> {
         }
         components.onVariants { variant ->
             val verify = project.tasks.register(
-                "verify${variant.name.replaceFirstChar {
-                    it.uppercase()
-                }}Apk",
+                "verify${variant.name.replaceFirstChar { it.uppercase() }}Apk",
                 VerifyApkTask::class.java,
             ) {
                 it.group = LifecycleBasePlugin.VERIFICATION_GROUP

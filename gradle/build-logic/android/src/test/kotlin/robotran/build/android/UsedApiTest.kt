@@ -42,9 +42,7 @@ class UsedApiTest {
         api.use("Outline", "m()V", from = "Own.go()V")
         assertEquals(
             listOf("java/util/List.getFirst()V, used by Own.go()V"),
-            api.missing {
-                it == "Outline"
-            }.map { it.toString() },
+            api.missing { it == "Outline" }.map { it.toString() },
         )
     }
 

@@ -104,9 +104,7 @@ abstract class AssembleSite : DefaultTask() {
         return hexOf(
             sha256(
                 (
-                    files.map {
-                        it.name
-                    }.sorted() + manifest + shell
+                    files.map { it.name }.sorted() + manifest + shell
                 ).joinToString("\n").toByteArray(),
             ),
         ).take(VERSION_DIGITS)

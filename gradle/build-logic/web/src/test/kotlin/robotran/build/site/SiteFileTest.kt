@@ -46,9 +46,7 @@ class SiteFileTest {
         assertEquals(2, policy.split("'sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0='").size - 1)
         assertEquals(
             listOf("wasm-unsafe-eval"),
-            Regex("[\\w-]*unsafe[\\w-]*").findAll(policy).map {
-                it.value
-            }.toList(),
+            Regex("[\\w-]*unsafe[\\w-]*").findAll(policy).map { it.value }.toList(),
         )
     }
 }
