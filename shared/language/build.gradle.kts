@@ -1,3 +1,4 @@
 plugins {
     id("robotran.core")
+    id("robotran.languages")
 }

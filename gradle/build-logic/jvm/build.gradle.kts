@@ -55,6 +55,10 @@ gradlePlugin {
             id = "robotran.texts"
             implementationClass = "robotran.build.texts.TextsPlugin"
         }
+        create("languages") {
+            id = "robotran.languages"
+            implementationClass = "robotran.build.messages.LanguagesPlugin"
+        }
         create("lejosLibrary") {
             id = "robotran.lejos-library"
             implementationClass = "robotran.build.lejos.LejosLibraryPlugin"

@@ -1,7 +1,8 @@
 package robotran.cli.files
 
-import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
+import robotran.language.Language
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -14,7 +15,7 @@ import kotlin.io.path.isRegularFile
  * Reads the NQC program [name] with the files that it includes, which lie beside it or in folders there: a program of
  * somebody else's cannot get at other files of the user.
  */
-internal fun readNqc(name: String, messages: FileMessages = EnglishCommandMessages): ReadProgram {
+internal fun readNqc(name: String, messages: FileMessages = CommandMessages.of(Language.ENGLISH)): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
     val remarks = mutableListOf<String>()
     val waiting = ArrayDeque(listOf(name))

@@ -1,8 +1,9 @@
 package robotran.cli.files
 
 import robotran.brick.program.BrickProgram
-import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
+import robotran.language.Language
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import java.nio.file.Path
@@ -34,7 +35,10 @@ internal data class NamedProgram(val path: String, val source: ProgramSource, va
  * Reads the files [names]. Each `.robo`, `.jar`, `.nqc`, `.lasm` or `.rcx` file and each folder of `.class` files is one
  * program. All `.java` files together are one program, and so are all `.class` files. Duplicates are ignored.
  */
-internal fun readProgramFiles(names: List<String>, messages: FileMessages = EnglishCommandMessages): ProgramFiles {
+internal fun readProgramFiles(
+    names: List<String>,
+    messages: FileMessages = CommandMessages.of(Language.ENGLISH),
+): ProgramFiles {
     val groups = names.distinct().groupBy { name ->
         FILES_OF_ONE_PROGRAM.firstOrNull { isNamed(name, it) } ?: name
     }.values

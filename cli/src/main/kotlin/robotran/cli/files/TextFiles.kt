@@ -1,12 +1,13 @@
 package robotran.cli.files
 
-import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.documents.TextChange
 import robotran.documents.TextReading
 import robotran.documents.plainFileName
 import robotran.documents.readText
 import robotran.documents.sentenceFor
+import robotran.language.Language
 import java.nio.file.Path
 
 /** The result of reading a text file. */
@@ -23,7 +24,7 @@ internal sealed interface TextFile {
 }
 
 /** Reads the file [name] of at most [LARGEST_FILE_BYTES], see [readText]. */
-internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandMessages): TextFile =
+internal fun readTextFile(name: String, messages: FileMessages = CommandMessages.of(Language.ENGLISH)): TextFile =
     reading(name, messages, TextFile::Rejected) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
             is FileContent.Rejected -> TextFile.Rejected(file.reason)

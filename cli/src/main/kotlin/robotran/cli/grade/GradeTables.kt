@@ -28,7 +28,7 @@ internal class GradeTables(
     /** The full result of one program: each goal, then the failed seeds. */
     fun ofProgram(program: ProgramGrades.Graded): String {
         val rows = goalRows(program.grades.map { it.goals }, "")
-        val table = render(messages.goalColumns(), rows)
+        val table = render(listOf(messages.goalHeading(), messages.seedsMetHeading(), messages.worstHeading()), rows)
         val failed = program.grades.filterNot { it.passed }
         val told = failed.take(MAX_REPORTED).flatMap { failure(program.name, it) }
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
@@ -46,7 +46,9 @@ internal class GradeTables(
             listOf(if (areUnique) name else program.shownName) +
                 classRow(program)
         }
-        val table = render(messages.programColumns(), rows)
+        val headings =
+            listOf(messages.programHeading(), messages.seedsPassedHeading(), messages.missedGoalHeading())
+        val table = render(headings, rows)
         val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
             val missed = program.grades.indexOfFirst { !it.passed }
             // The command line cannot run a variation of an assignment's world.

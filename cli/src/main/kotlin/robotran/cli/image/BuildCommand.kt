@@ -30,7 +30,7 @@ import robotran.legofirmware.image.toBytes
 import robotran.legofirmware.listing.plainListing
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.listing.listingOf
-import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.ListingMessages
 import robotran.programs.FirmwareSettings
 import robotran.tinyvm.config.LejosVersion
 
@@ -100,7 +100,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
 
     private fun write(image: LejosImage, version: LejosVersion): ExitCode {
         output?.let { name -> writeFile(name, image.bytes, sentences)?.let { return refuse(it) } }
-        if (listing) console.say(listingOf(image, ImageMessages.of(spoken.language).listing).trimEnd('\n'))
+        if (listing) console.say(listingOf(image, ListingMessages.of(spoken.language)).trimEnd('\n'))
         val left = image.bytesForObjects(version)
         console.say(sentences.imageBuilt(output, image.bytes.size.toString(), left.toString()))
         return ExitCode.DONE

@@ -2,7 +2,6 @@ package robotran.cli.brick
 
 import robotran.cli.RecordingConsole
 import robotran.cli.messages.CommandMessages
-import robotran.cli.messages.EnglishCommandMessages
 import robotran.language.Language
 import robotran.tower.RcxVersion
 import robotran.tower.Remains
@@ -77,7 +76,7 @@ class TransferReportTest {
             // Only what a program leaves depends on the slot.
             assertEquals(Remains.entries.size + 2, remains.toSet().size, "$remains")
         }
-        val sentences = errors.map { EnglishCommandMessages.sentence(it) }
+        val sentences = errors.map { CommandMessages.of(Language.ENGLISH).sentence(it) }
         assertTrue("The batteries have only 6.0 V. Put new ones in first." in sentences, "$sentences")
         val files =
             listOf(
@@ -87,7 +86,7 @@ class TransferReportTest {
                 FirmwareFileError.OutOfRange(4),
                 FirmwareFileError.TooLarge(40_000),
                 FirmwareFileError.NoRomText,
-            ).map { EnglishCommandMessages.sentence(it, "f.srec") }
+            ).map { CommandMessages.of(Language.ENGLISH).sentence(it, "f.srec") }
         assertTrue(files.toSet().size == 6 && files.all { it.startsWith("f.srec ") }, "$files")
     }
 }

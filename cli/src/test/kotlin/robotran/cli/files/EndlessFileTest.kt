@@ -1,7 +1,8 @@
 package robotran.cli.files
 
 import robotran.cli.CommandTest
-import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.CommandMessages
+import robotran.language.Language
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
@@ -77,11 +78,11 @@ class EndlessFileTest : CommandTest() {
         // Files in /proc report a length of 0 but have content, like a file that grows after its size was read.
         val growing =
             assertIs<FileContent.Rejected>(
-                readContent(Path.of("/proc/self/status"), "growing.robo", 10, EnglishCommandMessages),
+                readContent(Path.of("/proc/self/status"), "growing.robo", 10, CommandMessages.of(Language.ENGLISH)),
             )
         assertEquals("growing.robo is too large: it can have 10 bytes at most.", growing.reason)
         assertIs<FileContent.Read>(
-            readContent(Path.of("/proc/self/status"), "growing.robo", 100_000, EnglishCommandMessages),
+            readContent(Path.of("/proc/self/status"), "growing.robo", 100_000, CommandMessages.of(Language.ENGLISH)),
         )
     }
 

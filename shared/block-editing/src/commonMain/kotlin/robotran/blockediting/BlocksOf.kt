@@ -1,6 +1,6 @@
 package robotran.blockediting
 
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
@@ -15,7 +15,7 @@ import robotran.robolang.outline.outlineRobolang
  */
 fun blocksOf(
     text: String,
-    messages: RobolangMessages = EnglishRobolangMessages,
+    messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
     previous: BlockProgram? = null,
 ): BlockProgram = blocksOf(outlineRobolang(text, messages), messages, previous)
 

@@ -11,8 +11,8 @@ import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
-import robotran.javacompiler.messages.EnglishJavaMessages
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import robotran.lejoslibrary.LejosDifference
 
 /**
@@ -128,4 +128,4 @@ internal const val BYTE_ORDER_MARK = "\uFEFF"
  *
  * @param messages the messages for pupils, in one language.
  */
-expect suspend fun loadJavaCompiler(messages: JavaMessages = EnglishJavaMessages): JavaCompiler
+expect suspend fun loadJavaCompiler(messages: JavaMessages = JavaMessages.of(Language.ENGLISH)): JavaCompiler

@@ -3,8 +3,8 @@ package robotran.javacompiler
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.messages.GermanJavaMessages
-import robotran.javacompiler.messages.SpanishJavaMessages
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -74,7 +74,10 @@ class LockWarningsTest {
     @Test
     fun `the warnings are told in all languages`() = runTest {
         val text = "class Robot { private synchronized void next() { notify(); } }"
-        for ((messages, word) in listOf(GermanJavaMessages to "sperrt", SpanishJavaMessages to "bloquea")) {
+        for ((messages, word) in listOf(
+            JavaMessages.of(Language.GERMAN) to "sperrt",
+            JavaMessages.of(Language.SPANISH) to "bloquea",
+        )) {
             val result = compiler().withLanguage(messages).compile(listOf(JavaSource("Robot.java", text)), library)
             val warning = assertIs<CompilationResult.Compiled>(result).warnings.single()
             assertContains(warning.message, word)

@@ -2,7 +2,8 @@ package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.diagnose.missingInNxj
-import robotran.javacompiler.messages.EnglishJavaMessages
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import robotran.nxjlibrary.NxjDifference
 import robotran.nxjlibrary.NxjDifferences
 import kotlin.test.Test
@@ -42,7 +43,7 @@ class NxjDifferencesTest {
     @Test
     fun `no loop with a colon goes through a Vector`() = runTest {
         val told = nxtDiagnostic("Vector<String> v = null; for (String s : v) LCD.clear();")
-        assertEquals(EnglishJavaMessages.onlyArraysAndLists(), told.message)
+        assertEquals(JavaMessages.of(Language.ENGLISH).onlyArraysAndLists(), told.message)
         assertContains(assertNotNull(told.hint), "i < vector.size()")
     }
 
@@ -63,11 +64,11 @@ class NxjDifferencesTest {
     fun `a compiled use is told in one text`() {
         assertEquals(
             "\"LinkedList\" has no method \"getFirst\". Write list.get(0).",
-            missingInNxj("LinkedList", "getFirst()Ljava/lang/Object;", EnglishJavaMessages),
+            missingInNxj("LinkedList", "getFirst()Ljava/lang/Object;", JavaMessages.of(Language.ENGLISH)),
         )
         assertEquals(
             "A \"HashSet\" is not made of (int, String[]).",
-            missingInNxj("HashSet", "<init>(I[Ljava/lang/String;)V", EnglishJavaMessages),
+            missingInNxj("HashSet", "<init>(I[Ljava/lang/String;)V", JavaMessages.of(Language.ENGLISH)),
         )
     }
 

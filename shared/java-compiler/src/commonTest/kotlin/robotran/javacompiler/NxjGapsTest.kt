@@ -1,12 +1,10 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.messages.EnglishJavaMessages
-import robotran.javacompiler.messages.GermanJavaMessages
 import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NewerJava
 import robotran.javacompiler.messages.NxjRemedy
-import robotran.javacompiler.messages.SpanishJavaMessages
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -18,7 +16,7 @@ import kotlin.test.assertTrue
 class NxjGapsTest {
     private suspend fun assertTold(remedy: NxjRemedy, vararg statements: String) {
         for (text in statements) {
-            assertEquals(EnglishJavaMessages.insteadInNxj(remedy), nxtDiagnostic(text).hint, text)
+            assertEquals(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), nxtDiagnostic(text).hint, text)
         }
     }
 
@@ -79,7 +77,7 @@ class NxjGapsTest {
         )
         for ((name, remedy) in imports) {
             val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
-            assertEquals(EnglishJavaMessages.insteadInNxj(remedy), told.hint, name)
+            assertEquals(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told.hint, name)
         }
     }
 
@@ -102,7 +100,7 @@ class NxjGapsTest {
         )
         for ((name, remedy) in imports) {
             val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
-            assertEquals(EnglishJavaMessages.insteadInNxj(remedy), told.hint, name)
+            assertEquals(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told.hint, name)
         }
         assertTold(NxjRemedy.DRAW, "LCD.showNumber(3);")
         assertTold(NxjRemedy.SENSOR_PORT, "Sensor.S1.activate();")
@@ -150,8 +148,8 @@ class NxjGapsTest {
         )
         for ((feature, statements) in programs) {
             val told = nxtDiagnostic(statements)
-            assertEquals(EnglishJavaMessages.newerJava(feature), told.message, statements)
-            assertEquals(EnglishJavaMessages.insteadOf(feature), told.hint, statements)
+            assertEquals(JavaMessages.of(Language.ENGLISH).newerJava(feature), told.message, statements)
+            assertEquals(JavaMessages.of(Language.ENGLISH).insteadOf(feature), told.hint, statements)
         }
     }
 
@@ -161,7 +159,7 @@ class NxjGapsTest {
 
     @Test
     fun `a missing semicolon is told beside an empty diamond`() = runTest {
-        val diamond = EnglishJavaMessages.newerJava(NewerJava.DIAMOND)
+        val diamond = JavaMessages.of(Language.ENGLISH).newerJava(NewerJava.DIAMOND)
         val before = "LCD.drawInt(1, 0, 0)\nMap<String, Integer> map = new HashMap<>();\nmap.put(null, null);"
         val (semicolon, told) = toldOf(before)
         assertEquals(8, semicolon.first)
@@ -177,7 +175,7 @@ class NxjGapsTest {
     fun `an unequal of another language is told beside a missing semicolon`() = runTest {
         val told = toldOf("int x = 3\nif (x <> 4) x = 2;\nList<String> list = new ArrayList<>();")
         assertEquals(listOf(8, 9, 10), told.map { it.first })
-        assertEquals(EnglishJavaMessages.foreignWord("<>", "!="), told[1].second)
+        assertEquals(JavaMessages.of(Language.ENGLISH).foreignWord("<>", "!="), told[1].second)
     }
 
     @Test
@@ -203,7 +201,12 @@ class NxjGapsTest {
 
     @Test
     fun `all remedies are told in three languages and one sentence or two`() {
-        val all = listOf(EnglishJavaMessages, GermanJavaMessages, SpanishJavaMessages)
+        val all =
+            listOf(
+                JavaMessages.of(Language.ENGLISH),
+                JavaMessages.of(Language.GERMAN),
+                JavaMessages.of(Language.SPANISH),
+            )
         for (remedy in NxjRemedy.entries) {
             val told = all.map { messages: JavaMessages -> messages.insteadInNxj(remedy) }
             assertTrue(told.all { it.length in 8..LONGEST && it.last() in ".;0" }, told.toString())
@@ -221,15 +224,21 @@ class NxjGapsTest {
     @Test
     fun `a class of two packages is told with the import of the brick's`() = runTest {
         val diagnostic = nxtDiagnostic("Timer timer = null;")
-        assertEquals(EnglishJavaMessages.severalClasses("Timer"), diagnostic.message)
-        assertEquals(EnglishJavaMessages.importIt("import lejos.util.Timer;"), diagnostic.hint)
+        assertEquals(JavaMessages.of(Language.ENGLISH).severalClasses("Timer"), diagnostic.message)
+        assertEquals(JavaMessages.of(Language.ENGLISH).importIt("import lejos.util.Timer;"), diagnostic.hint)
     }
 
     @Test
     fun `of two classes the one with types in angle brackets is Java's`() = runTest {
         suspend fun hint(statement: String) =
             nxtDiagnosticOf("import javax.microedition.lcdui.*;\n" + nxtProgram(statement)).hint
-        assertEquals(EnglishJavaMessages.importIt("import java.util.List;"), hint("List<String> names = null;"))
-        assertEquals(EnglishJavaMessages.importIt("import javax.microedition.lcdui.List;"), hint("List menu = null;"))
+        assertEquals(
+            JavaMessages.of(Language.ENGLISH).importIt("import java.util.List;"),
+            hint("List<String> names = null;"),
+        )
+        assertEquals(
+            JavaMessages.of(Language.ENGLISH).importIt("import javax.microedition.lcdui.List;"),
+            hint("List menu = null;"),
+        )
     }
 }

@@ -3,7 +3,8 @@ package robotran.javacompiler
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.messages.GermanJavaMessages
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -57,7 +58,7 @@ class PastedCharactersTest {
     @Test
     fun `they are told on an NXT and in other languages, too`() = runTest {
         assertContains(nxtDiagnostic("System.out.println(\u201Chi\u201D);").message, "curly quotation mark")
-        val german = compiler().withLanguage(GermanJavaMessages).compile(
+        val german = compiler().withLanguage(JavaMessages.of(Language.GERMAN)).compile(
             listOf(JavaSource("Robot.java", program("int x = \u22121;"))),
             library,
             target = BrickTarget.LEJOS_RCX,

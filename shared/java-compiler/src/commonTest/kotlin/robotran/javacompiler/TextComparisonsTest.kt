@@ -4,8 +4,8 @@ import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.messages.GermanJavaMessages
-import robotran.javacompiler.messages.SpanishJavaMessages
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -60,7 +60,10 @@ class TextComparisonsTest {
     @Test
     fun `the remark is told in all languages`() = runTest {
         val text = nxtProgram("if (args[0] == \"line\") LCD.clear();")
-        for ((messages, word) in listOf(GermanJavaMessages to "Objekt", SpanishJavaMessages to "objeto")) {
+        for ((messages, word) in listOf(
+            JavaMessages.of(Language.GERMAN) to "Objekt",
+            JavaMessages.of(Language.SPANISH) to "objeto",
+        )) {
             val compiler = compiler().withLanguage(messages)
             val sources = listOf(JavaSource("Robot.java", text))
             val result = compiler.compile(sources, NxjLibrary.load().classFiles, target = BrickTarget.LEJOS_NXJ)

@@ -6,10 +6,9 @@ import org.eclipse.jdt.internal.compiler.classfmt.ClassFileReader
 import robotran.javacompiler.diagnose.namesAbsentFromNxj
 import robotran.javacompiler.diagnose.namesWithNxjCode
 import robotran.javacompiler.diagnose.nxjCode
-import robotran.javacompiler.messages.EnglishJavaMessages
-import robotran.javacompiler.messages.GermanJavaMessages
+import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NxjRemedy
-import robotran.javacompiler.messages.SpanishJavaMessages
+import robotran.language.Language
 import robotran.nxjlibrary.NxjDifferences
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.Test
@@ -51,7 +50,12 @@ class NxjNamesTest {
     fun `no sentence recommends what leJOS NXJ lacks`() = runTest {
         val there = classes().values.flatMap(::membersOf).toSet()
         val lacking = NxjDifferences.all.map { it.name }.filterNot { it in there }.toSet()
-        val messages = listOf(EnglishJavaMessages, GermanJavaMessages, SpanishJavaMessages)
+        val messages =
+            listOf(
+                JavaMessages.of(Language.ENGLISH),
+                JavaMessages.of(Language.GERMAN),
+                JavaMessages.of(Language.SPANISH),
+            )
         val told = messages.flatMap { language -> NxjRemedy.entries.map(language::insteadInNxj) } + nxjCodes
         val wrong = told.filter { sentence -> WORD.findAll(sentence).any { it.value in lacking } }
         assertEquals(emptyList(), wrong)
@@ -61,7 +65,7 @@ class NxjNamesTest {
         nxjCode(
             name.substringAfter('.'),
             name.substringBefore('.'),
-            EnglishJavaMessages,
+            JavaMessages.of(Language.ENGLISH),
         )
     }
 

@@ -5,7 +5,8 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.messages.EnglishJavaMessages
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import java.util.concurrent.CountDownLatch
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -38,7 +39,7 @@ class TimedJavaCompilerTest {
         assertFailsWith<IllegalStateException> { runBlocking { compiler.compile(sources, emptyMap()) } }
     }
 
-    private fun compilerOf(ecj: ThreadedEcj) = TimedJavaCompiler(ecj, EnglishJavaMessages)
+    private fun compilerOf(ecj: ThreadedEcj) = TimedJavaCompiler(ecj, JavaMessages.of(Language.ENGLISH))
 
     private class FakeEcj(private val work: () -> Unit) : Ecj {
         override fun compile(

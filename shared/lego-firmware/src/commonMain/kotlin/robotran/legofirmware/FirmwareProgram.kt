@@ -4,7 +4,7 @@ import robotran.language.Language
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.VariableTable
-import robotran.legofirmware.messages.FirmwareMessages
+import robotran.legofirmware.messages.RunMessages
 import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
 import robotran.legofirmware.run.LegoFirmwareRun
@@ -33,7 +33,7 @@ class FirmwareProgram(
 
     /** Starts a new run on a firmware of its own, which knows nothing of earlier runs. */
     override fun start(rom: Rom): LegoFirmwareRun {
-        val machine = FirmwareMachine(rom, FirmwareMessages.of(language).run)
+        val machine = FirmwareMachine(rom, RunMessages.of(language))
         machine.begin()
         return FirmwareRun(machine, code)
     }

@@ -1,7 +1,7 @@
 package robotran.legofirmware
 
 import robotran.language.Language
-import robotran.legofirmware.messages.FirmwareMessages
+import robotran.legofirmware.messages.RunMessages
 import robotran.legofirmware.shell.LegoShell
 import robotran.rcxrom.program.RcxFirmware
 import robotran.rcxrom.program.RcxProgram
@@ -19,6 +19,6 @@ internal data class LegoFirmware(private val language: Language) : RcxFirmware {
         codeOf = { (it as? FirmwareProgram)?.code },
         firstSlot,
         hardware,
-        FirmwareMessages.of(language).run,
+        RunMessages.of(language),
     )
 }

@@ -18,6 +18,7 @@ import robotran.lejoslinker.link.SignatureTable
 import robotran.lejoslinker.link.UsedParts
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.classMissing
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.config.BrickRoom
 
 /** Links one image, in steps; a step needs the tables of those before it. */

@@ -1,7 +1,7 @@
 package robotran.lejoslinker
 
+import robotran.language.Language
 import robotran.lejoslinker.config.ImageOptions
-import robotran.lejoslinker.messages.EnglishImageMessages
 import robotran.lejoslinker.messages.ImageMessages
 
 /**
@@ -20,5 +20,5 @@ fun linkLejosImage(
     library: Map<String, ByteArray>,
     entryClasses: List<String>,
     options: ImageOptions = ImageOptions(),
-    messages: ImageMessages = EnglishImageMessages,
+    messages: ImageMessages = ImageMessages.of(Language.ENGLISH),
 ): ImageResult = ImageLinker(program, library, entryClasses, options, messages).link()

@@ -2,7 +2,7 @@ package robotran.lejoslinker
 
 import robotran.language.Language
 import robotran.lejoslinker.listing.listingOf
-import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.ListingMessages
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -11,7 +11,7 @@ import kotlin.test.assertIs
 class ImageListingTest {
     private fun listing(name: String, language: Language = Language.ENGLISH): List<String> {
         val image = assertIs<ImageResult.Linked>(linkVector(name)).image
-        return listingOf(image, ImageMessages.of(language).listing).trimEnd('\n').lines()
+        return listingOf(image, ListingMessages.of(language)).trimEnd('\n').lines()
     }
 
     @Test

@@ -1,7 +1,9 @@
 package robotran.lejoslinker
 
+import robotran.language.Language
 import robotran.lejoslinker.config.ImageOptions
-import robotran.lejoslinker.messages.EnglishImageMessages
+import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.link.Opcode
@@ -11,7 +13,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LimitsTest {
-    private val messages = EnglishImageMessages
+    private val messages = ImageMessages.of(Language.ENGLISH)
 
     @Test
     fun `the last class that fits has number 255`() {

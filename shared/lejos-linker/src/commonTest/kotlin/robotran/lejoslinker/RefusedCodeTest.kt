@@ -1,6 +1,8 @@
 package robotran.lejoslinker
 
-import robotran.lejoslinker.messages.EnglishImageMessages
+import robotran.language.Language
+import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.link.Opcode
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.UnsupportedFeature
@@ -10,7 +12,7 @@ import kotlin.test.assertIs
 
 /** What the firmware cannot run although leJOS's own linker does not notice it, and class files that make no sense. */
 class RefusedCodeTest {
-    private val messages = EnglishImageMessages
+    private val messages = ImageMessages.of(Language.ENGLISH)
 
     @Test
     fun `a text has at most 255 characters`() {

@@ -1,8 +1,9 @@
 package robotran.lejoslinker
 
-import robotran.lejoslinker.messages.EnglishImageMessages
+import robotran.language.Language
+import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.messages.Counted
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -35,8 +36,8 @@ class RefusedProgramsTest {
     @Test
     fun `a class with too many constants is refused at each line that code cannot reach`() {
         val errors = errorsOf(linkVector("ManyConstants", programs = Vectors.refused))
-        val inClass = EnglishTinyVmMessages.unsupportedFeature(UnsupportedFeature.MANY_CONSTANTS)
-        val inProgram = EnglishImageMessages.tooManyConstants(322, 256)
+        val inClass = TinyVmMessages.of(Language.ENGLISH).unsupportedFeature(UnsupportedFeature.MANY_CONSTANTS)
+        val inProgram = ImageMessages.of(Language.ENGLISH).tooManyConstants(322, 256)
         assertEquals(setOf(inClass, inProgram), errors.map { it.substringAfter(' ') }.toSet())
         assertEquals(errors.distinct(), errors)
     }
@@ -44,16 +45,19 @@ class RefusedProgramsTest {
     @Test
     fun `a method with too many variables is refused`() {
         val errors = errorsOf(linkVector("ManyLocals", programs = Vectors.refused))
-        assertEquals("ManyLocals.main:0 " + EnglishTinyVmMessages.tooMany(Counted.LOCALS, 255), errors.first())
+        assertEquals(
+            "ManyLocals.main:0 " + TinyVmMessages.of(Language.ENGLISH).tooMany(Counted.LOCALS, 255),
+            errors.first(),
+        )
     }
 
     @Test
     fun `a class without main cannot be started`() {
-        assertRefused("NoMain", "NoMain:0 ${EnglishTinyVmMessages.noMainMethod()}")
+        assertRefused("NoMain", "NoMain:0 ${TinyVmMessages.of(Language.ENGLISH).noMainMethod()}")
     }
 
     private fun assertUnsupported(program: String, feature: UnsupportedFeature) =
-        assertRefused(program, "$program.main:5 ${EnglishTinyVmMessages.unsupportedFeature(feature)}")
+        assertRefused(program, "$program.main:5 ${TinyVmMessages.of(Language.ENGLISH).unsupportedFeature(feature)}")
 
     private fun assertRefused(program: String, vararg errors: String) =
         assertEquals(errors.toList(), errorsOf(linkVector(program, programs = Vectors.refused)))

@@ -1,11 +1,11 @@
 package robotran.nqc
 
+import robotran.language.Language
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.diagnostic.Severity
 import robotran.nqc.diagnostic.SourceRange
-import robotran.nqc.messages.EnglishNqcMessages
 import robotran.nqc.messages.NqcMessages
 
 /**
@@ -19,7 +19,7 @@ fun compileNqc(
     name: String,
     source: String,
     options: NqcOptions = NqcOptions(),
-    messages: NqcMessages = EnglishNqcMessages,
+    messages: NqcMessages = NqcMessages.of(Language.ENGLISH),
 ): NqcResult {
     val sink = DiagnosticSink(messages)
     val files = options.files + (name to source)

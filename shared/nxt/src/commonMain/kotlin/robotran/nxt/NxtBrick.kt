@@ -11,12 +11,12 @@ import robotran.brick.program.DebuggableRun
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.sensors.ExpectedSensor
 import robotran.brick.sound.SoundTrack
+import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.nxt.hardware.Clock
 import robotran.nxt.hardware.I2cDevice
 import robotran.nxt.hardware.NxtColour
 import robotran.nxt.hardware.SensorPortState
-import robotran.nxt.messages.EnglishNxtMessages
 import robotran.nxt.messages.NxtMessages
 import robotran.nxt.natives.NxtHardware
 import robotran.nxt.natives.VirtualNxt
@@ -47,7 +47,7 @@ class NxtBrick(
     programs: List<BrickProgram?>,
     network: BluetoothNetwork = BluetoothNetwork(),
     name: String = DEFAULT_NAME,
-    messages: NxtMessages = EnglishNxtMessages,
+    messages: NxtMessages = NxtMessages.of(Language.ENGLISH),
     firstSlot: Int = 0,
     files: List<NxtFile> = emptyList(),
 ) : Brick {

@@ -2,9 +2,9 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.lejoslinker.messages.EnglishImageMessages
+import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.config.LejosVersion
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -72,7 +72,7 @@ class ImageBuildTest {
         )
         val diagnostic = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.single()
         assertEquals("Two.java", diagnostic.file)
-        assertContains(diagnostic.message, EnglishTinyVmMessages.duplicateClass("Helper"))
+        assertContains(diagnostic.message, TinyVmMessages.of(Language.ENGLISH).duplicateClass("Helper"))
     }
 
     @Test
@@ -98,7 +98,7 @@ class ImageBuildTest {
         val source = java("Grid.java", mainOf("Grid", "String[][] names = new String[2][3];\n names[0][0] = \"\";"))
         val built = assertIs<ImageBuildResult.HasErrors>(compiler.buildImage(listOf(source))).diagnostics
         assertEquals(listOf("Grid.java" to 5), built.map { it.file to it.range?.line })
-        assertContains(built.single().message, EnglishImageMessages.arraysOfObjectArrays())
+        assertContains(built.single().message, ImageMessages.of(Language.ENGLISH).arraysOfObjectArrays())
         assertEquals(built, assertIs<ProgramResult.HasErrors>(compiler.read(source)).diagnostics)
     }
 
@@ -127,7 +127,7 @@ class ImageBuildTest {
         val built = built(source)
         val left = built.image.bytesForObjects(LejosVersion.V3_0)
         assertTrue(left in 256..1_023, "$left bytes are left")
-        assertEquals(listOf(EnglishImageMessages.littleMemory(left)), built.warnings.map { it.message })
+        assertEquals(listOf(ImageMessages.of(Language.ENGLISH).littleMemory(left)), built.warnings.map { it.message })
     }
 
     private suspend fun built(source: ProgramSource): ImageBuildResult.Built {

@@ -12,10 +12,10 @@ import robotran.brick.program.DebuggableRun
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.sensors.ExpectedSensor
 import robotran.brick.sound.SoundTrack
+import robotran.language.Language
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.program.RcxFirmware
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.RcxShell
@@ -50,7 +50,7 @@ import robotran.rcxrom.state.RcxState
 class RcxBrick(
     private val programs: List<RcxProgram?>,
     air: InfraredAir = InfraredAir(),
-    private val messages: BrickMessages = EnglishBrickMessages,
+    private val messages: BrickMessages = BrickMessages.of(Language.ENGLISH),
     firstSlot: Int = 0,
 ) : Brick {
     init {

@@ -9,10 +9,11 @@ import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.controls.romCode
-import robotran.rcxrom.messages.EnglishBrickMessages
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.describe
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
@@ -112,7 +113,7 @@ class ProgramOnBrickTest {
             )
         assertEquals(null, brick.state.explanation)
         brick.tick(200)
-        assertEquals(EnglishBrickMessages.motorsBrakedAtEnd(), brick.state.explanation)
+        assertEquals(BrickMessages.of(Language.ENGLISH).motorsBrakedAtEnd(), brick.state.explanation)
         brick.push(BrickButton.RUN)
         assertEquals(null, brick.state.explanation)
         brick.stopProgram()

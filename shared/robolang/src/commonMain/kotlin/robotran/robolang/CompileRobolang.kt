@@ -1,10 +1,10 @@
 package robotran.robolang
 
+import robotran.language.Language
 import robotran.robolang.check.Checker
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Parser
@@ -25,7 +25,7 @@ fun compileRobolang(
     name: String,
     source: String,
     robot: RobotTarget,
-    messages: RobolangMessages = EnglishRobolangMessages,
+    messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
 ): RobolangResult {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {

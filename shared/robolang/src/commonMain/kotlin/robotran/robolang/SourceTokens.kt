@@ -1,7 +1,8 @@
 package robotran.robolang
 
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.ScannedLine
 import robotran.robolang.syntax.Token
@@ -21,14 +22,14 @@ enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMEN
 
 /** Splits one [line] into tokens like the scanner; skips unknown characters. Never throws. */
 fun robolangTokens(line: String): List<SourceToken> =
-    tokensOf(scan(line, DiagnosticSink(EnglishRobolangMessages)).first())
+    tokensOf(scan(line, DiagnosticSink(RobolangMessages.of(Language.ENGLISH))).first())
 
 /**
  * The tokens of each line of [program]. A word that the program declares as a name is one on all its lines, see
  * [RobolangWords.isNewerWord]. Never throws.
  */
 fun robolangTokensOfLines(program: String): List<List<SourceToken>> =
-    scan(program, DiagnosticSink(EnglishRobolangMessages)).map(::tokensOf)
+    scan(program, DiagnosticSink(RobolangMessages.of(Language.ENGLISH))).map(::tokensOf)
 
 private fun tokensOf(line: ScannedLine): List<SourceToken> = (line.tokens + listOfNotNull(line.comment)).map {
     SourceToken(kindOf(it), it.range.column - 1, it.range.endColumn - 1)

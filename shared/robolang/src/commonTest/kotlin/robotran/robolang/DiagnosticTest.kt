@@ -1,8 +1,8 @@
 package robotran.robolang
 
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.RobolangLimits
 import kotlin.test.Test
@@ -81,7 +81,7 @@ class DiagnosticTest {
 
     @Test
     fun `the messages can be in another language`() {
-        val german = object : RobolangMessages by EnglishRobolangMessages {
+        val german = object : RobolangMessages by RobolangMessages.of(Language.ENGLISH) {
             override fun extraEnd() = "Dieses \"end\" schließt nichts."
         }
         val result = compileRobolang("test", "end", testTarget, german) as RobolangResult.HasErrors

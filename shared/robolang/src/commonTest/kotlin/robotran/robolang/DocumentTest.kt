@@ -1,7 +1,8 @@
 package robotran.robolang
 
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Keyword
@@ -67,7 +68,7 @@ class DocumentTest {
 
     @Test
     fun `what is said when a run fails is documented in the same words`() {
-        val said = with(EnglishRobolangMessages) {
+        val said = with(RobolangMessages.of(Language.ENGLISH)) {
             listOf(
                 divisionByZero("7"),
                 indexOutside(7, 5),

@@ -1,6 +1,7 @@
 package robotran.tinyvm
 
 import robotran.brick.program.DebuggableRun
+import robotran.language.Language
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtProgram
 import robotran.tinyvm.classfile.DamagedClassFile
@@ -14,7 +15,6 @@ import robotran.tinyvm.link.ClassPath
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.link.Linker
-import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.nxj.NxjNatives
 import robotran.tinyvm.run.NativeMethod
@@ -66,7 +66,7 @@ fun linkNxj(
     program: Map<String, ByteArray>,
     library: Map<String, ByteArray>,
     mainClass: String? = null,
-    messages: TinyVmMessages = EnglishTinyVmMessages,
+    messages: TinyVmMessages = TinyVmMessages.of(Language.ENGLISH),
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     mode: TinyVmMode = TinyVmMode.BRICK,
 ): NxjResult = linkNxj(name, program, library, mainClass, messages, speed, mode, NxjNatives::find)

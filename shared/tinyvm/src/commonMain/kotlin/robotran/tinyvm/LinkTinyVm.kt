@@ -1,5 +1,6 @@
 package robotran.tinyvm
 
+import robotran.language.Language
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.BrickRoom
@@ -13,7 +14,6 @@ import robotran.tinyvm.diagnostic.MemberUse
 import robotran.tinyvm.link.ClassPath
 import robotran.tinyvm.link.Linker
 import robotran.tinyvm.link.MemberUses
-import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.NativeMethods
 
@@ -32,7 +32,7 @@ fun linkTinyVm(
     library: Map<String, ByteArray>,
     mainClass: String? = null,
     mode: TinyVmMode = TinyVmMode.BRICK,
-    messages: TinyVmMessages = EnglishTinyVmMessages,
+    messages: TinyVmMessages = TinyVmMessages.of(Language.ENGLISH),
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     version: LejosVersion = LejosVersion.DEFAULT,
     layout: BrickLayout? = null,
@@ -57,4 +57,5 @@ fun linkTinyVm(
  * What the class files [program] name of the library, in the order of their code. The [program] must be one that
  * `linkTinyVm` accepts.
  */
-fun memberUsesOf(program: Map<String, ByteArray>): List<MemberUse> = MemberUses(program, EnglishTinyVmMessages).all()
+fun memberUsesOf(program: Map<String, ByteArray>): List<MemberUse> =
+    MemberUses(program, TinyVmMessages.of(Language.ENGLISH)).all()

@@ -1,8 +1,9 @@
 package robotran.tinyvm
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.tinyvm.diagnostic.LinkError
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -20,7 +21,7 @@ class VerifierTest {
 
     private fun assertUnsound(code: ClassAssembler.() -> List<Int>) {
         val refused = assertIs<TinyVmResult.Rejected>(linkMain(code))
-        assertEquals(EnglishTinyVmMessages.codeInvalid(), refused.refusal.message)
+        assertEquals(TinyVmMessages.of(Language.ENGLISH).codeInvalid(), refused.refusal.message)
         assertEquals("main", refused.refusal.methodName)
     }
 
@@ -97,7 +98,10 @@ class VerifierTest {
         )
         for ((code, feature) in refused) {
             val refusal = assertIs<TinyVmResult.Rejected>(linkMain { code + 0xB1 }).refusal
-            assertEquals(LinkError(EnglishTinyVmMessages.unsupportedFeature(feature), "Main", "main"), refusal)
+            assertEquals(
+                LinkError(TinyVmMessages.of(Language.ENGLISH).unsupportedFeature(feature), "Main", "main"),
+                refusal,
+            )
         }
     }
 
@@ -155,7 +159,7 @@ class VerifierTest {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }
         val refused = assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary))
-        assertEquals(EnglishTinyVmMessages.cyclicInheritance("Main"), refused.refusal.message)
+        assertEquals(TinyVmMessages.of(Language.ENGLISH).cyclicInheritance("Main"), refused.refusal.message)
     }
 
     @Test

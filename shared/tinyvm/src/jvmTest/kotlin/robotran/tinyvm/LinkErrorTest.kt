@@ -1,7 +1,8 @@
 package robotran.tinyvm
 
+import robotran.language.Language
 import robotran.tinyvm.messages.Counted
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
@@ -22,7 +23,7 @@ class LinkErrorTest {
 
     @Test
     fun `what a TinyVM lacks is refused`() {
-        val messages = EnglishTinyVmMessages
+        val messages = TinyVmMessages.of(Language.ENGLISH)
         assertEquals(
             messages.unsupportedFeature(UnsupportedFeature.LONG_ARITHMETIC),
             refused("long a = 1; a = a + 1;").message,
@@ -57,8 +58,10 @@ class LinkErrorTest {
     }
 
     @Test
-    fun `a program without main is refused`() =
-        assertEquals(EnglishTinyVmMessages.noMainMethod(), refusal("class Program { void main() {} }").message)
+    fun `a program without main is refused`() = assertEquals(
+        TinyVmMessages.of(Language.ENGLISH).noMainMethod(),
+        refusal("class Program { void main() {} }").message,
+    )
 
     @Test
     fun `no bytes at all and other bytes are refused`() {

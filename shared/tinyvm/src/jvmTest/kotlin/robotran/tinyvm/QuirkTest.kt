@@ -1,9 +1,10 @@
 package robotran.tinyvm
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -16,11 +17,11 @@ class QuirkTest {
         assertEquals(listOf(22), shownBy(body))
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
         assertEquals(
-            listOf(EnglishTinyVmMessages.quirkEffect(Quirk.DIVISOR_OF_16_BITS)),
+            listOf(TinyVmMessages.of(Language.ENGLISH).quirkEffect(Quirk.DIVISOR_OF_16_BITS)),
             ran(body).run.remarks.map { it.message },
         )
         assertEquals(
-            listOf(EnglishTinyVmMessages.quirkWarning(Quirk.DIVISOR_OF_16_BITS)),
+            listOf(TinyVmMessages.of(Language.ENGLISH).quirkWarning(Quirk.DIVISOR_OF_16_BITS)),
             ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.message },
         )
     }
@@ -32,9 +33,9 @@ class QuirkTest {
                 val body = "for (int again = 0; again < 2; again++) {\n$code\n}"
                 val remarks = ran(body, MEMBERS, mode).run.remarks
                 val expected = if (mode == TinyVmMode.BRICK) {
-                    EnglishTinyVmMessages.quirkEffect(quirk)
+                    TinyVmMessages.of(Language.ENGLISH).quirkEffect(quirk)
                 } else {
-                    EnglishTinyVmMessages.quirkWarning(quirk)
+                    TinyVmMessages.of(Language.ENGLISH).quirkWarning(quirk)
                 }
                 assertEquals(listOf(5), remarks.map { it.sourceLine }, "$quirk $mode")
                 assertTrue(remarks.single().message.startsWith(expected), remarks.toString())
@@ -198,7 +199,7 @@ class QuirkTest {
         val body = "show(1);\nlocked();"
         val remark = ran(body, "static synchronized void locked() { }").run.remarks.single()
         assertEquals(5, remark.sourceLine)
-        assertEquals(EnglishTinyVmMessages.quirkEffect(Quirk.UNLOCKED_METHOD), remark.message)
+        assertEquals(TinyVmMessages.of(Language.ENGLISH).quirkEffect(Quirk.UNLOCKED_METHOD), remark.message)
     }
 
     @Test

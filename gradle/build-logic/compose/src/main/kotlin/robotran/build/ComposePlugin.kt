@@ -7,6 +7,7 @@ import org.jetbrains.compose.ComposePlugin.DesktopDependencies
 import org.jetbrains.kotlin.gradle.ExperimentalKotlinGradlePluginApi
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+import robotran.build.messages.Messages
 
 /**
  * A module of Compose UI for the JVM, wasm and Android.
@@ -28,6 +29,9 @@ class ComposePlugin : Plugin<Project> {
             if (targets.wasm) kotlin.wasmJs { browser { testTask { it.enabled = false } } }
             if (targets.android) kotlin.androidTarget()
             declareSourceSets(kotlin, "jvmMain", "jvmTest", "androidMain")
+            Messages.register(project, "src/commonMain/messages")?.let {
+                kotlin.sourceSets.getByName("commonMain").kotlin.srcDir(it)
+            }
             kotlin.sourceSets.getByName("jvmTest").dependencies {
                 implementation(kotlin("test"))
                 implementation(libraries.findLibrary("coroutines-test").get())

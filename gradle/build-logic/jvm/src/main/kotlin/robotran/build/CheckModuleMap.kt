@@ -13,6 +13,8 @@ import org.gradle.api.tasks.OutputFile
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
+import robotran.build.messages.readCatalogue
+import java.io.File
 
 /**
  * Fails if a module has an import that the module map in `docs/architecture.md` does not allow, is missing on the map,
@@ -24,7 +26,7 @@ abstract class CheckModuleMap : DefaultTask() {
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val map: RegularFileProperty
 
-    /** All Kotlin and Java files of all modules. */
+    /** All Kotlin and Java files and catalogues of messages of all modules. */
     @get:InputFiles
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val sources: ConfigurableFileCollection
@@ -39,7 +41,7 @@ abstract class CheckModuleMap : DefaultTask() {
     fun check() {
         val map = ModuleMap.parse(map.get().asFile.readText())
         val rootFolder = root.get().asFile
-        val files = sources.files.map { SourceFile(it.relativeTo(rootFolder).invariantSeparatorsPath, it.readText()) }
+        val files = sources.files.map { SourceFile(it.relativeTo(rootFolder).invariantSeparatorsPath, codeOf(it)) }
         val violations =
             files.flatMap { file ->
                 val module = map.modules.find { file.path.startsWith(it.folder + "/") }
@@ -59,5 +61,12 @@ abstract class CheckModuleMap : DefaultTask() {
                 violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"),
             )
         }
+    }
+
+    /** The package and the imports of the Kotlin that a catalogue of messages becomes; other files are code. */
+    private fun codeOf(file: File): String {
+        if (file.extension != "md") return file.readText()
+        val catalogue = readCatalogue(file.path, file.readText())
+        return "package ${catalogue.packageName}\n" + catalogue.imports.joinToString("") { "import $it\n" }
     }
 }

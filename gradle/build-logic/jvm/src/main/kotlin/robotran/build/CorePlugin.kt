@@ -5,6 +5,7 @@ import org.gradle.api.Project
 import org.gradle.api.tasks.testing.Test
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+import robotran.build.messages.Messages
 
 /** A module of common Kotlin code for the JVM (desktop, Android) and wasm (browser), tested on both. */
 class CorePlugin : Plugin<Project> {
@@ -19,6 +20,9 @@ class CorePlugin : Plugin<Project> {
             declareSourceSets(kotlin, "jvmMain", "jvmTest", "wasmJsMain", "wasmJsTest")
             // What may depend on the target: the tests of these folders run as wasm in every check, the others in `checkAll`.
             kotlin.sourceSets.getByName("commonTest").kotlin.srcDir("src/contractTest/kotlin")
+            Messages.register(project, "src/commonMain/messages")?.let {
+                kotlin.sourceSets.getByName("commonMain").kotlin.srcDir(it)
+            }
             kotlin.sourceSets.getByName("commonTest").dependencies {
                 implementation(kotlin("test"))
                 implementation(libraries.findLibrary("coroutines-test").get())

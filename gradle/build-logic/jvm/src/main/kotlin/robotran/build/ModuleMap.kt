@@ -143,6 +143,6 @@ class SourceFile(val path: String, text: String) {
 
     private companion object {
         val PACKAGE = Regex("""^package\s+([\w.]+)""", RegexOption.MULTILINE)
-        val IMPORT = Regex("""^import\s+(?:static\s+)?([\w.]+)""", RegexOption.MULTILINE)
+        val IMPORT = Regex("""^import\s+(?:static\s+)?([\w.]+(?:\.\*|\w))""", RegexOption.MULTILINE)
     }
 }

@@ -4,6 +4,8 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.file.ConfigurableFileTree
 import org.gradle.api.tasks.testing.Test
+import robotran.build.messages.Messages
+import robotran.build.messages.MissingMessages
 
 /** Configures the root project. It holds no code, only checks of the whole tree and tasks shared by all modules. */
 class RootPlugin : Plugin<Project> {
@@ -31,6 +33,12 @@ class RootPlugin : Plugin<Project> {
             }
         }
         CodeStyle.register(project)
+        project.tasks.register("missingMessages", MissingMessages::class.java) { task ->
+            task.group = "help"
+            task.description = "Lists the messages that a language lacks."
+            task.catalogues.from(sources(project, CATALOGUES))
+            task.languages.set(project.file(Messages.LANGUAGES))
+        }
         val moduleMap = registerModuleMapCheck(project)
         val wrapper = registerWrapperCheck(project)
         val buildLogic = project.gradle.includedBuild("build-logic")
@@ -51,7 +59,8 @@ class RootPlugin : Plugin<Project> {
             task.group = "verification"
             task.description = "Checks that no module imports what the module map in docs/architecture.md forbids."
             task.map.set(project.file("docs/architecture.md"))
-            task.sources.from(sources(project, "**/src/**/*.kt"), sources(project, "**/src/**/*.java"))
+            val kinds = listOf("**/src/**/*.kt", "**/src/**/*.java", CATALOGUES)
+            task.sources.from(kinds.map { sources(project, it) })
             task.root.set(project.layout.projectDirectory)
             task.report.set(project.layout.buildDirectory.file("reports/module-map.txt"))
         }
@@ -71,5 +80,9 @@ class RootPlugin : Plugin<Project> {
         it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
         // Java code for the brick, not for the computer.
         it.exclude("**/src/brick/**", "**/src/*/resources/**")
+    }
+
+    private companion object {
+        const val CATALOGUES = "**/src/*/messages/*.md"
     }
 }

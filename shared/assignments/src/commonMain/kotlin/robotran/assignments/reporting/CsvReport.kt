@@ -3,8 +3,8 @@ package robotran.assignments.reporting
 import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.ReportMessages
+import robotran.assignments.messages.columns
 import robotran.language.Language
-import robotran.language.choose
 import robotran.language.visibleText
 import robotran.language.withComma
 
@@ -31,7 +31,7 @@ fun csvReport(report: CourseReport, language: Language = Language.ENGLISH): Stri
 private fun withTask(row: List<String>, task: String) = listOf(row.first(), task) + row.drop(1)
 
 private fun csvOf(rows: List<List<String>>, language: Language): String {
-    val separator = language.choose(english = ",", spanish = ";", german = ";")
+    val separator = if (language.decimalSign == ',') ";" else ","
     return rows.joinToString("") { row ->
         row.joinToString(separator, postfix = "\r\n") { cellOf(it, separator) }
     }

@@ -1,5 +1,6 @@
 package robotran.assignments.reporting
 
+import robotran.assignments.messages.ReportColumn
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 
@@ -9,7 +10,7 @@ internal fun writeMatrix(report: CourseReport, html: HtmlWriter, language: Langu
     val tasks = report.tasks.filter { it.assignment.world.title.isNotEmpty() }
     val names = report.rows(language).map { (task, index) -> task.results[index].submission.name }.distinct()
     html.raw("<table class=\"all\"><thead><tr>")
-    html.element("th", messages.columns(worlds = 1).first(), "words")
+    html.element("th", messages.heading(ReportColumn.NAME, worlds = 1), "words")
     tasks.forEach { html.element("th", it.assignment.world.title, "words") }
     html.raw("</tr></thead>\n<tbody>\n")
     for (name in names) {

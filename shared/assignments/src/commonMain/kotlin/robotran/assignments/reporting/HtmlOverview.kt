@@ -2,6 +2,7 @@ package robotran.assignments.reporting
 
 import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
+import robotran.assignments.messages.ReportColumn
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 
@@ -35,15 +36,19 @@ private class OverviewColumn(
 
 private fun overviewColumns(report: ClassReport, language: Language): List<OverviewColumn> {
     val messages = ReportMessages.of(language)
-    val titles = messages.columns(report.plan.worlds.size)
+    val title = { column: ReportColumn -> messages.heading(column, report.plan.worlds.size) }
     val result = { index: Int -> report.results[index] }
     val graded = { index: Int -> result(index) as? GradedHandIn.Graded }
     val tries = { index: Int -> (result(index).submission as? Submission.Usable)?.handIn?.tries?.toString().orEmpty() }
     val seconds = { index: Int -> graded(index)?.seconds?.let { tenths(it, language) }.orEmpty() }
     val lines = { index: Int -> result(index).submission.linesOfCode.takeIf { it > 0 }?.toString().orEmpty() }
-    val numbers = listOf(messages.meanSeconds() to seconds, titles[LINES] to lines, titles[TRIES] to tries)
+    val numbers = listOf(
+        messages.meanSeconds() to seconds,
+        title(ReportColumn.LINES) to lines,
+        title(ReportColumn.TRIES) to tries,
+    )
         .filter { (_, text) -> report.results.indices.any { text(it).isNotEmpty() } }
-    val all = OverviewColumn(titles[SEEDS_MET]) { index ->
+    val all = OverviewColumn(title(ReportColumn.SEEDS_MET)) { index ->
         graded(index)?.let { messages.countOf(it.met, it.runs.size) }.orEmpty()
     }
     val worlds = report.plan.worlds.map { world ->
@@ -52,17 +57,19 @@ private fun overviewColumns(report: ClassReport, language: Language): List<Overv
             runs?.let { messages.countOf(it.count { run -> run.grade.passed }, it.size) }.orEmpty()
         }
     }
-    val similar = OverviewColumn(titles[SIMILAR], isWide = true) { similarTo(report, it, MAXIMUM_NAMES) }
+    val similar = OverviewColumn(title(ReportColumn.SIMILAR), isWide = true) { similarTo(report, it, MAXIMUM_NAMES) }
     return listOf(
-        OverviewColumn(titles[0], isWide = true) { result(it).submission.name },
-        OverviewColumn(titles[1], style = { it.verdict.name.lowercase() }) { messages.verdict(result(it).verdict) },
-        OverviewColumn(titles[GOALS_MET]) { index ->
+        OverviewColumn(title(ReportColumn.NAME), isWide = true) { result(it).submission.name },
+        OverviewColumn(title(ReportColumn.VERDICT), style = {
+            it.verdict.name.lowercase()
+        }) { messages.verdict(result(it).verdict) },
+        OverviewColumn(title(ReportColumn.GOALS_MET)) { index ->
             graded(index)?.let { messages.countOf(it.goalsMet, it.goals) }.orEmpty()
         },
     ) + (if (worlds.size in 2..MAXIMUM_WORLDS) worlds else listOf(all)) +
         numbers.map { (title, text) -> OverviewColumn(title, text = text) } +
         listOfNotNull(similar.takeIf { report.pairs.any { it.isMarked } }) +
-        OverviewColumn(titles[REMARKS], isWide = true) { index ->
+        OverviewColumn(title(ReportColumn.REMARKS), isWide = true) { index ->
             remarksOf(report, index, language).take(MAXIMUM_REMARKS).joinToString(" ")
         }
 }
@@ -80,11 +87,3 @@ private const val WORDS = "words"
 private const val MAXIMUM_WORLDS = 3
 private const val MAXIMUM_REMARKS = 3
 private const val MAXIMUM_NAMES = 2
-
-// Of [ReportMessages.columns].
-private const val GOALS_MET = 2
-private const val SEEDS_MET = 4
-private const val LINES = 7
-private const val TRIES = 8
-internal const val REMARKS = 9
-private const val SIMILAR = 11

@@ -4,6 +4,7 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradedWorld
+import robotran.assignments.messages.ReportColumn
 import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 import robotran.simulation.picture.WorldPictures
@@ -120,7 +121,11 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        val remarks = messages.columns(worlds = 1)[REMARKS].takeIf { runs.any { run -> !run.grade.passed } }
+        val remarks = messages.heading(ReportColumn.REMARKS, worlds = 1).takeIf {
+            runs.any { run ->
+                !run.grade.passed
+            }
+        }
         listOfNotNull(messages.goal(), messages.seedsMet(), remarks).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->

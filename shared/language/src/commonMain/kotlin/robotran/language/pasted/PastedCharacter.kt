@@ -14,7 +14,7 @@ class PastedCharacter internal constructor(
     private val kind: PastedCharacterKind,
 ) {
     /** What it is, such as `a curly quotation mark`. */
-    fun nameIn(language: Language): String = kind.nameIn(language)
+    fun nameIn(language: Language): String = PastedCharacterMessages.of(language).name(kind)
 
     /**
      * What it is and what to write instead, in one or two sentences for a pupil.
@@ -22,7 +22,7 @@ class PastedCharacter internal constructor(
      * @param written more than this character, if what follows it was pasted, too.
      */
     fun adviceIn(language: Language, written: String = character.toString()): String =
-        kind.adviceIn(language, character, written)
+        PastedCharacterMessages.of(language).advice(kind, unicodeNumber(character), written, plainTextOf(written))
 
     /** Whether it cannot be seen, or not be told from an ordinary space or line end. */
     val isUnseen: Boolean get() = kind.isUnseen
@@ -36,6 +36,10 @@ fun pastedCharacter(character: Char): PastedCharacter? {
     if (character < FIRST_OTHER) return LINE_BREAK.takeIf { it == character }?.let { pastedAs(it, "\n") }
     return WITH_PLAIN[character] ?: wideCharacter(character) ?: invisibleCharacter(character)
 }
+
+/** The code point of a character as Unicode writes it, such as `U+200B`. */
+private fun unicodeNumber(character: Char): String =
+    "U+" + character.code.toString(radix = 16).uppercase().padStart(4, '0')
 
 /** This text with all its pasted characters as the keyboard writes them. */
 fun plainTextOf(text: String): String = buildString {

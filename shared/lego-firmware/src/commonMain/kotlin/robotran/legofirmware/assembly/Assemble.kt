@@ -2,7 +2,6 @@ package robotran.legofirmware.assembly
 
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.legofirmware.messages.FirmwareMessages
 
 /**
  * Assembles a text of the form that [robotran.legofirmware.listing.assemblyListing] gives. Chunks and symbols get the
@@ -14,4 +13,4 @@ fun assemble(
     source: String,
     language: Language = Language.ENGLISH,
     target: FirmwareTarget = FirmwareTarget.RCX2,
-): AssemblyResult = Assembler(FirmwareMessages.of(language), target).assemble(source)
+): AssemblyResult = Assembler(language, target).assemble(source)

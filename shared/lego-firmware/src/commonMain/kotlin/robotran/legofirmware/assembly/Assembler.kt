@@ -1,5 +1,6 @@
 package robotran.legofirmware.assembly
 
+import robotran.language.Language
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
@@ -8,11 +9,13 @@ import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
-import robotran.legofirmware.messages.FirmwareMessages
+import robotran.legofirmware.messages.AssemblyMessages
+import robotran.legofirmware.messages.ImageMessages
 
 /** Gives each command its address, then encodes all. */
-internal class Assembler(private val texts: FirmwareMessages, private val target: FirmwareTarget) {
-    private val messages = texts.assembly
+internal class Assembler(language: Language, private val target: FirmwareTarget) {
+    private val messages = AssemblyMessages.of(language)
+    private val imageMessages = ImageMessages.of(language)
     private val sink = AssemblySink()
     private val names = Names()
 
@@ -38,11 +41,11 @@ internal class Assembler(private val texts: FirmwareMessages, private val target
     private fun warnAbout(chunks: List<Chunk>) {
         val start = Token("", 1, 1)
         if (chunks.none { it.id == ChunkId.MAIN }) {
-            sink.warn(AssemblyProblem.NO_MAIN_TASK, start, texts.assembly.noMainTask())
+            sink.warn(AssemblyProblem.NO_MAIN_TASK, start, messages.noMainTask())
         }
         val size = chunks.sumOf { it.code.size }
         if (size > FirmwareLimits.PROGRAM_MEMORY) {
-            val message = texts.image.largeProgram(size, FirmwareLimits.PROGRAM_MEMORY)
+            val message = imageMessages.largeProgram(size, FirmwareLimits.PROGRAM_MEMORY)
             sink.warn(AssemblyProblem.LARGE_PROGRAM, start, message)
         }
     }

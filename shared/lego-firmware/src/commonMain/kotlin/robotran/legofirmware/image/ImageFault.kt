@@ -1,7 +1,7 @@
 package robotran.legofirmware.image
 
 import robotran.language.Language
-import robotran.legofirmware.messages.FirmwareMessages
+import robotran.legofirmware.messages.ImageMessages
 
 /** What is wrong with an image file. */
 sealed interface ImageFault {
@@ -50,7 +50,7 @@ sealed interface ImageFault {
 
 /** A sentence or two in words a pupil knows. */
 fun ImageFault.message(language: Language): String {
-    val messages = FirmwareMessages.of(language).image
+    val messages = ImageMessages.of(language)
     return when (this) {
         is ImageFault.TooLarge -> messages.tooLarge(bytes, FirmwareLimits.IMAGE_BYTES)
         ImageFault.NotAnImage -> messages.notAnImage()

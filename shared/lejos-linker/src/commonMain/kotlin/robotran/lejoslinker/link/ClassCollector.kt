@@ -3,6 +3,7 @@ package robotran.lejoslinker.link
 import robotran.lejoslinker.config.ImageLimits
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.classMissing
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.DamagedClassFile

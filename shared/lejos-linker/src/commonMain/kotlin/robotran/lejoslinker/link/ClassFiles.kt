@@ -1,6 +1,7 @@
 package robotran.lejoslinker.link
 
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
 import robotran.tinyvm.classfile.readClassFile

@@ -1,5 +1,6 @@
 package robotran.lejoslinker.link
 
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.link.Opcode

@@ -2,6 +2,7 @@ package robotran.lejoslinker.link
 
 import robotran.lejoslinker.image.ConstantValue
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.classfile.DamagedClassFile

@@ -3,6 +3,7 @@ package robotran.lejoslinker.link
 import robotran.lejoslinker.config.ImageLimits
 import robotran.lejoslinker.image.FieldType
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.classfile.FieldEntry
 import robotran.tinyvm.messages.Counted
 

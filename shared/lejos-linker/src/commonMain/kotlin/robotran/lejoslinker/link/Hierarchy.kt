@@ -2,6 +2,7 @@ package robotran.lejoslinker.link
 
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.classMissing
+import robotran.lejoslinker.messages.tinyVm
 
 /** The relations between the classes of an image. */
 internal class Hierarchy(private val classes: List<ImageClass>) {

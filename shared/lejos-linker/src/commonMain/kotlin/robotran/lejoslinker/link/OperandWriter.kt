@@ -4,6 +4,7 @@ import robotran.lejoslinker.config.ImageLimits
 import robotran.lejoslinker.image.ConstantValue
 import robotran.lejoslinker.image.FieldType
 import robotran.lejoslinker.messages.classMissing
+import robotran.lejoslinker.messages.tinyVm
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.messages.Counted

@@ -1,18 +1,19 @@
 package robotran.lejoslinker.listing
 
+import robotran.language.Language
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.image.ClassRecord
 import robotran.lejoslinker.image.ConstantValue
 import robotran.lejoslinker.image.ImageContents
 import robotran.lejoslinker.image.MethodRecord
-import robotran.lejoslinker.messages.EnglishImageMessages
+import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
 
 /**
  * [image] in words, line by line: its parts, classes with their methods, constants, static fields and signatures, all
  * with the numbers that a brick uses, such as those that it shows for an exception.
  */
-fun listingOf(image: LejosImage, messages: ListingMessages = EnglishImageMessages.listing): String =
+fun listingOf(image: LejosImage, messages: ListingMessages = ListingMessages.of(Language.ENGLISH)): String =
     ImageListing(image.contents, messages).text()
 
 private class ImageListing(private val contents: ImageContents, private val messages: ListingMessages) {

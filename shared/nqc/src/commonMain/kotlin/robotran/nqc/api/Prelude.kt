@@ -1,10 +1,11 @@
 package robotran.nqc.api
 
+import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.Severity
 import robotran.nqc.diagnostic.SourceRange
-import robotran.nqc.messages.EnglishNqcMessages
+import robotran.nqc.messages.NqcMessages
 import robotran.nqc.parse.ProgramParser
 import robotran.nqc.preprocess.Macro
 import robotran.nqc.preprocess.Preprocessor
@@ -32,7 +33,7 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
     val functions: Map<String, FunctionUnit>
 
     init {
-        val sink = DiagnosticSink(EnglishNqcMessages)
+        val sink = DiagnosticSink(NqcMessages.of(Language.ENGLISH))
         val names = apiNames(target, isOld)
         val text = entries.values.mapNotNull { functionOf(it, target) }.joinToString("\n") + if (isOld) "" else INIT
         val tokens = Preprocessor(mapOf(FILE to text), macros, sink).read(FILE).tokens.map(::ofApi)
@@ -52,7 +53,7 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
     }
 
     private fun tokensOf(text: String): List<Token> {
-        val lexer = Lexer(FILE, text, DiagnosticSink(EnglishNqcMessages))
+        val lexer = Lexer(FILE, text, DiagnosticSink(NqcMessages.of(Language.ENGLISH)))
         return generateSequence { lexer.next() }.takeWhile { it.kind != TokenKind.END }.map(::ofApi).toList()
     }
 

@@ -1,7 +1,8 @@
 package robotran.nqc.edit
 
+import robotran.language.Language
 import robotran.nqc.diagnostic.DiagnosticSink
-import robotran.nqc.messages.EnglishNqcMessages
+import robotran.nqc.messages.NqcMessages
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Lexer
@@ -53,7 +54,7 @@ internal class CaretPlace private constructor(
         }
 
         private fun tokensOf(text: String): List<Token> {
-            val lexer = Lexer("", text, DiagnosticSink(EnglishNqcMessages))
+            val lexer = Lexer("", text, DiagnosticSink(NqcMessages.of(Language.ENGLISH)))
             return generateSequence { lexer.next() }.takeWhile { it.kind != TokenKind.END }.toList()
         }
 

@@ -1,7 +1,8 @@
 package robotran.nqc.edit
 
+import robotran.language.Language
 import robotran.nqc.diagnostic.DiagnosticSink
-import robotran.nqc.messages.EnglishNqcMessages
+import robotran.nqc.messages.NqcMessages
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.Lexer
 import robotran.nqc.syntax.Token
@@ -20,7 +21,7 @@ data class NqcName(val name: String, val kind: NqcNameKind, val line: Int, val c
 
 /** The names that [source] declares, in its order; the program may have mistakes. Never throws. */
 fun nqcNamesIn(source: String): List<NqcName> {
-    val lexer = Lexer("", source.take(MOST_CHARACTERS), DiagnosticSink(EnglishNqcMessages))
+    val lexer = Lexer("", source.take(MOST_CHARACTERS), DiagnosticSink(NqcMessages.of(Language.ENGLISH)))
     val tokens = generateSequence { lexer.next() }.takeWhile { it.kind != TokenKind.END }.toList()
     return tokens.indices.mapNotNull { declaredAt(tokens, it) }
 }

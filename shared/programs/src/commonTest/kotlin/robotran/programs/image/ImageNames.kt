@@ -1,12 +1,13 @@
 package robotran.programs.image
 
+import robotran.language.Language
 import robotran.lejoslinker.image.ImageContents
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
 import robotran.tinyvm.classfile.FieldEntry
 import robotran.tinyvm.classfile.readClassFile
 import robotran.tinyvm.config.BrickLayout
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 
 /**
  * What an image does not hold and a verifier wants to know: the static types of fields, parameters and receivers. They are
@@ -60,7 +61,7 @@ internal class ImageNames(private val contents: ImageContents, classFiles: Map<S
     fun descriptor(original: String): String = CLASS.replace(original) { "L" + renamed(it.groupValues[1]) + ";" }
 
     private fun read(name: String, bytes: ByteArray): ClassFile =
-        (readClassFile(bytes, name, EnglishTinyVmMessages) as ClassFileResult.Read).classFile
+        (readClassFile(bytes, name, TinyVmMessages.of(Language.ENGLISH)) as ClassFileResult.Read).classFile
 
     private companion object {
         const val ROOT = "java/lang/Object"

@@ -4,7 +4,6 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.json.messages.JsonMessages
 import robotran.language.Language
 import robotran.legofirmware.messages.AssemblyMessages
-import robotran.legofirmware.messages.FirmwareMessages
 import robotran.legofirmware.messages.RunMessages
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
@@ -115,10 +114,10 @@ class MessageTablesTest {
             JavaMessages::class.java to JavaMessages::of,
             TinyVmMessages::class.java to TinyVmMessages::of,
             ImageMessages::class.java to ImageMessages::of,
-            ListingMessages::class.java to { ImageMessages.of(it).listing },
-            RcxImageMessages::class.java to { FirmwareMessages.of(it).image },
-            AssemblyMessages::class.java to { FirmwareMessages.of(it).assembly },
-            RunMessages::class.java to { FirmwareMessages.of(it).run },
+            ListingMessages::class.java to ListingMessages::of,
+            RcxImageMessages::class.java to RcxImageMessages::of,
+            AssemblyMessages::class.java to AssemblyMessages::of,
+            RunMessages::class.java to RunMessages::of,
             ProgramMessages::class.java to ProgramMessages::of,
             SimulationMessages::class.java to SimulationMessages::of,
             JsonMessages::class.java to JsonMessages::of,

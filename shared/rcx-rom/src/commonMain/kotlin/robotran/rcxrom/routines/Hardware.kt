@@ -2,6 +2,7 @@ package robotran.rcxrom.routines
 
 import robotran.brick.controls.BrickButton
 import robotran.brick.log.CallLog
+import robotran.language.Language
 import robotran.rcxrom.controls.Buttons
 import robotran.rcxrom.controls.Motors
 import robotran.rcxrom.display.Lcd
@@ -11,7 +12,6 @@ import robotran.rcxrom.memory.FirmwareTimers
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.messages.BrickMessages
-import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.program.ShellHardware
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sensors.SensorCode
@@ -20,8 +20,10 @@ import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Speaker
 
 /** The parts of a brick and the ROM that controls them, without an active firmware. */
-internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessages = EnglishBrickMessages) :
-    ShellHardware {
+internal class Hardware(
+    air: InfraredAir = InfraredAir(),
+    messages: BrickMessages = BrickMessages.of(Language.ENGLISH),
+) : ShellHardware {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L
         private set

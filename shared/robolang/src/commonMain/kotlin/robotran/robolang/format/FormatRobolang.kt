@@ -1,9 +1,9 @@
 package robotran.robolang.format
 
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
@@ -18,7 +18,7 @@ import robotran.robolang.syntax.scan
  *
  * @param messages the diagnostics in the pupil's language.
  */
-fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): FormatResult {
+fun formatRobolang(source: String, messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH)): FormatResult {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)

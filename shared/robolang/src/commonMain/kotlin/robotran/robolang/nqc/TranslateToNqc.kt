@@ -1,9 +1,9 @@
 package robotran.robolang.nqc
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.robolang.RobolangProgram
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishNqcTranslationMessages
 import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.JavaWriter
@@ -15,7 +15,7 @@ import robotran.robolang.translate.JavaWriter
  */
 fun translateToNqc(
     program: RobolangProgram,
-    messages: NqcTranslationMessages = EnglishNqcTranslationMessages,
+    messages: NqcTranslationMessages = NqcTranslationMessages.of(Language.ENGLISH),
 ): NqcTranslation {
     val remarks = Remarks(messages)
     val robot = program.robot

@@ -1,11 +1,11 @@
 package robotran.robolang.outline
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.Parser
@@ -19,7 +19,10 @@ import robotran.robolang.syntax.scan
  *
  * @param messages the mistakes in the pupil's language.
  */
-fun outlineRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): ProgramOutline {
+fun outlineRobolang(
+    source: String,
+    messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
+): ProgramOutline {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
     val lines = scan(source, diagnostics)

@@ -1,7 +1,8 @@
 package robotran.robolang.format
 
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.scan
@@ -15,7 +16,7 @@ internal fun checkFormatting(source: String) {
 }
 
 internal fun treeOf(source: String): SyntaxTree {
-    val diagnostics = DiagnosticSink(EnglishRobolangMessages)
+    val diagnostics = DiagnosticSink(RobolangMessages.of(Language.ENGLISH))
     return Parser(scan(source, diagnostics), diagnostics).program().tree
 }
 

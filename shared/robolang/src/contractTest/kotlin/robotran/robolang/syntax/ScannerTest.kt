@@ -1,8 +1,9 @@
 package robotran.robolang.syntax
 
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -38,11 +39,12 @@ class ScannerTest {
 
     @Test
     fun `the tree keeps every comment`() {
-        val diagnostics = DiagnosticSink(EnglishRobolangMessages)
+        val diagnostics = DiagnosticSink(RobolangMessages.of(Language.ENGLISH))
         val tree = Parser(scan("// one\nbeep // two\n\n//", diagnostics), diagnostics).program().tree
         assertEquals(listOf("// one", "// two", "//"), tree.comments.map { it.text })
         assertEquals(listOf(1, 2, 4), tree.comments.map { it.range.line })
     }
 
-    private fun scan(source: String): List<ScannedLine> = scan(source, DiagnosticSink(EnglishRobolangMessages))
+    private fun scan(source: String): List<ScannedLine> =
+        scan(source, DiagnosticSink(RobolangMessages.of(Language.ENGLISH)))
 }

@@ -1,7 +1,8 @@
 package robotran.robolang.translate
 
+import robotran.language.Language
 import robotran.robolang.RobolangProgram
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testNxt
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -12,7 +13,9 @@ class NxtTranslationTest {
     @Test
     fun `javac takes every translation for an NXT`() {
         val translations = nxtPrograms.values.mapIndexed { index, program ->
-            translateRobolang(RobolangProgram.of("P$index", program.checked, testNxt, EnglishRobolangMessages))
+            translateRobolang(
+                RobolangProgram.of("P$index", program.checked, testNxt, RobolangMessages.of(Language.ENGLISH)),
+            )
         }
         assertTrue(translations.size > 250, "${translations.size} programs")
         assertEquals("", NxjCompiler.problems(translations).take(5).joinToString("\n"))

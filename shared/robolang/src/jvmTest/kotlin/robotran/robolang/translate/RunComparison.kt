@@ -1,11 +1,12 @@
 package robotran.robolang.translate
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.robolang.RecordingRom
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.SensorEvent
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 
 /**
  * Runs programs in the interpreter and translated to Java. Both must make the same ROM calls at the same times; with
@@ -95,5 +96,6 @@ internal sealed interface Comparison {
 internal fun isReacting(program: RobolangProgram): Boolean = program.checked.tree.behaviours.isNotEmpty()
 
 /** Translates [program] to the Java class [className]. */
-internal fun translatedAs(className: String, program: RobolangProgram): Translation =
-    translateRobolang(RobolangProgram.of(className, program.checked, program.robot, EnglishRobolangMessages))
+internal fun translatedAs(className: String, program: RobolangProgram): Translation = translateRobolang(
+    RobolangProgram.of(className, program.checked, program.robot, RobolangMessages.of(Language.ENGLISH)),
+)

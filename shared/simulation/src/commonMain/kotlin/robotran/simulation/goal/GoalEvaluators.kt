@@ -54,7 +54,7 @@ internal class GoalEvaluators(
             is GoalCondition.StayIn -> messages.stayIn(parts.mover(who), parts.region(region), whole)
             is GoalCondition.NeverTouch -> messages.neverTouch(parts.mover(who), what.sorted())
             is GoalCondition.DrawTemplate -> messages.drawTemplate(number(tolerance), percent(coverage))
-            is GoalCondition.InkLength -> messages.inkLength(minOf(this)?.let(::number), atMost?.let(::number))
+            is GoalCondition.InkLength -> inkSentence(atLeast, atMost)
 
             is GoalCondition.FollowLine -> messages.followLine(
                 parts.mover(who),
@@ -73,6 +73,10 @@ internal class GoalEvaluators(
         }
     }
 
-    /** 0 without any bound. */
-    private fun minOf(ink: GoalCondition.InkLength): Double? = ink.atLeast ?: if (ink.atMost == null) 0.0 else null
+    private fun inkSentence(atLeast: Double?, atMost: Double?): String = when {
+        atMost == null -> messages.inkAtLeast(number(atLeast ?: 0.0))
+        atLeast == null -> messages.inkAtMost(number(atMost))
+        number(atLeast) == number(atMost) -> messages.inkExactly(number(atLeast))
+        else -> messages.inkBetween(number(atLeast), number(atMost))
+    }
 }

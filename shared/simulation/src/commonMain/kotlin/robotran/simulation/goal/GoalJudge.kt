@@ -1,8 +1,9 @@
 package robotran.simulation.goal
 
 import robotran.brick.state.RunState
-import robotran.simulation.messages.EnglishSimulationMessages
+import robotran.language.Language
 import robotran.simulation.messages.GoalMessages
+import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.SessionState
 import robotran.world.World
@@ -12,7 +13,7 @@ import robotran.world.geometry.Trigonometry
 internal class GoalJudge(
     world: World,
     trigonometry: Trigonometry,
-    messages: GoalMessages = EnglishSimulationMessages,
+    messages: GoalMessages = SimulationMessages.of(Language.ENGLISH),
 ) {
     private val places = ObjectLocations(world, trigonometry)
     private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let {

@@ -1,5 +1,6 @@
 package robotran.simulation.messages
 
+import robotran.language.Language
 import robotran.simulation.state.ForbiddenTouch
 import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.InkShortfall
@@ -66,20 +67,23 @@ class ShortfallSentenceTest {
                 "0 of 3 tones were played. 2 others were too high or too low: the first had 880 hertz.",
         )
         for ((shortfall, expected) in sentences) {
-            assertEquals(expected, EnglishSimulationMessages.sentenceFor(shortfall))
+            assertEquals(expected, SimulationMessages.of(Language.ENGLISH).sentenceFor(shortfall))
         }
     }
 
     @Test
     fun `a group is told by its decisive part`() {
         val group = GoalShortfall.PartNotMet(2, GoalShortfall.PartNotMet(0, ProgramShortfall.NotStarted))
-        assertEquals("The program was not started.", EnglishSimulationMessages.sentenceFor(group))
+        assertEquals("The program was not started.", SimulationMessages.of(Language.ENGLISH).sentenceFor(group))
     }
 
     @Test
     fun `decimals have a comma in German and Spanish`() {
         val late = ProgramShortfall.EndedTooLate(1_500, moment)
-        assertEquals("Das Programm war 1,5 s zu spät zu Ende.", GermanSimulationMessages.sentenceFor(late))
-        assertEquals("El programa terminó 1,5 s tarde.", SpanishSimulationMessages.sentenceFor(late))
+        assertEquals(
+            "Das Programm war 1,5 s zu spät zu Ende.",
+            SimulationMessages.of(Language.GERMAN).sentenceFor(late),
+        )
+        assertEquals("El programa terminó 1,5 s tarde.", SimulationMessages.of(Language.SPANISH).sentenceFor(late))
     }
 }

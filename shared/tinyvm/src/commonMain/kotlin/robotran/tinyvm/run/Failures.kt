@@ -7,6 +7,7 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.SpecialNumbers
 import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.nxt
 
 /**
  * Records uncaught exceptions. An uncaught exception ends its thread, and the brick shows the numbers of the method and

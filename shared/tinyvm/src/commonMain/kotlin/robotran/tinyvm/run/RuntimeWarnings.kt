@@ -6,6 +6,7 @@ import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.nxt
 
 /**
  * The warnings of a run, at most one per quirk and line.

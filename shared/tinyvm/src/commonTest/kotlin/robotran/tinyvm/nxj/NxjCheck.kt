@@ -1,12 +1,13 @@
 package robotran.tinyvm.nxj
 
+import robotran.language.Language
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 
 /**
  * The differences between the program at [path] and the expectations in the comments of its [source], one per line. It runs
@@ -22,14 +23,23 @@ internal fun nxjDifferences(
     val mode = if (path.startsWith("forgiving/")) TinyVmMode.FORGIVING else TinyVmMode.BRICK
     val mainClass = path.substringAfterLast('/').removeSuffix(".java")
 
-    fun run(speed: TinyVmSpeed, isWatched: Boolean): NxjBrickRun? =
-        when (val result = linkNxj(mainClass, classes, library, mainClass, EnglishTinyVmMessages, speed, mode)) {
-            is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply {
-                run(expected.runsOnAfter ?: LONGEST)
-            }
-
-            is NxjResult.Rejected -> throw AssertionError("$path is refused: ${result.refusal}")
+    fun run(speed: TinyVmSpeed, isWatched: Boolean): NxjBrickRun? = when (
+        val result = linkNxj(
+            mainClass,
+            classes,
+            library,
+            mainClass,
+            TinyVmMessages.of(Language.ENGLISH),
+            speed,
+            mode,
+        )
+    ) {
+        is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply {
+            run(expected.runsOnAfter ?: LONGEST)
         }
+
+        is NxjResult.Rejected -> throw AssertionError("$path is refused: ${result.refusal}")
+    }
     val slow = run(TinyVmSpeed.BRICK, isWatched = false) ?: return emptyList()
     val watched = run(TinyVmSpeed.BRICK, isWatched = true) ?: return emptyList()
     val quick = run(TinyVmSpeed.UNLIMITED, isWatched = false) ?: return emptyList()

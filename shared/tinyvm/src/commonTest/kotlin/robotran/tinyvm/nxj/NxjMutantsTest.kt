@@ -2,6 +2,7 @@ package robotran.tinyvm.nxj
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 import robotran.nxt.NxtBrick
 import robotran.tinyvm.NxjProgram
@@ -9,7 +10,7 @@ import robotran.tinyvm.NxjResult
 import robotran.tinyvm.checkHeap
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkNxj
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.mutated
 import robotran.tinyvm.nxjPrograms
 import kotlin.random.Random
@@ -38,7 +39,7 @@ class NxjMutantsTest {
         val name = classes.keys.random(random)
         val mutant = classes + (name to mutated(classes.getValue(name), random))
         val speed = if (random.nextBoolean()) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK
-        val result = linkNxj("mutant", mutant, library, mainClass, EnglishTinyVmMessages, speed)
+        val result = linkNxj("mutant", mutant, library, mainClass, TinyVmMessages.of(Language.ENGLISH), speed)
         if (result is NxjResult.Ready) run(result.program)
         return result is NxjResult.Ready
     }

@@ -1,5 +1,6 @@
 package robotran.tinyvm.programs
 
+import robotran.language.Language
 import robotran.lejoslibrary.LejosLibrary
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.TextLcd
@@ -11,7 +12,7 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.Counted
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 import robotran.tinyvm.testPrograms
 import kotlin.io.encoding.Base64
@@ -91,9 +92,11 @@ private fun messagesFor(instruction: String): List<String> = when {
     instruction.endsWith("rem") && instruction != "lrem" -> listOf(UnsupportedFeature.DECIMAL_REMAINDER)
     instruction == "ldc_w" -> listOf(UnsupportedFeature.MANY_CONSTANTS)
     instruction == "checkcast" || instruction == "instanceof" -> listOf(UnsupportedFeature.ARRAY_TEST)
-    instruction == "wide" -> return listOf(EnglishTinyVmMessages.tooMany(Counted.LOCALS, TinyVmLimits.LOCALS))
+    instruction == "wide" -> return listOf(
+        TinyVmMessages.of(Language.ENGLISH).tooMany(Counted.LOCALS, TinyVmLimits.LOCALS),
+    )
     else -> listOf(UnsupportedFeature.LONG_ARITHMETIC)
-}.map { EnglishTinyVmMessages.unsupportedFeature(it) }
+}.map { TinyVmMessages.of(Language.ENGLISH).unsupportedFeature(it) }
 
 /** Skips the end of the run at brick speed, because the expectations do not say how long a brick computes. */
 private fun differences(expected: Expectations, brick: RecordingBrick, speed: TinyVmSpeed): List<String> {

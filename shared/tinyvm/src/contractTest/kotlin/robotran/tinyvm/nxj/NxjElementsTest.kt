@@ -1,6 +1,7 @@
 package robotran.tinyvm.nxj
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.config.Quirk
@@ -8,7 +9,7 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmMode.BRICK
 import robotran.tinyvm.config.TinyVmMode.FORGIVING
 import robotran.tinyvm.linkNxj
-import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.nxjPrograms
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -32,14 +33,14 @@ class NxjElementsTest {
         val run = runOf(WRONG, BRICK)
         val lines = listOf("texts[1] = 3", "named[0] = new Named() { }", "lists[0] = new long[1]")
         assertEquals(lines + "System.arraycopy(all, 0, copies, 1, 6)", linesOf(WRONG, run))
-        assertEquals(setOf(EnglishTinyVmMessages.quirkEffect(Quirk.UNCHECKED_ELEMENT)), messagesOf(run))
+        assertEquals(setOf(TinyVmMessages.of(Language.ENGLISH).quirkEffect(Quirk.UNCHECKED_ELEMENT)), messagesOf(run))
     }
 
     @Test
     fun `forgiving a run tells what a brick would not notice`() = runTest {
         val run = runOf(CHECKED, FORGIVING)
         assertEquals(listOf("texts[0] = 3", "System.arraycopy(all, 0, copies, 0, 4)"), linesOf(CHECKED, run))
-        assertEquals(setOf(EnglishTinyVmMessages.quirkWarning(Quirk.UNCHECKED_ELEMENT)), messagesOf(run))
+        assertEquals(setOf(TinyVmMessages.of(Language.ENGLISH).quirkWarning(Quirk.UNCHECKED_ELEMENT)), messagesOf(run))
     }
 
     private fun messagesOf(run: NxjBrickRun) = run.brick.remarks.map { it.message }.toSet()

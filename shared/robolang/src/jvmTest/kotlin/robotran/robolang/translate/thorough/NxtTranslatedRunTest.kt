@@ -1,6 +1,7 @@
 package robotran.robolang.translate.thorough
 
 import robotran.brick.controls.MotorPort
+import robotran.language.Language
 import robotran.robolang.Expectations
 import robotran.robolang.RobolangNxtProgram
 import robotran.robolang.RobolangProgram
@@ -9,7 +10,7 @@ import robotran.robolang.compileRobolang
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.fuzz.ProgramWriter
-import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.testNxt
 import robotran.robolang.testPrograms
@@ -67,7 +68,7 @@ class NxtTranslatedRunTest {
     ): Int {
         val chosen = programs.filterValues { !isReacting(it) }
         val translations = chosen.entries.mapIndexed { index, (path, program) ->
-            val named = RobolangProgram.of("P$index", program.checked, robot, EnglishRobolangMessages)
+            val named = RobolangProgram.of("P$index", program.checked, robot, RobolangMessages.of(Language.ENGLISH))
             path to translateRobolang(named)
         }.toMap()
         val classes = LejosCompiler.compileForNxt(translations.values)

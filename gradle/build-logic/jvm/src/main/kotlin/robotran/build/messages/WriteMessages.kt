@@ -1,0 +1,62 @@
+package robotran.build.messages
+
+/** Writes the Kotlin of the tables of [catalogue]: an interface for each, and an object for each of the [languages]. */
+class MessagesWriter(private val catalogue: MessageCatalogue, private val languages: List<SpokenLanguage>) {
+    /** The contents of files by their names. */
+    fun files(): Map<String, String> = catalogue.tables.flatMap { table ->
+        languages.map { "${objectName(table, it)}.kt" to file(objectOf(table, it)) } +
+            ("${table.name}.kt" to file(interfaceOf(table)))
+    }.toMap()
+
+    private fun file(code: String) = buildString {
+        append("// Generated from a catalogue of messages.\n")
+        append("@file:Suppress(\"ktlint\", \"REDUNDANT_ELSE_IN_WHEN\", \"UNUSED_PARAMETER\")\n\n")
+        append("package ${catalogue.packageName}\n\n")
+        (catalogue.imports + USED).sorted().forEach { append("import $it\n") }
+        append("\n$code")
+    }
+
+    private fun interfaceOf(table: MessageTable) = buildString {
+        append(documentation(table.documentation, indent = ""))
+        append("${visibility(table)}interface ${table.name}${bases(table.bases)} {\n")
+        val modifier = if (table.bases.isEmpty()) "" else "override "
+        append("    /** The language of these messages. */\n    ${modifier}val language: Language\n\n")
+        for (message in table.messages.filter { !it.isTerm }) {
+            append(documentation(message.documentation, indent = "    "))
+            append("    fun ${message.signature}: String\n\n")
+        }
+        append("    companion object {\n        fun of(language: Language): ${table.name} = when (language) {\n")
+        languages.forEach { append("            Language.${it.constant} -> ${objectName(table, it)}\n") }
+        append("        }\n    }\n}\n")
+    }
+
+    private fun objectOf(table: MessageTable, language: SpokenLanguage) = buildString {
+        val delegated = table.bases.map { "$it by $it.of(Language.${language.constant})" }
+        append("internal object ${objectName(table, language)}${bases(listOf(table.name) + delegated)} {\n")
+        append("    override val language: Language get() = Language.${language.constant}\n\n")
+        for (message in table.messages) {
+            val pattern = message.patterns[language.tag] ?: message.patterns[ENGLISH] ?: continue
+            val modifier = if (message.isTerm) "private" else "override"
+            append("    $modifier fun ${message.signature}: String =\n")
+            append("        ${PatternWriter(message, language).expression(pattern)}\n\n")
+        }
+        append("}\n")
+    }
+
+    private fun objectName(table: MessageTable, language: SpokenLanguage) = "${language.className}${table.name}"
+
+    private fun visibility(table: MessageTable) = if (table.visibility.isEmpty()) "" else "${table.visibility} "
+
+    private fun bases(names: List<String>) = if (names.isEmpty()) "" else names.joinToString(prefix = " : ")
+
+    private fun documentation(text: String, indent: String): String = if (text.isEmpty()) {
+        ""
+    } else {
+        "$indent/**\n" + text.lines().joinToString("") { "$indent * $it\n" } +
+            "$indent */\n"
+    }
+
+    private companion object {
+        val USED = listOf("decimal", "grouped", "listed", "quoted", "Language").map { "robotran.language.$it" }
+    }
+}

@@ -1,0 +1,19 @@
+package robotran.tinyvm.messages
+
+import robotran.language.Language
+import robotran.tinyvm.config.Quirk
+
+/** What a program can have too many of. */
+enum class Counted {
+    CLASSES,
+    ARRAY_TYPES,
+    FIELDS,
+    METHODS,
+    LOCALS,
+    OPERANDS,
+    PARAMETERS,
+    HANDLERS,
+    CODE_BYTES,
+    TEXT_CHARACTERS,
+    ANCESTORS,
+}
