@@ -4,11 +4,11 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.expressions
 
@@ -21,23 +21,25 @@ internal class CommandChecker(
     private val durations = Durations(robot)
     private val messages = context.messages
 
-    fun check(statement: Statement) {
-        when (statement) {
-            is Statement.Move -> move(statement)
-            is Statement.Turn -> turn(statement)
-            is Statement.Power -> power(statement.power)
-            is Statement.MotorTurn -> expressions.needNumber(statement.angle)
-            is Statement.Motor -> (statement.command as? MotorCommand.Power)?.let { power(it.power) }
-            is Statement.Wait -> wait(statement)
-            is Statement.WaitUntil -> expressions.needCondition(statement.condition)
-            is Statement.Play -> play(statement)
-            is Statement.Show -> expressions.needShown(statement.value)
-            is Statement.ShowText -> text(statement)
-            else -> Unit
+    fun check(command: Command) {
+        when (command) {
+            is Command.Move -> move(command)
+            is Command.Turn -> turn(command)
+            is Command.Power -> power(command.power)
+            is Command.MotorTurn -> expressions.needNumber(command.angle)
+            is Command.Motor -> (command.command as? MotorCommand.Power)?.let { power(it.power) }
+            is Command.Wait -> wait(command)
+            is Command.WaitUntil -> expressions.needCondition(command.condition)
+            is Command.Play -> play(command)
+            is Command.Show -> expressions.needShown(command.value)
+            is Command.ShowText -> text(command)
+            is Command.StartMoving, is Command.StartTurning, is Command.StopDriving, is Command.ResetMotor,
+            is Command.Pen, is Command.ResetTimer, is Command.Beep, is Command.Buzz, is Command.ClearScreen,
+            -> Unit
         }
     }
 
-    private fun move(statement: Statement.Move) {
+    private fun move(statement: Command.Move) {
         statement.distance?.let { distance ->
             expressions.needNumber(distance)
             context.constantOf(distance)?.let { checkDuration(distance, durations.ofMove(it)) }
@@ -45,7 +47,7 @@ internal class CommandChecker(
         statement.duration?.let(::duration)
     }
 
-    private fun turn(statement: Statement.Turn) {
+    private fun turn(statement: Command.Turn) {
         statement.angle?.let { angle ->
             expressions.needNumber(angle)
             context.constantOf(angle)?.let { checkDuration(angle, durations.ofTurn(it)) }
@@ -63,7 +65,7 @@ internal class CommandChecker(
         }
     }
 
-    private fun wait(statement: Statement.Wait) {
+    private fun wait(statement: Command.Wait) {
         expressions.needNumber(statement.duration)
         val duration = context.constantOf(statement.duration) ?: return
         if (duration.isNegative) {
@@ -87,12 +89,12 @@ internal class CommandChecker(
         expressions.needWhole(expression)
     }
 
-    private fun play(statement: Statement.Play) {
+    private fun play(statement: Command.Play) {
         expressions.needNumber(statement.frequency)
         duration(statement.duration)
     }
 
-    private fun text(statement: Statement.ShowText) {
+    private fun text(statement: Command.ShowText) {
         val isNxt = robot.kind == BrickKind.NXT
         val limit = if (isNxt) RobolangLimits.NXT_TEXT_CHARACTERS else RobolangLimits.TEXT_CHARACTERS
         val strange = statement.text.firstOrNull { if (isNxt) it !in ' '..'~' else !isShown(it) }

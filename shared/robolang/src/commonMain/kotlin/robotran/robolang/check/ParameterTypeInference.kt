@@ -3,6 +3,7 @@ package robotran.robolang.check
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement
@@ -18,7 +19,7 @@ internal class ParameterTypeInference(private val context: CheckContext) {
 
     private fun settle(statement: Statement) {
         when (statement) {
-            is Statement.WaitUntil -> need(statement.condition, ValueType.TRUTH)
+            is Command.WaitUntil -> need(statement.condition, ValueType.TRUTH)
             is Statement.RepeatWhile -> need(statement.condition, ValueType.TRUTH)
             is Statement.RepeatUntil -> need(statement.condition, ValueType.TRUTH)
             is Statement.If -> statement.branches.forEach { need(it.condition, ValueType.TRUTH) }

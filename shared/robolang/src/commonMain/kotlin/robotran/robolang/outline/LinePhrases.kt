@@ -3,6 +3,7 @@ package robotran.robolang.outline
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Branch
 import robotran.robolang.syntax.BrickSetting
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.LightSensorSetting
 import robotran.robolang.syntax.MotorCommand
@@ -91,43 +92,43 @@ private fun timed(timed: LineForm, duration: Expression?, other: LineForm, value
     }
 
 private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
-    is Statement.Move -> {
+    is Command.Move -> {
         timed(LineForm.MOVE_FOR_TIME, statement.duration, LineForm.MOVE, statement.distance, ValueUse.DISTANCE)
     }
 
-    is Statement.Turn -> {
+    is Command.Turn -> {
         timed(LineForm.TURN_FOR_TIME, statement.duration, LineForm.TURN, statement.angle, ValueUse.ANGLE)
     }
 
-    is Statement.StartMoving -> phraseOf(LineForm.START_MOVING)
-    is Statement.StartTurning -> phraseOf(LineForm.START_TURNING)
-    is Statement.StopDriving -> phraseOf(LineForm.STOP)
+    is Command.StartMoving -> phraseOf(LineForm.START_MOVING)
+    is Command.StartTurning -> phraseOf(LineForm.START_TURNING)
+    is Command.StopDriving -> phraseOf(LineForm.STOP)
 
-    is Statement.Power -> {
+    is Command.Power -> {
         phraseOf(
             if (statement.side == PowerSide.BOTH) LineForm.POWER else LineForm.POWER_OF_SIDE,
             claim(statement.power, ValueUse.POWER),
         )
     }
 
-    is Statement.Motor -> phraseOf(statement.command)
+    is Command.Motor -> phraseOf(statement.command)
 
-    is Statement.MotorTurn -> {
+    is Command.MotorTurn -> {
         phraseOf(
             if (statement.waits) LineForm.MOTOR_TURN else LineForm.START_MOTOR_TURN,
             claim(statement.angle, ValueUse.ANGLE),
         )
     }
 
-    is Statement.ResetMotor -> phraseOf(LineForm.RESET_MOTOR)
-    is Statement.Pen -> phraseOf(LineForm.PEN)
-    is Statement.Wait -> phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
-    is Statement.WaitUntil -> phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
-    is Statement.ResetTimer -> phraseOf(LineForm.RESET_TIMER)
-    is Statement.Beep -> phraseOf(LineForm.BEEP)
-    is Statement.Buzz -> phraseOf(LineForm.BUZZ)
+    is Command.ResetMotor -> phraseOf(LineForm.RESET_MOTOR)
+    is Command.Pen -> phraseOf(LineForm.PEN)
+    is Command.Wait -> phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
+    is Command.WaitUntil -> phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
+    is Command.ResetTimer -> phraseOf(LineForm.RESET_TIMER)
+    is Command.Beep -> phraseOf(LineForm.BEEP)
+    is Command.Buzz -> phraseOf(LineForm.BUZZ)
 
-    is Statement.Play -> {
+    is Command.Play -> {
         phraseOf(
             LineForm.PLAY,
             claim(statement.frequency, ValueUse.FREQUENCY),
@@ -135,16 +136,16 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         )
     }
 
-    is Statement.Show -> phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.SHOWN))
+    is Command.Show -> phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.SHOWN))
 
-    is Statement.ShowText -> {
+    is Command.ShowText -> {
         phraseOf(
             LineForm.SHOW_TEXT,
             Claim(statement.textRange.column, statement.textRange.endColumn) { it.single(PhrasePart::Text) },
         )
     }
 
-    is Statement.ClearScreen -> phraseOf(LineForm.CLEAR_SCREEN)
+    is Command.ClearScreen -> phraseOf(LineForm.CLEAR_SCREEN)
     is Statement.Loop -> phraseOf(statement)
     is Statement.If -> phraseOf(LineForm.IF, statement.branches.first().claim())
     is Statement.Break -> phraseOf(LineForm.BREAK)

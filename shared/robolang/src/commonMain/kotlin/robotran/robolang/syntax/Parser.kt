@@ -84,7 +84,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val statement = when {
             begunWithName -> DataParser(reader, diagnostics).named()
             reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, diagnostics).statement()
-            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, diagnostics).statement()
+            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, diagnostics).command()
             else -> noCommand(reader)
         }
         if (statement != null) diagnostics.expectEndOfLine(reader)

@@ -1,0 +1,108 @@
+package robotran.robolang.syntax
+
+import robotran.brick.controls.MotorPort
+import robotran.robolang.diagnostic.SourceRange
+
+/** A command to the robot or the brick: one line without a body. */
+internal sealed interface Command : Statement {
+    /** Whether it sets a motor going. */
+    val moves: Boolean get() = false
+
+    /** Whether the next statement waits until it is done. */
+    val waits: Boolean get() = false
+
+    /** `forward D`, in centimetres, or `forward for T seconds`, and the same backward: one of the two is null. */
+    data class Move(
+        override val range: SourceRange,
+        val direction: MoveDirection,
+        val distance: Expression?,
+        val duration: Expression?,
+    ) : Command {
+        override val moves get() = true
+        override val waits get() = true
+    }
+
+    /** `turn left A`, in degrees, or `turn left for T seconds`, and the same to the right: one of the two is null. */
+    data class Turn(
+        override val range: SourceRange,
+        val direction: TurnDirection,
+        val angle: Expression?,
+        val duration: Expression?,
+    ) : Command {
+        override val moves get() = true
+        override val waits get() = true
+    }
+
+    /** `start forward` and `start backward`. */
+    data class StartMoving(override val range: SourceRange, val direction: MoveDirection) : Command {
+        override val moves get() = true
+    }
+
+    /** `start turning left` and `start turning right`. */
+    data class StartTurning(override val range: SourceRange, val direction: TurnDirection) : Command {
+        override val moves get() = true
+    }
+
+    /** `stop`. */
+    data class StopDriving(override val range: SourceRange) : Command
+
+    /** `power P`, `power left P` and `power right P`, 0..7. */
+    data class Power(override val range: SourceRange, val side: PowerSide, val power: Expression) : Command
+
+    /** `motor A forward` and other commands to one motor. */
+    data class Motor(override val range: SourceRange, val port: MotorPort, val command: MotorCommand) : Command {
+        override val moves get() = true
+    }
+
+    /** `motor A turn 90 degrees`, which [waits] until it has turned, and `start motor A turn 90`, which does not. */
+    data class MotorTurn(
+        override val range: SourceRange,
+        val port: MotorPort,
+        val angle: Expression,
+        override val waits: Boolean,
+    ) : Command {
+        override val moves get() = true
+    }
+
+    /** `reset motor A`: counts its degrees from 0 again. */
+    data class ResetMotor(override val range: SourceRange, val port: MotorPort) : Command
+
+    /** `pen down` and `pen up`. */
+    data class Pen(override val range: SourceRange, val position: PenPosition) : Command {
+        override val moves get() = true
+        override val waits get() = true
+    }
+
+    /** `wait T seconds` and `wait T milliseconds`. */
+    data class Wait(override val range: SourceRange, val duration: Expression, val unit: TimeUnit) : Command {
+        override val waits get() = true
+    }
+
+    /** `wait until C`. */
+    data class WaitUntil(override val range: SourceRange, val condition: Expression) : Command {
+        override val waits get() = true
+    }
+
+    /** `reset timer`. */
+    data class ResetTimer(override val range: SourceRange) : Command
+
+    /** `beep`. */
+    data class Beep(override val range: SourceRange) : Command
+
+    /** `buzz`. */
+    data class Buzz(override val range: SourceRange) : Command
+
+    /** `play F for T seconds`, F in hertz. */
+    data class Play(override val range: SourceRange, val frequency: Expression, val duration: Expression) : Command {
+        override val waits get() = true
+    }
+
+    /** `show E`, a number. */
+    data class Show(override val range: SourceRange, val value: Expression) : Command
+
+    /** `show "HELLO"`; [text] is without its quotation marks, which [textRange] includes. */
+    data class ShowText(override val range: SourceRange, val text: String, val textRange: SourceRange) : Command
+
+    /** `clear screen`. */
+    data class ClearScreen(override val range: SourceRange) : Command
+}
