@@ -2,10 +2,10 @@ package robotran.blockediting.messages
 
 import robotran.blockediting.BlockDeed
 import robotran.blockediting.BlockEditError
-import robotran.blockediting.BlockGroup
 import robotran.language.Language
 import robotran.language.choose
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.ValueKind
 
 /** All messages to the pupil about blocks, implemented once per language. Words of Robolang are not translated. */
 interface BlockMessages {

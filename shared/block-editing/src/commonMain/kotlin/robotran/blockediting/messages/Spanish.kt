@@ -2,10 +2,10 @@ package robotran.blockediting.messages
 
 import robotran.blockediting.BlockDeed
 import robotran.blockediting.BlockEditError
-import robotran.blockediting.BlockGroup
 import robotran.language.listed
 import robotran.language.quoted
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.ValueKind
 
 /** The messages in Spanish. They address the pupil as "tú". */
 object SpanishBlockMessages : BlockMessages {

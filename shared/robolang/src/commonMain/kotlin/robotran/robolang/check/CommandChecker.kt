@@ -6,11 +6,10 @@ import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.TimeUnit
-import robotran.robolang.syntax.expressions
+import robotran.robolang.words.ValueUse
 
 /** Finds commands with invalid values. */
 internal class CommandChecker(
@@ -22,56 +21,49 @@ internal class CommandChecker(
     private val messages = context.messages
 
     fun check(command: Command) {
-        when (command) {
-            is Command.Move -> move(command)
-            is Command.Turn -> turn(command)
-            is Command.Power -> power(command.power)
-            is Command.MotorTurn -> expressions.needNumber(command.angle)
-            is Command.Motor -> (command.command as? MotorCommand.Power)?.let { power(it.power) }
-            is Command.Wait -> wait(command)
-            is Command.WaitUntil -> expressions.needCondition(command.condition)
-            is Command.Play -> play(command)
-            is Command.Show -> expressions.needShown(command.value)
-            is Command.ShowText -> text(command)
-            is Command.StartMoving, is Command.StartTurning, is Command.StopDriving, is Command.ResetMotor,
-            is Command.Pen, is Command.ResetTimer, is Command.Beep, is Command.Buzz, is Command.ClearScreen,
-            -> Unit
+        command.values.forEach { (value, use) -> check(value, use, command) }
+        if (command is Command.ShowText) text(command)
+    }
+
+    private fun check(value: Expression, use: ValueUse, command: Command) {
+        when (use) {
+            ValueUse.DISTANCE -> measure(value, durations::ofMove)
+            ValueUse.ANGLE -> if (command is Command.Turn) {
+                measure(
+                    value,
+                    durations::ofTurn,
+                )
+            } else {
+                expressions.needNumber(value)
+            }
+            ValueUse.SECONDS -> duration(value, TimeUnit.SECONDS, command)
+            ValueUse.MILLISECONDS -> duration(value, TimeUnit.MILLISECONDS, command)
+            ValueUse.POWER -> power(value)
+            ValueUse.SHOWN -> expressions.needShown(value)
+            ValueUse.CONDITION -> expressions.needCondition(value)
+            ValueUse.LIST -> expressions.needList(value)
+            ValueUse.COUNT, ValueUse.INDEX -> expressions.needWhole(value)
+            ValueUse.FREQUENCY, ValueUse.NUMBER -> expressions.needNumber(value)
+            ValueUse.ANY -> Unit
         }
     }
 
-    private fun move(statement: Command.Move) {
-        statement.distance?.let { distance ->
-            expressions.needNumber(distance)
-            context.constantOf(distance)?.let { checkDuration(distance, durations.ofMove(it)) }
-        }
-        statement.duration?.let(::duration)
+    private fun measure(value: Expression, milliseconds: (NumberValue) -> Int) {
+        expressions.needNumber(value)
+        context.constantOf(value)?.let { checkDuration(value, milliseconds(it)) }
     }
 
-    private fun turn(statement: Command.Turn) {
-        statement.angle?.let { angle ->
-            expressions.needNumber(angle)
-            context.constantOf(angle)?.let { checkDuration(angle, durations.ofTurn(it)) }
-        }
-        statement.duration?.let(::duration)
-    }
-
-    private fun duration(expression: Expression) {
+    private fun duration(expression: Expression, unit: TimeUnit, command: Command) {
         expressions.needNumber(expression)
         val value = context.constantOf(expression) ?: return
-        if (value.isNegative) {
-            context.report(DiagnosticCode.DURATION_NEGATIVE, expression.range, messages.durationNegative())
-        } else {
-            checkDuration(expression, durations.ofWait(value, TimeUnit.SECONDS))
-        }
-    }
+        when {
+            !value.isNegative -> checkDuration(expression, durations.ofWait(value, unit))
 
-    private fun wait(statement: Command.Wait) {
-        expressions.needNumber(statement.duration)
-        val duration = context.constantOf(statement.duration) ?: return
-        if (duration.isNegative) {
-            context.report(DiagnosticCode.WAIT_NEGATIVE, statement.duration.range, messages.waitNegative())
-        } else {
-            checkDuration(statement.duration, durations.ofWait(duration, statement.unit))
+            command is Command.Wait -> {
+                context.report(DiagnosticCode.WAIT_NEGATIVE, expression.range, messages.waitNegative())
+            }
+
+            else -> context.report(DiagnosticCode.DURATION_NEGATIVE, expression.range, messages.durationNegative())
         }
     }
 
@@ -87,11 +79,6 @@ internal class CommandChecker(
             context.report(DiagnosticCode.POWER_OUT_OF_RANGE, expression.range, messages.powerOutOfRange())
         }
         expressions.needWhole(expression)
-    }
-
-    private fun play(statement: Command.Play) {
-        expressions.needNumber(statement.frequency)
-        duration(statement.duration)
     }
 
     private fun text(statement: Command.ShowText) {

@@ -11,6 +11,7 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
+import robotran.robolang.words.ValueUse
 
 /** Infers the types of parameters of routines that are never called, from their uses, unless they are numbers. */
 internal class ParameterTypeInference(private val context: CheckContext) {
@@ -19,7 +20,10 @@ internal class ParameterTypeInference(private val context: CheckContext) {
 
     private fun settle(statement: Statement) {
         when (statement) {
-            is Command.WaitUntil -> need(statement.condition, ValueType.TRUTH)
+            is Command -> statement.values.forEach { (value, use) ->
+                if (use == ValueUse.CONDITION) need(value, ValueType.TRUTH)
+            }
+
             is Statement.RepeatWhile -> need(statement.condition, ValueType.TRUTH)
             is Statement.RepeatUntil -> need(statement.condition, ValueType.TRUTH)
             is Statement.If -> statement.branches.forEach { need(it.condition, ValueType.TRUTH) }

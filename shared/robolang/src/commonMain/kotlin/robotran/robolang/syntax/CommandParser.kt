@@ -6,6 +6,12 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.DIRECTIONS
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.MOTOR_COMMANDS
+import robotran.robolang.words.PEN_POSITIONS
+import robotran.robolang.words.SIDES
+import robotran.robolang.words.lowercaseKeyword
 
 /** Parses a command to the robot or the brick. */
 internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
@@ -139,7 +145,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
     private fun motor(): Command? {
         reader.advance()
         val port = readMotor(reader, diagnostics) ?: return null
-        val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
+        val command = when (reader.take(*OF_MOTOR.toTypedArray())) {
             Keyword.FORWARD -> MotorCommand.Forward
             Keyword.BACKWARD -> MotorCommand.Backward
             Keyword.STOP -> MotorCommand.Stop
@@ -157,7 +163,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
     private fun missingMotorCommand(port: MotorPort): Nothing? {
         val isNxt = diagnostics.brick == BrickKind.NXT
-        val commands = if (isNxt) MOTOR_COMMANDS + Keyword.TURN else MOTOR_COMMANDS
+        val commands = if (isNxt) OF_MOTOR + Keyword.TURN else OF_MOTOR
         return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, commands) {
             if (isNxt) messages.missingNxtMotorCommand(port.name, it) else messages.missingMotorCommand(port.name, it)
         }
@@ -171,7 +177,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
             else -> return missing(
                 DiagnosticCode.MISSING_PEN_POSITION,
-                listOf(Keyword.DOWN, Keyword.UP),
+                PEN_POSITIONS,
                 messages::missingPenPosition,
             )
         }
@@ -225,8 +231,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
     }
 
     private companion object {
-        val SIDES = listOf(Keyword.LEFT, Keyword.RIGHT)
-        val STARTS = listOf(Keyword.FORWARD, Keyword.BACKWARD, Keyword.TURNING)
-        val MOTOR_COMMANDS = listOf(Keyword.FORWARD, Keyword.BACKWARD, Keyword.STOP, Keyword.FLOAT, Keyword.POWER)
+        val STARTS = DIRECTIONS + Keyword.TURNING
+        val OF_MOTOR = MOTOR_COMMANDS + Keyword.POWER
     }
 }

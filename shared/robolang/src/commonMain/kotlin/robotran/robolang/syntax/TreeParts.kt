@@ -21,15 +21,7 @@ internal val Expression.parts: List<Expression>
 /** The expressions in the statement's own line, or in all branch lines of an `if`, without those in its bodies. */
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
-        is Command.Move -> listOfNotNull(distance, duration)
-        is Command.Turn -> listOfNotNull(angle, duration)
-        is Command.Power -> listOf(power)
-        is Command.Motor -> listOfNotNull((command as? MotorCommand.Power)?.power)
-        is Command.MotorTurn -> listOf(angle)
-        is Command.Wait -> listOf(duration)
-        is Command.WaitUntil -> listOf(condition)
-        is Command.Play -> listOf(frequency, duration)
-        is Command.Show -> listOf(value)
+        is Command -> values.map { it.first }
         is Statement.Repeat -> listOf(count)
         is Statement.RepeatWhile -> listOf(condition)
         is Statement.RepeatUntil -> listOf(condition)
@@ -40,11 +32,7 @@ internal val Statement.expressions: List<Expression>
         is Statement.Assign -> listOfNotNull((target as? AssignTarget.ListElement)?.index, value)
         is Statement.Call -> arguments
         is Statement.Return -> listOfNotNull(value)
-        is Command.StartMoving, is Command.StartTurning, is Command.StopDriving, is Command.Pen,
-        is Command.ResetMotor, is Command.ResetTimer, is Command.Beep, is Command.Buzz, is Command.ShowText,
-        is Command.ClearScreen, is Statement.RepeatForever, is Statement.Break, is Statement.Continue,
-        is Statement.Halt,
-        -> emptyList()
+        is Statement.RepeatForever, is Statement.Break, is Statement.Continue, is Statement.Halt -> emptyList()
     }
 
 /** The bodies directly inside this statement. */

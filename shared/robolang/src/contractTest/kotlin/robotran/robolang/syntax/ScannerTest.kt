@@ -3,6 +3,7 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.words.Keyword
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
