@@ -1,7 +1,7 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.SourceSpan
+import robotran.robolang.words.LineForm
 
 /**
  * What a pupil does to blocks. [apply] makes it a change of the text. Blocks are named by their ids, values and other

@@ -1,10 +1,10 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.LineForm
 import robotran.textediting.TextEdit
 
 /** The forms between which a line can change, in groups. */
@@ -32,7 +32,7 @@ internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): Blo
     val line = program.outline.lines.getOrNull(edit.line) ?: return refused(BlockEditError.NotFound)
     val form = line.form ?: return refused(BlockEditError.NoSuchForm)
     if (edit.form !in formsFor(form)) return refused(BlockEditError.NoSuchForm)
-    val template = checkNotNull(edit.form.template).substringBefore('\n')
+    val template = checkNotNull(edit.form.example).substringBefore('\n')
     val span = SourceSpan(line.parts.first().span.start, line.parts.last().span.end)
     val text = filledIn(template, line, program.text)
     val change = TextEdit(span.start, span.textIn(program.text), text)

@@ -1,10 +1,10 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueKind
 
 /** Edits of constructs that keep what is inside. */
 internal class ConstructEdits(private val program: BlockProgram) {

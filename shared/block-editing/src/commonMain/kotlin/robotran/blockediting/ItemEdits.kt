@@ -2,8 +2,8 @@ package robotran.blockediting
 
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueForm
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueUse
 import robotran.textediting.TextEdit
 
 /** Edits of what stands between brackets, separated by commas: elements of lists, parameters and the values for them. */

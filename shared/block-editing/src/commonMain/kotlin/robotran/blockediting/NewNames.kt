@@ -1,10 +1,10 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueUse
 import robotran.textediting.TextEdit
 
 /** Declares names where they are used. */

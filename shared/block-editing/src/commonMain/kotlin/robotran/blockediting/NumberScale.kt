@@ -1,7 +1,7 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.ValueUse
 import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.words.ValueUse
 
 /**
  * The range of a slider for a number. The number pad takes any number.

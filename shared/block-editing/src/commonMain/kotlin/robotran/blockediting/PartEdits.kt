@@ -3,8 +3,8 @@ package robotran.blockediting
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.ValueForm
 import robotran.textediting.TextEdit
 
 /** Edits of the words and values of a line. */

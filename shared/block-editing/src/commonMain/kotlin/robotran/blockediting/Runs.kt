@@ -1,8 +1,8 @@
 package robotran.blockediting
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.LineRole
+import robotran.robolang.words.LineForm
 
 /** The blocks of [run]; null if there are none. */
 internal fun BlockProgram.blocksOf(run: BlockRun): List<Block>? {

@@ -1,10 +1,10 @@
 package robotran.blockediting
 
 import robotran.robolang.outline.DeclaredName
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.LineForm
 
 /** The result of [trialOf]. */
 sealed interface TrialResult {

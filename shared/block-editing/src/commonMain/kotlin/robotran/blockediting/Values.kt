@@ -1,15 +1,15 @@
 package robotran.blockediting
 
 import robotran.robolang.outline.DeclaredName
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.OutlineValue
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueForm
-import robotran.robolang.outline.ValueKind
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueKind
+import robotran.robolang.words.ValueUse
 
 /** The type of a value of this form; null if that depends on what it names or has inside. */
 internal fun literalKind(form: ValueForm): ValueKind? = when (form) {

@@ -1,6 +1,6 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
+import robotran.robolang.words.LineForm
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -4,10 +4,10 @@ import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.ownBlocks
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.robolang.words.LineForm
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

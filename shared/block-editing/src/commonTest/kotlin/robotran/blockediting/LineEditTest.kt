@@ -1,6 +1,6 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.LineForm
+import robotran.robolang.words.LineForm
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -77,7 +77,7 @@ class LineEditTest {
     fun `every form can change to each of its related forms`() {
         for (form in LineForm.entries) {
             for (other in formsFor(form)) {
-                val text = checkNotNull(form.template)
+                val text = checkNotNull(form.example)
                 val changed = blocksOf(text).done(BlockEdit.ChangeForm(0, other)).program
                 assertEquals(other, changed.outline.lines.first().form, "$text to $other")
                 assertTrue(form in formsFor(other))

@@ -2,7 +2,8 @@ package robotran.blockediting
 
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.ValueKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -3,7 +3,7 @@ package robotran.blockediting
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.ValueKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

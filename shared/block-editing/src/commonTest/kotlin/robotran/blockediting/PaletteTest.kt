@@ -13,9 +13,10 @@ import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
 import robotran.robolang.compileRobolang
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
 import kotlin.math.pow
 import kotlin.math.roundToInt
 import kotlin.test.Test

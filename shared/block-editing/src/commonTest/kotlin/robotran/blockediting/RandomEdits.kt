@@ -1,9 +1,9 @@
 package robotran.blockediting
 
 import robotran.blockediting.palette.Palette
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
+import robotran.robolang.words.LineForm
 import kotlin.random.Random
 
 /** A random edit of [program], which may be refused. */

@@ -1,7 +1,7 @@
 package robotran.blockediting
 
 import robotran.blockediting.palette.Palette
-import robotran.blockediting.palette.canBeTried
+import robotran.robolang.words.BlockGroup
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

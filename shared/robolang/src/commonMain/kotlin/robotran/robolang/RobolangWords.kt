@@ -1,14 +1,22 @@
 package robotran.robolang
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
-import robotran.robolang.syntax.Keyword
-import robotran.robolang.syntax.lowercaseKeyword
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.OPENERS
+import robotran.robolang.words.lowercaseKeyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */
 object RobolangWords {
     /** The words that a line can begin with. */
     val commands: List<String> = Keyword.COMMANDS.filter { it != Keyword.LEFT && it != Keyword.RIGHT }.map { it.text }
+
+    /** Those that begin a block. */
+    val openers: Set<String> = OPENERS.mapTo(mutableSetOf()) { it.text }
+
+    /** The operators that are words. */
+    val operators: List<String> = BinaryOperator.entries.map { it.text }.filter { it.first().isLetter() }
 
     /** All words of the language. */
     val keywords: List<String> = Keyword.entries.map { it.text }
@@ -20,8 +28,13 @@ object RobolangWords {
     fun spellingOf(text: String): String? = Keyword.of(text)?.text ?: BuiltIn.of(lowercaseKeyword(text))?.text
 
     /** All words of the language that a program for [brick] can have. */
-    fun keywordsOn(brick: BrickKind): List<String> =
-        Keyword.entries.filter { it.brick == null || it.brick == brick }.map { it.text }
+    fun keywordsOn(brick: BrickKind): List<String> = wordsOn(brick) { true }
+
+    /** Those of them that begin a value, and the operators. */
+    fun valueWordsOn(brick: BrickKind): List<String> = wordsOn(brick) { it.beginsValue || it.text in operators }
+
+    private fun wordsOn(brick: BrickKind, isMeant: (Keyword) -> Boolean): List<String> =
+        Keyword.entries.filter { (it.brick == null || it.brick == brick) && isMeant(it) }.map { it.text }
 
     /** The built-in functions with their number of parameters. */
     val functions: Map<String, Int> = BuiltIn.entries.associate { it.text to it.parameters }

@@ -7,8 +7,8 @@ import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.ScannedLine
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
-import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.scan
+import robotran.robolang.words.lowercaseKeyword
 
 /**
  * A word, number or sign of a line, for syntax highlighting.

@@ -3,10 +3,10 @@ package robotran.robolang
 import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueForm
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -5,7 +5,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobotConstants
-import robotran.robolang.syntax.Keyword
+import robotran.robolang.words.Keyword
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -2,13 +2,13 @@ package robotran.robolang
 
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ProgramOutline
-import robotran.robolang.outline.ValueUse
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueUse
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull

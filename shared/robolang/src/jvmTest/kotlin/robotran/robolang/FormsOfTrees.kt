@@ -3,6 +3,7 @@ package robotran.robolang
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.Sense
@@ -26,17 +27,23 @@ internal class FormsOfTrees {
     }
 
     fun missing(): List<Any> {
-        val sealed = listOf(Statement::class, Expression::class, Sense::class, MotorCommand::class, AssignTarget::class)
-        val forms: List<Any> = sealed.flatMap { it.java.declaredClasses.toList() }.filter {
-            !it.isInterface &&
-                "Companion" !in it.name
+        val sealed = listOf(
+            Command::class,
+            Statement::class,
+            Expression::class,
+            Sense::class,
+            MotorCommand::class,
+            AssignTarget::class,
+        )
+        val forms: List<Any> = sealed.map { it.java }.flatMap { type ->
+            type.declaredClasses.filter { type.isAssignableFrom(it) && !it.isInterface }
         }
         return (forms + BinaryOperator.entries + BuiltIn.entries) - seen
     }
 
     private fun add(statement: Statement) {
         seen += statement.javaClass
-        if (statement is Statement.Motor) seen += statement.command.javaClass
+        if (statement is Command.Motor) seen += statement.command.javaClass
         if (statement is Statement.Assign) seen += statement.target.javaClass
         statement.expressions.forEach(::add)
         statement.bodies.forEach { body -> body.forEach(::add) }

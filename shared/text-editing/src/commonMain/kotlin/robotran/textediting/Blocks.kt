@@ -2,6 +2,7 @@ package robotran.textediting
 
 import robotran.language.ProgramLanguage
 import robotran.nqc.edit.nqcBlockEffect
+import robotran.robolang.RobolangWords
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.tokenizeJavaLine
 import robotran.textediting.text.isWordCharacter
@@ -19,7 +20,7 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
         when (firstWord(line)) {
             "end" -> BlockEffect(closes = true, opens = false)
             "else" -> BlockEffect(closes = true, opens = true)
-            in ROBOLANG_OPENERS -> BlockEffect(closes = false, opens = true)
+            in RobolangWords.openers -> BlockEffect(closes = false, opens = true)
             else -> BlockEffect(closes = false, opens = false)
         }
     }
@@ -43,5 +44,3 @@ private fun bracesOf(line: String): String = tokenizeJavaLine(line, startsInComm
     .filter { it == '{' || it == '}' }
 
 private fun firstWord(line: String): String = line.trimStart().takeWhile(::isWordCharacter).lowercase()
-
-private val ROBOLANG_OPENERS = setOf("repeat", "for", "if", "procedure", "function", "whenever", "robot")

@@ -8,9 +8,9 @@ import robotran.brick.sensors.SensorKind
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueForm
-import robotran.robolang.outline.ValueKind
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueKind
+import robotran.robolang.words.ValueUse
 
 /** The names of this program that may be put at [part], as they stand there: a function is called with examples. */
 fun BlockProgram.offeredNames(part: PhrasePart.Value): List<String> = namesFor(part).map(::valueOf)

@@ -1,28 +1,26 @@
 package robotran.blockediting.palette
 
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
-import robotran.blockediting.group
-import robotran.blockediting.templateOn
 import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.DeclaredName
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ProgramOutline
-import robotran.robolang.outline.ValueForm
-import robotran.robolang.outline.ValueKind
-import robotran.robolang.outline.ValueUse
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueKind
+import robotran.robolang.words.ValueUse
 
 /** The palette: a block for each form of the language, made from its own tables. */
 object Palette {
     private val byBrick: Map<BrickKind, List<PaletteBlock>> by lazy {
         BrickKind.entries.associateWith { brick ->
-            val lines = LineForm.entries.mapNotNull { form -> form.templateOn(brick)?.let { line(form, it) } }
-            val values = ValueForm.entries.flatMap { form -> form.templatesOn(brick).map { value(form, it) } }
+            val lines = LineForm.entries.mapNotNull { form -> form.exampleOn(brick)?.let { line(form, it) } }
+            val values = ValueForm.entries.flatMap { form -> form.examplesOn(brick).map { value(form, it) } }
             (lines + values).sortedWith(compareBy({ it.group }, { it.rankInGroup }))
         }
     }

@@ -2,13 +2,13 @@ package robotran.blockediting.palette
 
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockEditResult
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.freeName
-import robotran.robolang.outline.LineForm
-import robotran.robolang.outline.ValueForm
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
 
 /**
  * A block that a pupil can take from the palette.
@@ -29,6 +29,9 @@ class PaletteBlock internal constructor(
     val explained: List<String>
         get() = listOfNotNull(MAIN_WORDS[id]) + words
 
+    /** Whether a pupil sees or hears what this block does if it runs alone. */
+    val canBeTried: Boolean get() = !isValue && id in SHOWN_ALONE
+
     /** The [template] for [program]: the names that it declares differ from all that are there. */
     fun textFor(program: BlockProgram): String {
         if (isValue) return template
@@ -43,6 +46,8 @@ class PaletteBlock internal constructor(
         return lines.text
     }
 }
+
+private val SHOWN_ALONE = LineForm.entries.filter { it.showsAlone }.mapTo(mutableSetOf()) { idOf(it) }
 
 /** Words that explain blocks better than their first word, which also means something else. */
 private val MAIN_WORDS = mapOf(

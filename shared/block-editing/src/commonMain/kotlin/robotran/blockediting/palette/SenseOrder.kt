@@ -1,8 +1,8 @@
 package robotran.blockediting.palette
 
-import robotran.blockediting.BlockGroup
-import robotran.robolang.outline.LineForm
-import robotran.robolang.outline.ValueForm
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
 
 /** The place of the block among those of its group; blocks of the same rank keep their order. */
 internal val PaletteBlock.rankInGroup: Int

@@ -1,7 +1,7 @@
 package robotran.blockediting.palette
 
-import robotran.robolang.outline.LineForm
-import robotran.robolang.outline.ValueForm
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
 
 /** What pupils call a block in English, German and Spanish, by its id. */
 internal val SYNONYMS: Map<String, String> = mapOf(

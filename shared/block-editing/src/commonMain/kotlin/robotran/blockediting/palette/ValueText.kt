@@ -4,9 +4,9 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.blocksOf
 import robotran.blockediting.kindOf
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueForm
-import robotran.robolang.outline.ValueKind
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueKind
+import robotran.robolang.words.ValueUse
 
 /** What kind of value this is. */
 val PaletteBlock.valueForm: ValueForm get() = valuesIn(template).first().value.form

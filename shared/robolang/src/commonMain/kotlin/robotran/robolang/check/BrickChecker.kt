@@ -7,6 +7,7 @@ import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.BrickSetting
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.LightSensorSetting
 import robotran.robolang.syntax.NxtSensor
@@ -56,7 +57,7 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     }
 
     private fun statement(statement: Statement) {
-        if (statement is Statement.MotorTurn || statement is Statement.ResetMotor) {
+        if (statement is Command.MotorTurn || statement is Command.ResetMotor) {
             lacks(statement.range, messages.noMotorDegrees())
         }
     }

@@ -6,7 +6,6 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.Keyword
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.ParsedProgram
@@ -14,8 +13,9 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.declaredNames
-import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.shortened
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.lowercaseKeyword
 
 /** The shared state of the checkers: the program, the symbols and types so far, and the diagnostics. */
 internal class CheckContext(val parsed: ParsedProgram, val diagnostics: DiagnosticSink) {

@@ -4,13 +4,12 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
-import robotran.robolang.syntax.expressions
+import robotran.robolang.words.ValueUse
 
 /** Finds commands with invalid values. */
 internal class CommandChecker(
@@ -21,55 +20,50 @@ internal class CommandChecker(
     private val durations = Durations(robot)
     private val messages = context.messages
 
-    fun check(statement: Statement) {
-        when (statement) {
-            is Statement.Move -> move(statement)
-            is Statement.Turn -> turn(statement)
-            is Statement.Power -> power(statement.power)
-            is Statement.MotorTurn -> expressions.needNumber(statement.angle)
-            is Statement.Motor -> (statement.command as? MotorCommand.Power)?.let { power(it.power) }
-            is Statement.Wait -> wait(statement)
-            is Statement.WaitUntil -> expressions.needCondition(statement.condition)
-            is Statement.Play -> play(statement)
-            is Statement.Show -> expressions.needShown(statement.value)
-            is Statement.ShowText -> text(statement)
-            else -> Unit
+    fun check(command: Command) {
+        command.values.forEach { (value, use) -> check(value, use, command) }
+        if (command is Command.ShowText) text(command)
+    }
+
+    private fun check(value: Expression, use: ValueUse, command: Command) {
+        when (use) {
+            ValueUse.DISTANCE -> measure(value, durations::ofMove)
+            ValueUse.ANGLE -> if (command is Command.Turn) {
+                measure(
+                    value,
+                    durations::ofTurn,
+                )
+            } else {
+                expressions.needNumber(value)
+            }
+            ValueUse.SECONDS -> duration(value, TimeUnit.SECONDS, command)
+            ValueUse.MILLISECONDS -> duration(value, TimeUnit.MILLISECONDS, command)
+            ValueUse.POWER -> power(value)
+            ValueUse.SHOWN -> expressions.needShown(value)
+            ValueUse.CONDITION -> expressions.needCondition(value)
+            ValueUse.LIST -> expressions.needList(value)
+            ValueUse.COUNT, ValueUse.INDEX -> expressions.needWhole(value)
+            ValueUse.FREQUENCY, ValueUse.NUMBER -> expressions.needNumber(value)
+            ValueUse.ANY -> Unit
         }
     }
 
-    private fun move(statement: Statement.Move) {
-        statement.distance?.let { distance ->
-            expressions.needNumber(distance)
-            context.constantOf(distance)?.let { checkDuration(distance, durations.ofMove(it)) }
-        }
-        statement.duration?.let(::duration)
+    private fun measure(value: Expression, milliseconds: (NumberValue) -> Int) {
+        expressions.needNumber(value)
+        context.constantOf(value)?.let { checkDuration(value, milliseconds(it)) }
     }
 
-    private fun turn(statement: Statement.Turn) {
-        statement.angle?.let { angle ->
-            expressions.needNumber(angle)
-            context.constantOf(angle)?.let { checkDuration(angle, durations.ofTurn(it)) }
-        }
-        statement.duration?.let(::duration)
-    }
-
-    private fun duration(expression: Expression) {
+    private fun duration(expression: Expression, unit: TimeUnit, command: Command) {
         expressions.needNumber(expression)
         val value = context.constantOf(expression) ?: return
-        if (value.isNegative) {
-            context.report(DiagnosticCode.DURATION_NEGATIVE, expression.range, messages.durationNegative())
-        } else {
-            checkDuration(expression, durations.ofWait(value, TimeUnit.SECONDS))
-        }
-    }
+        when {
+            !value.isNegative -> checkDuration(expression, durations.ofWait(value, unit))
 
-    private fun wait(statement: Statement.Wait) {
-        expressions.needNumber(statement.duration)
-        val duration = context.constantOf(statement.duration) ?: return
-        if (duration.isNegative) {
-            context.report(DiagnosticCode.WAIT_NEGATIVE, statement.duration.range, messages.waitNegative())
-        } else {
-            checkDuration(statement.duration, durations.ofWait(duration, statement.unit))
+            command is Command.Wait -> {
+                context.report(DiagnosticCode.WAIT_NEGATIVE, expression.range, messages.waitNegative())
+            }
+
+            else -> context.report(DiagnosticCode.DURATION_NEGATIVE, expression.range, messages.durationNegative())
         }
     }
 
@@ -87,12 +81,7 @@ internal class CommandChecker(
         expressions.needWhole(expression)
     }
 
-    private fun play(statement: Statement.Play) {
-        expressions.needNumber(statement.frequency)
-        duration(statement.duration)
-    }
-
-    private fun text(statement: Statement.ShowText) {
+    private fun text(statement: Command.ShowText) {
         val isNxt = robot.kind == BrickKind.NXT
         val limit = if (isNxt) RobolangLimits.NXT_TEXT_CHARACTERS else RobolangLimits.TEXT_CHARACTERS
         val strange = statement.text.firstOrNull { if (isNxt) it !in ' '..'~' else !isShown(it) }

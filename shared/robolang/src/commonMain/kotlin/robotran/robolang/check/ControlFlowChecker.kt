@@ -3,6 +3,7 @@ package robotran.robolang.check
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
@@ -58,7 +59,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
         is Statement.Halt -> false
         is Statement.If -> goesOnBehindChoice(statement)
         is Statement.Loop -> goesOnBehindLoop(statement)
-        else -> true
+        is Command, is Statement.Declare, is Statement.Assign, is Statement.Call -> true
     }
 
     private fun goesOnBehindChoice(statement: Statement.If): Boolean {
@@ -131,14 +132,14 @@ internal class ControlFlowChecker(private val context: CheckContext) {
 private object BlockingLoops {
     fun isRestful(statements: List<Statement>): Boolean = statements.any(::isRestful)
 
-    private fun isRestful(statement: Statement): Boolean =
-        statement is Statement.Move || statement is Statement.Turn || statement is Statement.Wait ||
-            statement is Statement.WaitUntil ||
-            statement is Statement.Pen || statement is Statement.Call || statement is Statement.Halt ||
-            statement is Statement.Return ||
-            statement is Statement.StartMoving || statement is Statement.StartTurning || statement is Statement.Motor ||
-            statement is Statement.MotorTurn ||
-            statement.expressions.any(::isSensing) || statement.bodies.any(::isRestful)
+    private fun isRestful(statement: Statement): Boolean = when (statement) {
+        is Command -> statement.moves || (statement.waits && statement !is Command.Play)
+        is Statement.Call, is Statement.Halt, is Statement.Return -> true
+
+        is Statement.Block, is Statement.Break, is Statement.Continue, is Statement.Declare,
+        is Statement.Assign,
+        -> false
+    } || statement.expressions.any(::isSensing) || statement.bodies.any(::isRestful)
 
     /** Whether [expression] reads a sensor, or calls a routine, which may read one. */
     private fun isSensing(expression: Expression): Boolean =

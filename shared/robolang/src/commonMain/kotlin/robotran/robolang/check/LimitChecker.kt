@@ -3,6 +3,7 @@ package robotran.robolang.check
 import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
@@ -37,10 +38,10 @@ internal class LimitChecker(private val context: CheckContext, private val graph
 
     private fun statement(statement: Statement, isRepeated: Boolean) {
         val looksEachRound =
-            statement is Statement.RepeatWhile || statement is Statement.RepeatUntil || statement is Statement.WaitUntil
+            statement is Statement.RepeatWhile || statement is Statement.RepeatUntil || statement is Command.WaitUntil
         statement.expressions.forEach { expression(it, isRepeated || looksEachRound) }
         if (isRepeated && statement is Statement.Call) context.routineOf(statement.name)?.let(repeatedly::add)
-        if (statement is Statement.ShowText) count(statement.text, statement.textRange)
+        if (statement is Command.ShowText) count(statement.text, statement.textRange)
         statement.bodies.forEach { body -> body.forEach { statement(it, isRepeated || statement is Statement.Loop) } }
     }
 

@@ -3,9 +3,9 @@ package robotran.robolang.check
 import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
-import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.suggestion
 import robotran.robolang.syntax.suggestions
+import robotran.robolang.words.lowercaseKeyword
 
 /** Keywords that have a value. */
 private val VALUES = listOf("left bumper", "right bumper", "light", "timer", "battery", "true", "false")

@@ -3,6 +3,7 @@ package robotran.robolang.check
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement
@@ -10,6 +11,7 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
+import robotran.robolang.words.ValueUse
 
 /** Infers the types of parameters of routines that are never called, from their uses, unless they are numbers. */
 internal class ParameterTypeInference(private val context: CheckContext) {
@@ -18,7 +20,10 @@ internal class ParameterTypeInference(private val context: CheckContext) {
 
     private fun settle(statement: Statement) {
         when (statement) {
-            is Statement.WaitUntil -> need(statement.condition, ValueType.TRUTH)
+            is Command -> statement.values.forEach { (value, use) ->
+                if (use == ValueUse.CONDITION) need(value, ValueType.TRUTH)
+            }
+
             is Statement.RepeatWhile -> need(statement.condition, ValueType.TRUTH)
             is Statement.RepeatUntil -> need(statement.condition, ValueType.TRUTH)
             is Statement.If -> statement.branches.forEach { need(it.condition, ValueType.TRUTH) }

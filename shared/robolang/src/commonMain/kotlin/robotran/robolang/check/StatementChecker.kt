@@ -3,6 +3,7 @@ package robotran.robolang.check
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
@@ -38,6 +39,7 @@ internal class StatementChecker(
     private fun check(statement: Statement) {
         statement.expressions.forEach(expressions::check)
         when (statement) {
+            is Command -> commands.check(statement)
             is Statement.Repeat -> count(statement.count)
             is Statement.RepeatWhile -> expressions.needCondition(statement.condition)
             is Statement.RepeatUntil -> expressions.needCondition(statement.condition)
@@ -51,7 +53,9 @@ internal class StatementChecker(
                 function?.let { expressions.needType(it.type.type, value) }
             }
 
-            else -> commands.check(statement)
+            is Statement.RepeatForever, is Statement.Break, is Statement.Continue, is Statement.Declare,
+            is Statement.Halt,
+            -> Unit
         }
         statement.bodies.forEach { it.forEach(::check) }
     }

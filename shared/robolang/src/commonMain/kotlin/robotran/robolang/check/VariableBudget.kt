@@ -2,6 +2,7 @@ package robotran.robolang.check
 
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
@@ -33,7 +34,11 @@ internal class VariableBudget(private val context: CheckContext) {
         val own = when (statement) {
             is Statement.Repeat -> 1
             is Statement.ForRange, is Statement.ForEach -> 2
-            else -> 0
+
+            is Statement.RepeatForever, is Statement.RepeatWhile, is Statement.RepeatUntil, is Statement.If,
+            is Statement.Break, is Statement.Continue, is Statement.Declare, is Statement.Assign, is Statement.Call,
+            is Statement.Return, is Statement.Halt, is Command,
+            -> 0
         }
         counters += own
         if (own > 0) look(owner, statement.range)

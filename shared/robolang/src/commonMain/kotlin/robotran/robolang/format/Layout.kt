@@ -1,8 +1,9 @@
 package robotran.robolang.format
 
-import robotran.robolang.syntax.Keyword
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.ScannedLine
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.OPENERS
 
 private const val INDENTATION = "  "
 
@@ -36,7 +37,7 @@ private fun laidLines(parsed: ParsedProgram): List<FormattedLine> {
     return parsed.lines.map { scanned ->
         val first = scanned.tokens.firstOrNull()?.takeUnless { line.isName(it) }?.keyword
         val closes = first == Keyword.END || first == Keyword.ELSE
-        val opens = first == Keyword.ELSE || first in Keyword.OPENERS
+        val opens = first == Keyword.ELSE || first in OPENERS
         if (closes) depth--
         laidLine(scanned, line, depth).also { if (opens) depth++ }
     }

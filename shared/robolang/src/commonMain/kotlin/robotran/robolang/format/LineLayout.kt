@@ -5,7 +5,7 @@ import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
-import robotran.robolang.syntax.lowercaseKeyword
+import robotran.robolang.words.lowercaseKeyword
 
 /** Formats the tokens of one line; [names] are all occurrences of names in the program. */
 internal class LineLayout(names: List<Name>) {

@@ -1,6 +1,7 @@
 package robotran.robolang.nqc
 
 import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.MoveDirection
@@ -8,7 +9,6 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.Sense
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
 
@@ -20,44 +20,44 @@ internal class NqcCommands(
 ) {
     private val messages = remarks.messages
 
-    fun linesOf(statement: Statement): List<String> = when (statement) {
-        is Statement.Move -> listOf(move(statement))
-        is Statement.Turn -> listOf(turn(statement))
-        is Statement.StartMoving -> listOf(wheels("LEFT + RIGHT", statement.direction == MoveDirection.FORWARD))
+    fun linesOf(command: Command): List<String> = when (command) {
+        is Command.Move -> listOf(move(command))
+        is Command.Turn -> listOf(turn(command))
+        is Command.StartMoving -> listOf(wheels("LEFT + RIGHT", command.direction == MoveDirection.FORWARD))
 
-        is Statement.StartTurning -> {
-            val isLeft = statement.direction == TurnDirection.LEFT
+        is Command.StartTurning -> {
+            val isLeft = command.direction == TurnDirection.LEFT
             listOf(wheels("LEFT", !isLeft), wheels("RIGHT", isLeft))
         }
 
-        is Statement.StopDriving -> listOf("Off(${both()});")
-        is Statement.Power -> listOf("SetPower(${side(statement.side)}, ${whole(statement.power)});")
-        is Statement.Motor -> listOf(motor(statement))
+        is Command.StopDriving -> listOf("Off(${both()});")
+        is Command.Power -> listOf("SetPower(${side(command.side)}, ${whole(command.power)});")
+        is Command.Motor -> listOf(motor(command))
 
-        is Statement.Pen -> {
-            val helper = if (statement.position == PenPosition.DOWN) NqcHelper.PEN_DOWN else NqcHelper.PEN_UP
+        is Command.Pen -> {
+            val helper = if (command.position == PenPosition.DOWN) NqcHelper.PEN_DOWN else NqcHelper.PEN_UP
             listOf("${helpers.use(helper)}();")
         }
 
-        is Statement.Wait -> listOf("Wait(${duration(statement.duration, statement.unit)});")
-        is Statement.WaitUntil -> waitUntil(statement)
-        is Statement.ResetTimer -> listOf("ClearTimer(0);")
-        is Statement.Beep -> listOf("PlaySound(SOUND_CLICK);")
-        is Statement.Buzz -> listOf("PlaySound(SOUND_LOW_BEEP);")
-        is Statement.Play -> play(statement)
-        is Statement.Show -> listOf(show(statement.value))
-        is Statement.ShowText -> lost(statement, messages.text())
+        is Command.Wait -> listOf("Wait(${duration(command.duration, command.unit)});")
+        is Command.WaitUntil -> waitUntil(command)
+        is Command.ResetTimer -> listOf("ClearTimer(0);")
+        is Command.Beep -> listOf("PlaySound(SOUND_CLICK);")
+        is Command.Buzz -> listOf("PlaySound(SOUND_LOW_BEEP);")
+        is Command.Play -> play(command)
+        is Command.Show -> listOf(show(command.value))
+        is Command.ShowText -> lost(command, messages.text())
 
-        is Statement.ClearScreen -> {
-            remarks.changed(statement.range, messages.clearScreen())
+        is Command.ClearScreen -> {
+            remarks.changed(command.range, messages.clearScreen())
             listOf("SelectDisplay(DISPLAY_WATCH);")
         }
 
-        else -> lost(statement, messages.otherBrick())
+        is Command.MotorTurn, is Command.ResetMotor -> lost(command, messages.otherBrick())
     }
 
-    private fun lost(statement: Statement, message: String): List<String> {
-        remarks.lost(statement.range, message)
+    private fun lost(command: Command, message: String): List<String> {
+        remarks.lost(command.range, message)
         return emptyList()
     }
 
@@ -77,7 +77,7 @@ internal class NqcCommands(
         PowerSide.RIGHT -> "RIGHT".also { both() }
     }
 
-    private fun move(statement: Statement.Move): String {
+    private fun move(statement: Command.Move): String {
         val isForward = statement.direction == MoveDirection.FORWARD
         return moveOf(
             statement.distance,
@@ -89,7 +89,7 @@ internal class NqcCommands(
         )
     }
 
-    private fun turn(statement: Statement.Turn): String {
+    private fun turn(statement: Command.Turn): String {
         val isLeft = statement.direction == TurnDirection.LEFT
         return moveOf(
             statement.angle,
@@ -147,7 +147,7 @@ internal class NqcCommands(
         return "$hundredths"
     }
 
-    private fun motor(statement: Statement.Motor): String {
+    private fun motor(statement: Command.Motor): String {
         val port = "OUT_${statement.port.name}"
         return when (val command = statement.command) {
             MotorCommand.Forward -> "OnFwd($port);"
@@ -165,13 +165,13 @@ internal class NqcCommands(
         return if (isDecimal) expressions.times(bare, 1) else expressions.text(value)
     }
 
-    private fun waitUntil(statement: Statement.WaitUntil): List<String> {
+    private fun waitUntil(statement: Command.WaitUntil): List<String> {
         val (condition, calls) = expressions.withCalls { expressions.text(statement.condition) }
         if (calls.isEmpty()) return listOf("until ($condition);")
         return listOf("while (true) {") + calls.map { "    $it" } + listOf("    if ($condition) break;", "}")
     }
 
-    private fun play(statement: Statement.Play): List<String> {
+    private fun play(statement: Command.Play): List<String> {
         val frequency = whole(statement.frequency)
         val time = expressions.bare(statement.duration)
         if (time !is Expression.Number) {

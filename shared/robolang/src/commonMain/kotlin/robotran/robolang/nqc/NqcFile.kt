@@ -7,6 +7,7 @@ import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.stopsAtEnd
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.allStatements
@@ -105,8 +106,7 @@ internal class NqcFile(
     }
 
     private val Statement.usesMotor: Boolean
-        get() = this is Statement.Move || this is Statement.Turn || this is Statement.StartMoving ||
-            this is Statement.StartTurning || this is Statement.Motor || this is Statement.Pen
+        get() = this is Command && moves && this !is Command.MotorTurn
 
     private fun whole(): JavaWriter = JavaWriter().apply {
         val name = program.name.lines().joinToString(" ").replace('\\', '/')

@@ -4,6 +4,7 @@ import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Branch
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 import robotran.robolang.translate.JavaWriter
@@ -48,10 +49,19 @@ internal class NqcStatements(
     }
 
     private fun write(statement: Statement) {
+        fun line(lines: () -> List<String>) = lines(statement.range.line, lines)
+
         when (statement) {
+            is Command -> line { commands.linesOf(statement) }
             is Statement.Loop -> loops.write(statement)
             is Statement.If -> choose(statement, 0)
-            else -> lines(statement.range.line) { linesOf(statement) }
+            is Statement.Break -> line { listOf("break;") }
+            is Statement.Continue -> line { listOf("continue;") }
+            is Statement.Declare -> line { declare(statement) }
+            is Statement.Assign -> line { assign(statement) }
+            is Statement.Call -> line { call(statement) }
+            is Statement.Return -> line { returning(statement) }
+            is Statement.Halt -> line { listOf("Off(OUT_A + OUT_B + OUT_C);", "StopAllTasks();") }
         }
     }
 
@@ -65,17 +75,6 @@ internal class NqcStatements(
         }
         (calls + texts).forEach { writer.line(it, line) }
         return true
-    }
-
-    private fun linesOf(statement: Statement): List<String> = when (statement) {
-        is Statement.Break -> listOf("break;")
-        is Statement.Continue -> listOf("continue;")
-        is Statement.Declare -> declare(statement)
-        is Statement.Assign -> assign(statement)
-        is Statement.Call -> call(statement)
-        is Statement.Return -> returning(statement)
-        is Statement.Halt -> listOf("Off(OUT_A + OUT_B + OUT_C);", "StopAllTasks();")
-        else -> commands.linesOf(statement)
     }
 
     private fun declare(statement: Statement.Declare): List<String> {

@@ -8,6 +8,7 @@ import robotran.robolang.check.ValueType
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.ParsedProgram
+import robotran.robolang.words.ValueKind
 
 /**
  * The names that the checker resolves in [parsed], the program of [outline].

@@ -3,6 +3,7 @@ package robotran.robolang.outline
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Branch
 import robotran.robolang.syntax.BrickSetting
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.LightSensorSetting
 import robotran.robolang.syntax.MotorCommand
@@ -14,6 +15,8 @@ import robotran.robolang.syntax.SensorSetting
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.TimeUnit
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueUse
 
 /** What a line says: its form, and its parts that are more than words. */
 internal class LinePhrase(val form: LineForm, val claims: List<Claim> = emptyList())
@@ -83,68 +86,11 @@ private fun phraseOf(routine: Routine) = LinePhrase(
 
 private fun phraseOf(form: LineForm, vararg claims: Claim) = LinePhrase(form, claims.toList())
 
-private fun timed(timed: LineForm, duration: Expression?, other: LineForm, value: Expression?, use: ValueUse) =
-    if (duration != null) {
-        phraseOf(timed, claim(duration, ValueUse.SECONDS))
-    } else {
-        phraseOf(other, claim(checkNotNull(value), use))
-    }
-
 private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
-    is Statement.Move -> {
-        timed(LineForm.MOVE_FOR_TIME, statement.duration, LineForm.MOVE, statement.distance, ValueUse.DISTANCE)
-    }
-
-    is Statement.Turn -> {
-        timed(LineForm.TURN_FOR_TIME, statement.duration, LineForm.TURN, statement.angle, ValueUse.ANGLE)
-    }
-
-    is Statement.StartMoving -> phraseOf(LineForm.START_MOVING)
-    is Statement.StartTurning -> phraseOf(LineForm.START_TURNING)
-    is Statement.StopDriving -> phraseOf(LineForm.STOP)
-
-    is Statement.Power -> {
-        phraseOf(
-            if (statement.side == PowerSide.BOTH) LineForm.POWER else LineForm.POWER_OF_SIDE,
-            claim(statement.power, ValueUse.POWER),
-        )
-    }
-
-    is Statement.Motor -> phraseOf(statement.command)
-
-    is Statement.MotorTurn -> {
-        phraseOf(
-            if (statement.waits) LineForm.MOTOR_TURN else LineForm.START_MOTOR_TURN,
-            claim(statement.angle, ValueUse.ANGLE),
-        )
-    }
-
-    is Statement.ResetMotor -> phraseOf(LineForm.RESET_MOTOR)
-    is Statement.Pen -> phraseOf(LineForm.PEN)
-    is Statement.Wait -> phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
-    is Statement.WaitUntil -> phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
-    is Statement.ResetTimer -> phraseOf(LineForm.RESET_TIMER)
-    is Statement.Beep -> phraseOf(LineForm.BEEP)
-    is Statement.Buzz -> phraseOf(LineForm.BUZZ)
-
-    is Statement.Play -> {
-        phraseOf(
-            LineForm.PLAY,
-            claim(statement.frequency, ValueUse.FREQUENCY),
-            claim(statement.duration, ValueUse.SECONDS),
-        )
-    }
-
-    is Statement.Show -> phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.SHOWN))
-
-    is Statement.ShowText -> {
-        phraseOf(
-            LineForm.SHOW_TEXT,
-            Claim(statement.textRange.column, statement.textRange.endColumn) { it.single(PhrasePart::Text) },
-        )
-    }
-
-    is Statement.ClearScreen -> phraseOf(LineForm.CLEAR_SCREEN)
+    is Command -> LinePhrase(
+        statement.form,
+        statement.values.map { (value, use) -> claim(value, use) } + statement.texts,
+    )
     is Statement.Loop -> phraseOf(statement)
     is Statement.If -> phraseOf(LineForm.IF, statement.branches.first().claim())
     is Statement.Break -> phraseOf(LineForm.BREAK)
@@ -182,12 +128,6 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
     }
 }
 
-private fun phraseOf(command: MotorCommand): LinePhrase = if (command is MotorCommand.Power) {
-    phraseOf(LineForm.POWER_OF_MOTOR, claim(command.power, ValueUse.POWER))
-} else {
-    phraseOf(LineForm.MOTOR)
-}
-
 private fun phraseOf(loop: Statement.Loop): LinePhrase = when (loop) {
     is Statement.Repeat -> phraseOf(LineForm.REPEAT, claim(loop.count, ValueUse.COUNT))
     is Statement.RepeatForever -> phraseOf(LineForm.REPEAT_FOREVER)
@@ -207,8 +147,9 @@ private fun phraseOf(loop: Statement.Loop): LinePhrase = when (loop) {
     )
 }
 
-private val TimeUnit.use: ValueUse
-    get() = when (this) {
-        TimeUnit.SECONDS -> ValueUse.SECONDS
-        TimeUnit.MILLISECONDS -> ValueUse.MILLISECONDS
+private val Command.texts: List<Claim>
+    get() = if (this is Command.ShowText) {
+        listOf(Claim(textRange.column, textRange.endColumn) { it.single(PhrasePart::Text) })
+    } else {
+        emptyList()
     }

@@ -1,6 +1,7 @@
 package robotran.robolang.outline
 
 import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.words.LineForm
 
 /** What a line does to the blocks around it. */
 enum class LineRole {

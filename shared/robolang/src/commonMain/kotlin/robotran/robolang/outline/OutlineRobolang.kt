@@ -12,6 +12,7 @@ import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.brickIn
 import robotran.robolang.syntax.scan
+import robotran.robolang.words.LineForm
 
 /**
  * Reads a Robolang program line by line, in time linear in its length. Never throws for any [source]. Only the scanner's

@@ -1,5 +1,8 @@
 package robotran.robolang.outline
 
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueUse
+
 /** A part of a line or of a value, with its exact place. */
 sealed interface PhrasePart {
     val span: SourceSpan

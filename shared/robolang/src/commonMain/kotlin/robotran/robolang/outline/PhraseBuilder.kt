@@ -6,6 +6,8 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueUse
 
 /** A part that begins at [column] of the line and is more than a word. */
 internal class Claim(val column: Int, val endColumn: Int, val part: (PhraseBuilder) -> PhrasePart)

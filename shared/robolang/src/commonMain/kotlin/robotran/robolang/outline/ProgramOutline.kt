@@ -1,5 +1,7 @@
 package robotran.robolang.outline
 
+import robotran.robolang.words.ValueKind
+
 /**
  * The lines of a program, each with what it says and the blocks that it is in. An editor that shows a program in another
  * way, such as in blocks, works on it. A line with a mistake does not change what the other lines say.

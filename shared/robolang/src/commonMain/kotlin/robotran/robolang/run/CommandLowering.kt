@@ -3,10 +3,10 @@ package robotran.robolang.run
 import robotran.brick.controls.MotorMode
 import robotran.brick.kind.BrickKind
 import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 
 /** Lowers the commands to the robot, and waits. */
@@ -15,42 +15,41 @@ internal class CommandLowering(
     private val expressions: ExpressionLowering,
     private val kind: BrickKind,
 ) {
-    fun lower(statement: Statement) {
-        when (statement) {
-            is Statement.Move -> lowerMove(statement)
-            is Statement.Turn -> lowerTurn(statement)
-            is Statement.StartMoving -> command { startMoving(statement.direction, it) }
-            is Statement.StartTurning -> command { startTurning(statement.direction, it) }
-            is Statement.StopDriving -> lowerStop()
-            is Statement.Power -> withPower(statement.power) { power, line -> setPower(statement.side, power, line) }
-            is Statement.Motor -> lowerMotor(statement)
-            is Statement.MotorTurn -> lowerMotorTurn(statement)
-            is Statement.ResetMotor -> lowerReset(statement)
-            is Statement.Pen -> lowerPen(statement)
+    fun lower(command: Command) {
+        when (command) {
+            is Command.Move -> lowerMove(command)
+            is Command.Turn -> lowerTurn(command)
+            is Command.StartMoving -> robot { startMoving(command.direction, it) }
+            is Command.StartTurning -> robot { startTurning(command.direction, it) }
+            is Command.StopDriving -> lowerStop()
+            is Command.Power -> withPower(command.power) { power, line -> setPower(command.side, power, line) }
+            is Command.Motor -> lowerMotor(command)
+            is Command.MotorTurn -> lowerMotorTurn(command)
+            is Command.ResetMotor -> lowerReset(command)
+            is Command.Pen -> lowerPen(command)
 
-            is Statement.Wait -> withNumber(statement.duration) { activity, duration ->
-                activity.waitFor(time(activity, duration, statement.unit))
+            is Command.Wait -> withNumber(command.duration) { activity, duration ->
+                activity.waitFor(time(activity, duration, command.unit))
             }
 
-            is Statement.WaitUntil -> lowerWaitUntil(statement)
-            is Statement.ResetTimer -> emitter.emit { it.machine.timer.reset() }
-            is Statement.Beep -> command { beep(it) }
-            is Statement.Buzz -> command { buzz(it) }
-            is Statement.Play -> lowerPlay(statement)
-            is Statement.Show -> lowerShow(statement)
-            is Statement.ShowText -> command { showText(statement.text, it) }
-            is Statement.ClearScreen -> command { clearScreen(it) }
-            else -> error("${statement::class.simpleName} is lowered elsewhere.")
+            is Command.WaitUntil -> lowerWaitUntil(command)
+            is Command.ResetTimer -> emitter.emit { it.machine.timer.reset() }
+            is Command.Beep -> robot { beep(it) }
+            is Command.Buzz -> robot { buzz(it) }
+            is Command.Play -> lowerPlay(command)
+            is Command.Show -> lowerShow(command)
+            is Command.ShowText -> robot { showText(command.text, it) }
+            is Command.ClearScreen -> robot { clearScreen(it) }
         }
     }
 
     /** Stops the wheels and, on an NXT, waits until they stand. */
     fun lowerStop() {
-        command { stopDriving(it) }
+        robot { stopDriving(it) }
         awaitStop()
     }
 
-    private fun lowerMove(statement: Statement.Move) {
+    private fun lowerMove(statement: Command.Move) {
         val direction = statement.direction
         val distance = statement.distance
         if (distance == null) {
@@ -60,7 +59,7 @@ internal class CommandLowering(
         }
     }
 
-    private fun lowerTurn(statement: Statement.Turn) {
+    private fun lowerTurn(statement: Command.Turn) {
         val direction = statement.direction
         val angle = statement.angle
         if (angle == null) {
@@ -95,14 +94,14 @@ internal class CommandLowering(
         )
     }
 
-    private fun lowerPen(statement: Statement.Pen) {
+    private fun lowerPen(statement: Command.Pen) {
         emitter.emit { it.waitFor(it.machine.robot.startPen(statement.position, it.currentLine)) }
         emitter.emit(
             CompletionAction({ !it.machine.robot.isPenMoving }) { it.machine.robot.stopPen(it.currentLine) },
         )
     }
 
-    private fun lowerMotorTurn(statement: Statement.MotorTurn) {
+    private fun lowerMotorTurn(statement: Command.MotorTurn) {
         val port = statement.port
         withNumber(statement.angle) { activity, angle ->
             activity.machine.robot.turnMotor(port, angle, activity.currentLine)
@@ -116,9 +115,9 @@ internal class CommandLowering(
         )
     }
 
-    private fun lowerReset(statement: Statement.ResetMotor) {
+    private fun lowerReset(statement: Command.ResetMotor) {
         val port = statement.port
-        command { if (isTurning(port)) brake(port, it) }
+        robot { if (isTurning(port)) brake(port, it) }
         emitter.emit(
             CompletionAction({ !it.machine.robot.isTurning(port) }) {
                 it.machine.robot.resetMotor(port, it.currentLine)
@@ -126,7 +125,7 @@ internal class CommandLowering(
         )
     }
 
-    private fun lowerShow(statement: Statement.Show) {
+    private fun lowerShow(statement: Command.Show) {
         if (expressions.typeOf(statement.value) == ValueType.COLOUR) {
             expressions.lower(statement.value)
             emitter.emit { it.machine.robot.showColour(it.pop(), it.currentLine) }
@@ -137,19 +136,19 @@ internal class CommandLowering(
         }
     }
 
-    private fun lowerMotor(statement: Statement.Motor) {
+    private fun lowerMotor(statement: Command.Motor) {
         val port = statement.port
         when (val command = statement.command) {
-            MotorCommand.Forward -> command { run(port, MotorMode.FORWARD, it) }
-            MotorCommand.Backward -> command { run(port, MotorMode.BACKWARD, it) }
-            MotorCommand.Stop -> command { brake(port, it) }
-            MotorCommand.Float -> command { run(port, MotorMode.FLOAT, it) }
+            MotorCommand.Forward -> robot { run(port, MotorMode.FORWARD, it) }
+            MotorCommand.Backward -> robot { run(port, MotorMode.BACKWARD, it) }
+            MotorCommand.Stop -> robot { brake(port, it) }
+            MotorCommand.Float -> robot { run(port, MotorMode.FLOAT, it) }
             is MotorCommand.Power -> withPower(command.power) { power, line -> setPower(port, power, line) }
         }
     }
 
     /** Evaluates the condition every millisecond. */
-    private fun lowerWaitUntil(statement: Statement.WaitUntil) {
+    private fun lowerWaitUntil(statement: Command.WaitUntil) {
         val look = Label()
         val done = Label()
         emitter.put(look)
@@ -161,7 +160,7 @@ internal class CommandLowering(
     }
 
     /** Waits until the tone is over. A tone longer than the brick's max is played in parts. */
-    private fun lowerPlay(statement: Statement.Play) {
+    private fun lowerPlay(statement: Command.Play) {
         val next = Label()
         val done = Label()
         withNumber(statement.frequency) { activity, hertz -> activity.push(wholeOf(hertz)) }
@@ -185,7 +184,7 @@ internal class CommandLowering(
         emitter.drop(2)
     }
 
-    private fun command(act: RobotDevice.(line: Int) -> Unit) = emitter.emit {
+    private fun robot(act: RobotDevice.(line: Int) -> Unit) = emitter.emit {
         it.machine.robot.act(it.currentLine)
     }
 

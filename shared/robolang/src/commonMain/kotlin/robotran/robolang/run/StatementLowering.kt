@@ -2,6 +2,7 @@ package robotran.robolang.run
 
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
@@ -34,9 +35,10 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
     fun lowerBody(statements: List<Statement>) = emitter.inBlock { statements.forEach(::lower) }
 
     private fun lower(statement: Statement) {
-        if (statement is Statement.Loop) return loops.lower(statement)
-        emitter.statement(statement.range.line)
+        if (statement !is Statement.Loop) emitter.statement(statement.range.line)
         when (statement) {
+            is Command -> commands.lower(statement)
+            is Statement.Loop -> loops.lower(statement)
             is Statement.If -> lowerIf(statement)
 
             is Statement.Declare -> {
@@ -55,8 +57,6 @@ internal class StatementLowering(private val emitter: Emitter, private val scope
                 if (scope.stopsAtEnd) commands.lowerStop()
                 emitter.emit { it.machine.isHalted = true }
             }
-
-            else -> commands.lower(statement)
         }
     }
 

@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
 import robotran.brick.kind.BrickKind
-import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.allStatements
 
@@ -10,4 +10,4 @@ import robotran.robolang.syntax.allStatements
  * an NXT roll on.
  */
 internal fun stopsAtEnd(tree: SyntaxTree, brick: BrickKind): Boolean = brick == BrickKind.NXT &&
-    allStatements(tree).any { it is Statement.StartMoving || it is Statement.StartTurning || it is Statement.Motor }
+    allStatements(tree).any { it is Command.StartMoving || it is Command.StartTurning || it is Command.Motor }

@@ -1,5 +1,7 @@
 package robotran.robolang.syntax
 
+import robotran.robolang.words.Keyword
+
 /** What a line does to the blocks around it. [MAY_OPEN] is a misspelt line that was perhaps meant to open one. */
 internal enum class BlockEdge { OPENS, MAY_OPEN, ELSE, ELSE_IF, CLOSES }
 

@@ -4,6 +4,12 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.KINDS
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.OPENERS
+import robotran.robolang.words.SETTINGS
+import robotran.robolang.words.SIDES
+import robotran.robolang.words.lowercaseKeyword
 
 /** Everything a line can begin with; two-word commands also without their space, a common typo. */
 private val BEGINNINGS: List<String> =
@@ -30,19 +36,6 @@ private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
     Keyword.WHILE to "repeat while",
     Keyword.UNTIL to "repeat until",
 )
-
-/** Keywords that begin a value but not a line. */
-private val VALUES =
-    setOf(
-        Keyword.LIGHT,
-        Keyword.SENSOR,
-        Keyword.BUTTON,
-        Keyword.TIMER,
-        Keyword.BATTERY,
-        Keyword.TRUE,
-        Keyword.FALSE,
-        Keyword.NOT,
-    ) + NXT_VALUES
 
 /** Words that begin a line in other languages. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
@@ -82,14 +75,14 @@ internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Se
 
         letters != null -> {
             reportMissingSpace(reader, word, letters)
-            if (Keyword.of(letters) in Keyword.OPENERS) return BlockEffect.MAY_OPEN
+            if (Keyword.of(letters) in OPENERS) return BlockEffect.MAY_OPEN
         }
 
         isSetting(reader) -> {
             report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
         }
 
-        word.keyword in VALUES -> reportValueAsCommand(reader, word.range)
+        word.keyword?.beginsValue == true && word.keyword !in SIDES -> reportValueAsCommand(reader, word.range)
 
         reader.peek(1)?.keyword == Keyword.BUMPER -> {
             reportValueAsCommand(reader, word.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn))
@@ -112,9 +105,6 @@ internal fun isSetting(reader: LineReader): Boolean = when (reader.first.keyword
 internal fun maybeSetting(reader: LineReader): Boolean =
     reader.first.keyword in SETTINGS && reader.peek(1)?.kind !in NAME_ENDS
 
-/** The words that a line of the header can begin with. */
-internal val SETTINGS = setOf(Keyword.LIGHT, Keyword.BRICK, Keyword.SONAR, Keyword.COLOUR, Keyword.SOUND)
-
 private val NAME_ENDS = setOf(TokenKind.ASSIGN, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
 
 private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: SourceRange) {
@@ -135,7 +125,7 @@ private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token)
     )
     return when {
         meant == Keyword.END.text -> BlockEffect.CLOSES
-        meant == null || Keyword.of(meant.substringBefore(' ')) in Keyword.OPENERS -> BlockEffect.MAY_OPEN
+        meant == null || Keyword.of(meant.substringBefore(' ')) in OPENERS -> BlockEffect.MAY_OPEN
         else -> BlockEffect.NONE
     }
 }

@@ -6,54 +6,60 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.DIRECTIONS
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.MOTOR_COMMANDS
+import robotran.robolang.words.PEN_POSITIONS
+import robotran.robolang.words.SIDES
+import robotran.robolang.words.lowercaseKeyword
 
 /** Parses a command to the robot or the brick. */
 internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
     /** Null if the line is not such a command or has an error. */
-    fun statement(): Statement? = when (reader.next?.keyword) {
+    fun command(): Command? = when (reader.next?.keyword) {
         Keyword.FORWARD, Keyword.BACKWARD -> move()
         Keyword.TURN -> turn()
         Keyword.START -> start()
-        Keyword.STOP -> single(Statement::StopDriving)
+        Keyword.STOP -> single(Command::StopDriving)
         Keyword.POWER -> power()
         Keyword.MOTOR -> motor()
         Keyword.PEN -> pen()
         Keyword.WAIT -> wait()
         Keyword.RESET -> reset()
-        Keyword.BEEP -> single(Statement::Beep)
-        Keyword.BUZZ -> single(Statement::Buzz)
+        Keyword.BEEP -> single(Command::Beep)
+        Keyword.BUZZ -> single(Command::Buzz)
         Keyword.PLAY -> play()
         Keyword.SHOW -> show()
         Keyword.CLEAR -> clear()
         else -> null
     }
 
-    private fun single(statement: (range: SourceRange) -> Statement): Statement {
+    private fun single(command: (range: SourceRange) -> Command): Command {
         reader.advance()
-        return statement(reader.readRange)
+        return command(reader.readRange)
     }
 
-    private fun move(): Statement? {
+    private fun move(): Command? {
         val direction = moveDirection() ?: return null
         if (reader.next?.keyword == Keyword.FOR) {
             val duration = seconds() ?: return null
-            return Statement.Move(reader.readRange, direction, distance = null, duration)
+            return Command.Move(reader.readRange, direction, distance = null, duration)
         }
         val distance = number("20") ?: return null
         unit(Keyword.CM)
-        return if (isAlsoTimed()) null else Statement.Move(reader.readRange, direction, distance, duration = null)
+        return if (isAlsoTimed()) null else Command.Move(reader.readRange, direction, distance, duration = null)
     }
 
-    private fun turn(): Statement? {
+    private fun turn(): Command? {
         reader.advance()
         val direction = turnDirection() ?: return null
         if (reader.next?.keyword == Keyword.FOR) {
             val duration = seconds() ?: return null
-            return Statement.Turn(reader.readRange, direction, angle = null, duration)
+            return Command.Turn(reader.readRange, direction, angle = null, duration)
         }
         val angle = number("90") ?: return null
         unit(Keyword.DEGREES)
-        return if (isAlsoTimed()) null else Statement.Turn(reader.readRange, direction, angle, duration = null)
+        return if (isAlsoTimed()) null else Command.Turn(reader.readRange, direction, angle, duration = null)
     }
 
     private fun moveDirection(): MoveDirection? = when (reader.take(Keyword.FORWARD, Keyword.BACKWARD)) {
@@ -103,29 +109,29 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         return true
     }
 
-    private fun start(): Statement? {
+    private fun start(): Command? {
         reader.advance()
-        moveDirection()?.let { return Statement.StartMoving(reader.readRange, it) }
+        moveDirection()?.let { return Command.StartMoving(reader.readRange, it) }
         if (reader.take(Keyword.MOTOR) != null) return startMotor()
         if (reader.take(Keyword.TURNING) == null) {
             return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
         }
-        return turnDirection()?.let { Statement.StartTurning(reader.readRange, it) }
+        return turnDirection()?.let { Command.StartTurning(reader.readRange, it) }
     }
 
     /** `start motor A turn 90`. */
-    private fun startMotor(): Statement? {
+    private fun startMotor(): Command? {
         val port = readMotor(reader, diagnostics) ?: return null
         return if (expect(Keyword.TURN)) motorTurn(port, waits = false) else null
     }
 
-    private fun motorTurn(port: MotorPort, waits: Boolean): Statement? {
+    private fun motorTurn(port: MotorPort, waits: Boolean): Command? {
         val angle = number("90") ?: return null
         unit(Keyword.DEGREES)
-        return Statement.MotorTurn(reader.readRange, port, angle, waits)
+        return Command.MotorTurn(reader.readRange, port, angle, waits)
     }
 
-    private fun power(): Statement? {
+    private fun power(): Command? {
         reader.advance()
         val isSided = reader.next?.keyword in SIDES && reader.peek(1)?.keyword != Keyword.BUMPER
         val side = when (if (isSided) reader.take(Keyword.LEFT, Keyword.RIGHT) else null) {
@@ -133,13 +139,13 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
             Keyword.RIGHT -> PowerSide.RIGHT
             else -> PowerSide.BOTH
         }
-        return number("5")?.let { Statement.Power(reader.readRange, side, it) }
+        return number("5")?.let { Command.Power(reader.readRange, side, it) }
     }
 
-    private fun motor(): Statement? {
+    private fun motor(): Command? {
         reader.advance()
         val port = readMotor(reader, diagnostics) ?: return null
-        val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
+        val command = when (reader.take(*OF_MOTOR.toTypedArray())) {
             Keyword.FORWARD -> MotorCommand.Forward
             Keyword.BACKWARD -> MotorCommand.Backward
             Keyword.STOP -> MotorCommand.Stop
@@ -152,18 +158,18 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
                 missingMotorCommand(port)
             }
         }
-        return Statement.Motor(reader.readRange, port, command)
+        return Command.Motor(reader.readRange, port, command)
     }
 
     private fun missingMotorCommand(port: MotorPort): Nothing? {
         val isNxt = diagnostics.brick == BrickKind.NXT
-        val commands = if (isNxt) MOTOR_COMMANDS + Keyword.TURN else MOTOR_COMMANDS
+        val commands = if (isNxt) OF_MOTOR + Keyword.TURN else OF_MOTOR
         return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, commands) {
             if (isNxt) messages.missingNxtMotorCommand(port.name, it) else messages.missingMotorCommand(port.name, it)
         }
     }
 
-    private fun pen(): Statement? {
+    private fun pen(): Command? {
         reader.advance()
         val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
             Keyword.DOWN -> PenPosition.DOWN
@@ -171,23 +177,23 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
             else -> return missing(
                 DiagnosticCode.MISSING_PEN_POSITION,
-                listOf(Keyword.DOWN, Keyword.UP),
+                PEN_POSITIONS,
                 messages::missingPenPosition,
             )
         }
-        return Statement.Pen(reader.readRange, position)
+        return Command.Pen(reader.readRange, position)
     }
 
-    private fun wait(): Statement? {
+    private fun wait(): Command? {
         reader.advance()
-        if (reader.take(Keyword.UNTIL) != null) return condition()?.let { Statement.WaitUntil(reader.readRange, it) }
+        if (reader.take(Keyword.UNTIL) != null) return condition()?.let { Command.WaitUntil(reader.readRange, it) }
         val duration = number("2 seconds") ?: return null
         val unit = when (reader.take(Keyword.SECONDS, Keyword.MILLISECONDS)) {
             Keyword.SECONDS -> TimeUnit.SECONDS
             Keyword.MILLISECONDS -> TimeUnit.MILLISECONDS
             else -> return noTimeUnit(duration)
         }
-        return Statement.Wait(reader.readRange, duration, unit)
+        return Command.Wait(reader.readRange, duration, unit)
     }
 
     private fun noTimeUnit(duration: Expression): Nothing? {
@@ -195,38 +201,37 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         return null
     }
 
-    private fun reset(): Statement? {
+    private fun reset(): Command? {
         reader.advance()
         if (reader.take(Keyword.MOTOR) != null) {
-            return readMotor(reader, diagnostics)?.let { Statement.ResetMotor(reader.readRange, it) }
+            return readMotor(reader, diagnostics)?.let { Command.ResetMotor(reader.readRange, it) }
         }
-        return if (expect(Keyword.TIMER)) Statement.ResetTimer(reader.readRange) else null
+        return if (expect(Keyword.TIMER)) Command.ResetTimer(reader.readRange) else null
     }
 
-    private fun clear(): Statement? {
+    private fun clear(): Command? {
         reader.advance()
-        return if (expect(Keyword.SCREEN)) Statement.ClearScreen(reader.readRange) else null
+        return if (expect(Keyword.SCREEN)) Command.ClearScreen(reader.readRange) else null
     }
 
-    private fun play(): Statement? {
+    private fun play(): Command? {
         reader.advance()
         val frequency = number("440 for 1 second") ?: return null
         val duration = seconds() ?: return null
-        return Statement.Play(reader.readRange, frequency, duration)
+        return Command.Play(reader.readRange, frequency, duration)
     }
 
-    private fun show(): Statement? {
+    private fun show(): Command? {
         reader.advance()
         val text = reader.take(TokenKind.TEXT)
         if (text != null) {
-            return Statement.ShowText(reader.readRange, text.text.removeSurrounding("\""), text.range)
+            return Command.ShowText(reader.readRange, text.text.removeSurrounding("\""), text.range)
         }
-        return number("5")?.let { Statement.Show(reader.readRange, it) }
+        return number("5")?.let { Command.Show(reader.readRange, it) }
     }
 
     private companion object {
-        val SIDES = listOf(Keyword.LEFT, Keyword.RIGHT)
-        val STARTS = listOf(Keyword.FORWARD, Keyword.BACKWARD, Keyword.TURNING)
-        val MOTOR_COMMANDS = listOf(Keyword.FORWARD, Keyword.BACKWARD, Keyword.STOP, Keyword.FLOAT, Keyword.POWER)
+        val STARTS = DIRECTIONS + Keyword.TURNING
+        val OF_MOTOR = MOTOR_COMMANDS + Keyword.POWER
     }
 }

@@ -3,6 +3,7 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.words.Keyword
 
 /** Parses declarations, assignments, calls, and statements that leave a block. */
 internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {

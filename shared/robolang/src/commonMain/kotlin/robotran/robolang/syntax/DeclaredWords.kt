@@ -1,6 +1,9 @@
 package robotran.robolang.syntax
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.words.KINDS
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.lowercaseKeyword
 
 /**
  * A word that the program declares as a name is a name on all its lines, if [Keyword.yields]. So programs that are
@@ -36,9 +39,6 @@ internal fun brickIn(lines: List<ScannedLine>): BrickKind? {
         if (line.tokens.firstOrNull()?.keyword == Keyword.BRICK) KINDS[second] else null
     }
 }
-
-/** The bricks by their words. */
-internal val KINDS = mapOf(Keyword.RCX to BrickKind.RCX, Keyword.NXT to BrickKind.NXT)
 
 /** The names that a line of [tokens] declares, in lower case. Names that are written as several words are joined. */
 internal fun declaredNames(tokens: List<Token>): List<String> {

@@ -3,6 +3,8 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.lowercaseKeyword
 
 /** Reports a missing value of a command; [example] completes the line so far. */
 internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {

@@ -1,6 +1,8 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.SIDES
 
 /**
  * Parses the expressions of one line by recursive descent over operator precedence. Each function returns null once it
@@ -153,28 +155,13 @@ internal class ExpressionParser(private val reader: LineReader, private val diag
     }
 }
 
-private val SIDES = setOf(Keyword.LEFT, Keyword.RIGHT)
-
 internal enum class Expected { NUMBER, CONDITION, VALUE }
-
-private val BEGINNING_WORDS = setOf(
-    Keyword.NOT,
-    Keyword.TRUE,
-    Keyword.FALSE,
-    Keyword.LEFT,
-    Keyword.RIGHT,
-    Keyword.LIGHT,
-    Keyword.SENSOR,
-    Keyword.BUTTON,
-    Keyword.TIMER,
-    Keyword.BATTERY,
-) + NXT_VALUES
 
 private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
 
 /** Whether an expression can begin with [token]. */
 internal fun canBegin(token: Token?): Boolean =
-    token != null && (token.kind in BEGINNING_KINDS || token.keyword in BEGINNING_WORDS || token.canBeName)
+    token != null && (token.kind in BEGINNING_KINDS || token.keyword?.beginsValue == true || token.canBeName)
 
 /** A single `=` counts as a comparison here, since nothing else can be meant. */
 private fun operatorOf(token: Token?): BinaryOperator? = when (token?.kind) {

@@ -3,6 +3,9 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.words.FACINGS
+import robotran.robolang.words.KINDS
+import robotran.robolang.words.Keyword
 
 /**
  * Parses the first lines of blocks. If one has an error, its block is still parsed, so that the lines below cause no
@@ -160,7 +163,7 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
 
             else -> return missing(
                 DiagnosticCode.MISSING_FACING,
-                listOf(Keyword.DOWN, Keyword.FORWARD),
+                FACINGS,
                 messages::missingFacing,
             )
         }

@@ -2,6 +2,8 @@ package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.lowercaseKeyword
 
 /** Common functions of the line parsers; each returns null once it has reported an error. */
 internal abstract class LineParser(protected val reader: LineReader, protected val diagnostics: DiagnosticSink) {

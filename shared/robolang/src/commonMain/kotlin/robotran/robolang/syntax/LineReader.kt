@@ -1,6 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
 
 /**
  * Reads the tokens of one line, which has at least one.

@@ -4,6 +4,9 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.SIDES
+import robotran.robolang.words.lowercaseKeyword
 
 /** Words of other languages for a bumper, before `left` or `right`. */
 private val BUMPER_WORDS = setOf("touch", "touched", "touching", "bump", "bumped", "contact", "pressed", "button")
@@ -115,5 +118,4 @@ private fun LineReader.lastName(): Name? = names.lastOrNull()?.takeIf { it.range
 private fun LineReader.wordsAhead(): List<Token> =
     (0 until MAX_WORDS).map { peek(it) }.takeWhile { it?.kind == TokenKind.WORD }.filterNotNull()
 
-private val SIDES = setOf(Keyword.LEFT, Keyword.RIGHT)
 private val OPERATORS = setOf(Keyword.AND, Keyword.OR, Keyword.NOT, Keyword.MOD)

@@ -1,6 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
 
 /** A block whose end has been found. */
 internal class Block(val range: SourceRange, val endRange: SourceRange, val body: List<Statement>)

@@ -4,6 +4,11 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.OPENERS
+import robotran.robolang.words.OUTERMOST
+import robotran.robolang.words.SETTINGS
+import robotran.robolang.words.lowercaseKeyword
 
 /**
  * Builds the syntax tree by recursive descent, with one function per rule of the grammar in docs/robolang.md. After an
@@ -54,7 +59,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             keyword == Keyword.END -> end(reader)
             keyword == Keyword.ELSE -> otherwise(reader)
             blocks.innermost?.keyword?.keyword == Keyword.ROBOT -> setting(reader)
-            keyword in Keyword.OPENERS -> open(reader)
+            keyword in OPENERS -> open(reader)
             else -> statement(reader)?.let(blocks::add)
         }
         names += reader.names
@@ -84,7 +89,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val statement = when {
             begunWithName -> DataParser(reader, diagnostics).named()
             reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, diagnostics).statement()
-            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, diagnostics).statement()
+            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, diagnostics).command()
             else -> noCommand(reader)
         }
         if (statement != null) diagnostics.expectEndOfLine(reader)
@@ -183,7 +188,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private fun setting(reader: LineReader) {
         if (reader.first.keyword !in SETTINGS) {
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
-            if (reader.first.keyword in Keyword.OPENERS) openUnknown(reader)
+            if (reader.first.keyword in OPENERS) openUnknown(reader)
             return
         }
         val setting = HeaderParser(reader, diagnostics).setting() ?: return
@@ -224,10 +229,6 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         edges[reader.line.number] = BlockEdge.CLOSES
         reader.take(Keyword.END)
         if (blocks.close(keyword)) diagnostics.expectEndOfLine(reader) else diagnostics.reportExtraEnd(reader)
-    }
-
-    private companion object {
-        val OUTERMOST = setOf(Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.WHENEVER, Keyword.ROBOT)
     }
 }
 

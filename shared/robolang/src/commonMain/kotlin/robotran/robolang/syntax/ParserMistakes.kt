@@ -4,6 +4,9 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.TIME_UNITS
+import robotran.robolang.words.lowercaseKeyword
 
 /** Reports an error in the line of [reader]. */
 internal fun DiagnosticSink.report(
@@ -67,7 +70,6 @@ internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyw
 
 /** Reports a `wait` without a valid unit. */
 internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expression) {
-    val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
     if (isCondition(duration)) {
         val gap = reader.first.range.let { it.copy(column = it.endColumn) }
@@ -83,7 +85,7 @@ internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expre
             fix,
         )
     } else {
-        reportUnit(reader, word, units, meantUnit(word, units))
+        reportUnit(reader, word, TIME_UNITS)
     }
 }
 

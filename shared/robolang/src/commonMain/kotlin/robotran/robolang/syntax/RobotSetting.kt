@@ -2,6 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
 
 /** A line of the header. */
 internal sealed interface RobotSetting {

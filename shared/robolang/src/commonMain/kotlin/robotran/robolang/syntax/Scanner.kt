@@ -3,6 +3,7 @@ package robotran.robolang.syntax
 import robotran.language.pasted.pastedCharacter
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
 
 internal const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'

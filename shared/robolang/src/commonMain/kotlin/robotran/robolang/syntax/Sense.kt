@@ -2,6 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.robolang.words.Keyword
 
 /** The sensors of the robot, and other readings of the brick. */
 internal sealed interface Sense {

@@ -1,9 +1,11 @@
 package robotran.robolang.syntax
 
-import robotran.brick.controls.MotorPort
 import robotran.robolang.diagnostic.SourceRange
 
-/** A statement. A block's [range] is its first line. */
+/**
+ * A statement: a [Command], or one of those below, which hold data or decide what runs next. A block's [range] is its
+ * first line.
+ */
 internal sealed interface Statement {
     val range: SourceRange
 
@@ -16,78 +18,6 @@ internal sealed interface Statement {
     sealed interface Loop : Block {
         val body: List<Statement>
     }
-
-    /** `forward D`, in centimetres, or `forward for T seconds`, and the same backward: one of the two is null. */
-    data class Move(
-        override val range: SourceRange,
-        val direction: MoveDirection,
-        val distance: Expression?,
-        val duration: Expression?,
-    ) : Statement
-
-    /** `turn left A`, in degrees, or `turn left for T seconds`, and the same to the right: one of the two is null. */
-    data class Turn(
-        override val range: SourceRange,
-        val direction: TurnDirection,
-        val angle: Expression?,
-        val duration: Expression?,
-    ) : Statement
-
-    /** `start forward` and `start backward`. */
-    data class StartMoving(override val range: SourceRange, val direction: MoveDirection) : Statement
-
-    /** `start turning left` and `start turning right`. */
-    data class StartTurning(override val range: SourceRange, val direction: TurnDirection) : Statement
-
-    /** `stop`. */
-    data class StopDriving(override val range: SourceRange) : Statement
-
-    /** `power P`, `power left P` and `power right P`, 0..7. */
-    data class Power(override val range: SourceRange, val side: PowerSide, val power: Expression) : Statement
-
-    /** `motor A forward` and other commands to one motor. */
-    data class Motor(override val range: SourceRange, val port: MotorPort, val command: MotorCommand) : Statement
-
-    /** `motor A turn 90 degrees`, which [waits] until it has turned, and `start motor A turn 90`, which does not. */
-    data class MotorTurn(
-        override val range: SourceRange,
-        val port: MotorPort,
-        val angle: Expression,
-        val waits: Boolean,
-    ) : Statement
-
-    /** `reset motor A`: counts its degrees from 0 again. */
-    data class ResetMotor(override val range: SourceRange, val port: MotorPort) : Statement
-
-    /** `pen down` and `pen up`. */
-    data class Pen(override val range: SourceRange, val position: PenPosition) : Statement
-
-    /** `wait T seconds` and `wait T milliseconds`. */
-    data class Wait(override val range: SourceRange, val duration: Expression, val unit: TimeUnit) : Statement
-
-    /** `wait until C`. */
-    data class WaitUntil(override val range: SourceRange, val condition: Expression) : Statement
-
-    /** `reset timer`. */
-    data class ResetTimer(override val range: SourceRange) : Statement
-
-    /** `beep`. */
-    data class Beep(override val range: SourceRange) : Statement
-
-    /** `buzz`. */
-    data class Buzz(override val range: SourceRange) : Statement
-
-    /** `play F for T seconds`, F in hertz. */
-    data class Play(override val range: SourceRange, val frequency: Expression, val duration: Expression) : Statement
-
-    /** `show E`, a number. */
-    data class Show(override val range: SourceRange, val value: Expression) : Statement
-
-    /** `show "HELLO"`; [text] is without its quotation marks, which [textRange] includes. */
-    data class ShowText(override val range: SourceRange, val text: String, val textRange: SourceRange) : Statement
-
-    /** `clear screen`. */
-    data class ClearScreen(override val range: SourceRange) : Statement
 
     /** `repeat N times` .. `end`. */
     data class Repeat(

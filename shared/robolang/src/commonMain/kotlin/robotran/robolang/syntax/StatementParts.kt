@@ -1,5 +1,7 @@
 package robotran.robolang.syntax
 
+import robotran.robolang.words.ValueUse
+
 /** The target of an assignment. */
 internal sealed interface AssignTarget {
     data class Variable(val name: Name) : AssignTarget
@@ -32,4 +34,4 @@ internal enum class TurnDirection { LEFT, RIGHT }
 
 internal enum class PenPosition { DOWN, UP }
 
-internal enum class TimeUnit { SECONDS, MILLISECONDS }
+internal enum class TimeUnit(val use: ValueUse) { SECONDS(ValueUse.SECONDS), MILLISECONDS(ValueUse.MILLISECONDS) }

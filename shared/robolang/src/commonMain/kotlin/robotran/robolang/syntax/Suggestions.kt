@@ -2,6 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.language.isOtherOfSeries
 import robotran.language.nearestWords
+import robotran.robolang.words.lowercaseKeyword
 
 /** The candidate that [word] is probably a misspelling of; null if none is similar. The first one wins a tie. */
 internal fun suggestion(word: String, candidates: List<String>): String? = suggestions(word, candidates).firstOrNull()

@@ -1,6 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.lowercaseKeyword
 
 /**
  * The syntax tree of a program. Every range in a tree is different, so that a range identifies its node.

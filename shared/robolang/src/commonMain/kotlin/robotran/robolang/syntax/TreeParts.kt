@@ -21,15 +21,7 @@ internal val Expression.parts: List<Expression>
 /** The expressions in the statement's own line, or in all branch lines of an `if`, without those in its bodies. */
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
-        is Statement.Move -> listOfNotNull(distance, duration)
-        is Statement.Turn -> listOfNotNull(angle, duration)
-        is Statement.Power -> listOf(power)
-        is Statement.Motor -> listOfNotNull((command as? MotorCommand.Power)?.power)
-        is Statement.MotorTurn -> listOf(angle)
-        is Statement.Wait -> listOf(duration)
-        is Statement.WaitUntil -> listOf(condition)
-        is Statement.Play -> listOf(frequency, duration)
-        is Statement.Show -> listOf(value)
+        is Command -> values.map { it.first }
         is Statement.Repeat -> listOf(count)
         is Statement.RepeatWhile -> listOf(condition)
         is Statement.RepeatUntil -> listOf(condition)
@@ -40,19 +32,7 @@ internal val Statement.expressions: List<Expression>
         is Statement.Assign -> listOfNotNull((target as? AssignTarget.ListElement)?.index, value)
         is Statement.Call -> arguments
         is Statement.Return -> listOfNotNull(value)
-        is Statement.StartMoving,
-        is Statement.StartTurning,
-        is Statement.StopDriving,
-        is Statement.Pen,
-        is Statement.ResetMotor,
-        is Statement.ResetTimer,
-        is Statement.Beep,
-        is Statement.Buzz,
-        is Statement.ShowText,
-        is Statement.ClearScreen,
-        is Statement.RepeatForever,
-        is Statement.Break, is Statement.Continue, is Statement.Halt,
-        -> emptyList()
+        is Statement.RepeatForever, is Statement.Break, is Statement.Continue, is Statement.Halt -> emptyList()
     }
 
 /** The bodies directly inside this statement. */
@@ -60,5 +40,7 @@ internal val Statement.bodies: List<List<Statement>>
     get() = when (this) {
         is Statement.Loop -> listOf(body)
         is Statement.If -> branches.map { it.body } + listOfNotNull(otherwise?.body)
-        else -> emptyList()
+        is Command, is Statement.Break, is Statement.Continue, is Statement.Declare, is Statement.Assign,
+        is Statement.Call, is Statement.Return, is Statement.Halt,
+        -> emptyList()
     }

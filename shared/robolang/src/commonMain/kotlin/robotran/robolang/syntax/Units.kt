@@ -1,5 +1,8 @@
 package robotran.robolang.syntax
 
+import robotran.robolang.words.Keyword
+import robotran.robolang.words.lowercaseKeyword
+
 /** Other spellings of the units of Robolang. */
 private val OTHER_SPELLINGS: Map<String, Keyword> = mapOf(
     "centimetre" to Keyword.CM,

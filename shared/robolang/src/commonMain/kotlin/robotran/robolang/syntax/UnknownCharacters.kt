@@ -7,6 +7,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.words.Keyword
 
 /** Characters of other languages, with their spelling in Robolang. */
 private val RIGHT_SPELLINGS: Map<String, String> = mapOf(

@@ -4,14 +4,11 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.words.Keyword
 
 private val BUTTONS = BrickButton.entries.associateBy { it.keyword }
 
 private val COLOURS = PaintColour.entries.associateBy { it.keyword }
-
-/** The words of the values that came with the NXT. */
-internal val NXT_VALUES: Set<Keyword> =
-    COLOURS.keys + setOf(Keyword.DISTANCE, Keyword.LOUDNESS, Keyword.COLOUR, Keyword.TURNED)
 
 /** Parses expressions that begin with a keyword: truth values and sensors. Returns null once an error was reported. */
 internal fun readWordExpression(reader: LineReader, diagnostics: DiagnosticSink): Expression? {

@@ -2,12 +2,13 @@ package robotran.robolang.translate
 
 import robotran.robolang.check.ValueType
 import robotran.robolang.run.RobotConstants
+import robotran.robolang.run.onlyOnNxt
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.PowerSide
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
 
@@ -20,55 +21,55 @@ internal class JavaCommands(
     private val nxt: NxtCommands?,
     private val writer: JavaWriter,
 ) {
-    fun write(statement: Statement) {
-        for (line in nxt?.lines(statement) ?: lines(statement)) writer.line(line, statement.range.line)
+    fun write(command: Command) {
+        for (line in nxt?.lines(command) ?: lines(command)) writer.line(line, command.range.line)
     }
 
-    private fun lines(statement: Statement): List<String> = when (statement) {
-        is Statement.Move -> listOf(move(statement))
-        is Statement.Turn -> listOf(turn(statement))
+    private fun lines(command: Command): List<String> = when (command) {
+        is Command.Move -> listOf(move(command))
+        is Command.Turn -> listOf(turn(command))
 
-        is Statement.StartMoving -> when (statement.direction) {
+        is Command.StartMoving -> when (command.direction) {
             MoveDirection.FORWARD -> both("forward", "forward")
             MoveDirection.BACKWARD -> both("backward", "backward")
         }
 
-        is Statement.StartTurning -> when (statement.direction) {
+        is Command.StartTurning -> when (command.direction) {
             TurnDirection.LEFT -> both("backward", "forward")
             TurnDirection.RIGHT -> both("forward", "backward")
         }
 
-        is Statement.StopDriving -> both("stop", "stop")
-        is Statement.Power -> power(statement)
-        is Statement.Motor -> listOf(motor(statement))
+        is Command.StopDriving -> both("stop", "stop")
+        is Command.Power -> power(command)
+        is Command.Motor -> listOf(motor(command))
 
-        is Statement.Pen -> listOf(
-            when (statement.position) {
+        is Command.Pen -> listOf(
+            when (command.position) {
                 PenPosition.DOWN -> call(JavaHelper.PEN_DOWN)
                 PenPosition.UP -> call(JavaHelper.PEN_UP)
             },
         )
 
-        is Statement.Wait -> listOf(wait(statement))
-        is Statement.WaitUntil -> listOf(waitUntil(statement))
-        is Statement.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
-        is Statement.Beep -> listOf("Sound.beep();")
-        is Statement.Buzz -> listOf("Sound.buzz();")
+        is Command.Wait -> listOf(wait(command))
+        is Command.WaitUntil -> listOf(waitUntil(command))
+        is Command.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
+        is Command.Beep -> listOf("Sound.beep();")
+        is Command.Buzz -> listOf("Sound.buzz();")
 
-        is Statement.Play -> listOf(
-            "${helpers.use(JavaHelper.PLAY)}(${whole(statement.frequency)}, ${expressions.text(statement.duration)});",
+        is Command.Play -> listOf(
+            "${helpers.use(JavaHelper.PLAY)}(${whole(command.frequency)}, ${expressions.text(command.duration)});",
         )
 
-        is Statement.Show -> listOf(show(statement.value))
-        is Statement.ShowText -> listOf("TextLCD.print(${texts.of(statement.text)});")
-        is Statement.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
-        else -> error("${statement::class.simpleName} is written elsewhere.")
+        is Command.Show -> listOf(show(command.value))
+        is Command.ShowText -> listOf("TextLCD.print(${texts.of(command.text)});")
+        is Command.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
+        is Command.MotorTurn, is Command.ResetMotor -> onlyOnNxt()
     }
 
     private fun both(left: String, right: String): List<String> =
         listOf("Motor.A.$left();", "Motor.C.$right();").map(helpers.motors::of)
 
-    private fun move(statement: Statement.Move): String {
+    private fun move(statement: Command.Move): String {
         val ahead = statement.direction == MoveDirection.FORWARD
         return byMeasure(
             statement.distance,
@@ -78,7 +79,7 @@ internal class JavaCommands(
         )
     }
 
-    private fun turn(statement: Statement.Turn): String {
+    private fun turn(statement: Command.Turn): String {
         val left = statement.direction == TurnDirection.LEFT
         return byMeasure(
             statement.angle,
@@ -96,13 +97,13 @@ internal class JavaCommands(
     ): String = measure?.let { call(measured, it) }
         ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
 
-    private fun power(statement: Statement.Power): List<String> = when (statement.side) {
+    private fun power(statement: Command.Power): List<String> = when (statement.side) {
         PowerSide.BOTH -> listOf("${helpers.use(JavaHelper.POWER_BOTH)}(${whole(statement.power)});")
         PowerSide.LEFT -> listOf(setPower(helpers.motors.left, statement.power))
         PowerSide.RIGHT -> listOf(setPower(helpers.motors.right, statement.power))
     }
 
-    private fun motor(statement: Statement.Motor): String {
+    private fun motor(statement: Command.Motor): String {
         val motor = "Motor.${statement.port.name}"
         return when (val command = statement.command) {
             MotorCommand.Forward -> "$motor.forward();"
@@ -122,7 +123,7 @@ internal class JavaCommands(
     }
 
     /** A literal duration is computed here; the brick computes any other. */
-    private fun wait(statement: Statement.Wait): String {
+    private fun wait(statement: Command.Wait): String {
         val written = (statement.duration as? Expression.Number)?.value
         if (written != null) return helpers.sleep(helpers.durations.ofWait(written, statement.unit))
         return when (statement.unit) {
@@ -131,7 +132,7 @@ internal class JavaCommands(
         }
     }
 
-    private fun waitUntil(statement: Statement.WaitUntil): String {
+    private fun waitUntil(statement: Command.WaitUntil): String {
         val sleep = helpers.sleep(RobotConstants.LOOKING_MILLISECONDS)
         return if (flow.isConstant(statement.condition)) {
             "while (true) { if (${expressions.text(statement.condition)}) break; $sleep }"

@@ -2,6 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.SymbolKind
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
@@ -18,7 +19,7 @@ internal class JavaFlow(private val program: CheckedProgram) {
         is Statement.If -> statement.branches.any { completes(it.body) } ||
             statement.otherwise?.let { completes(it.body) } ?: true
 
-        else -> true
+        is Command, is Statement.Declare, is Statement.Assign, is Statement.Call, is Statement.Halt -> true
     }
 
     /** Whether [loop] becomes Java's `while (true)`, which only a `break` ends. */
@@ -26,7 +27,7 @@ internal class JavaFlow(private val program: CheckedProgram) {
         is Statement.RepeatForever -> true
         is Statement.RepeatWhile -> isTruth(loop.condition, true)
         is Statement.RepeatUntil -> isTruth(loop.condition, false)
-        else -> false
+        is Statement.Repeat, is Statement.ForRange, is Statement.ForEach -> false
     }
 
     /** Whether [expression] is constant for Java, which then treats it as such in reachability. */

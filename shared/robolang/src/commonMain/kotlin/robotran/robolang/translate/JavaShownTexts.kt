@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.bodies
@@ -34,7 +35,7 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
 
     private fun shown(statements: List<Statement>, isRepeated: Boolean): List<String> =
         statements.flatMap { statement ->
-            val own = (statement as? Statement.ShowText)?.text?.takeIf { isRepeated }
+            val own = (statement as? Command.ShowText)?.text?.takeIf { isRepeated }
             listOfNotNull(own) + statement.bodies.flatMap { shown(it, isRepeated || statement is Statement.Loop) }
         }
 

@@ -3,6 +3,7 @@ package robotran.robolang.translate
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement
@@ -44,6 +45,7 @@ internal class JavaStatements(
     private fun write(statement: Statement) {
         val line = statement.range.line
         when (statement) {
+            is Command -> commands.write(statement)
             is Statement.Loop -> loops.write(statement)
             is Statement.If -> choose(statement)
             is Statement.Break -> writer.line("break;", line)
@@ -72,8 +74,6 @@ internal class JavaStatements(
                 if (stopsAtEnd) writer.line("${helpers.use(JavaHelper.PILOT_FIELD)}.stop();", line)
                 writer.line("System.exit(0);", line)
             }
-
-            else -> commands.write(statement)
         }
     }
 

@@ -3,12 +3,12 @@ package robotran.robolang.translate
 import robotran.robolang.check.ValueType
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.NxtConstants
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PowerSide
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TurnDirection
 
 /** Writes the commands that differ on an NXT, as pupils write them for leJOS NXJ: with a pilot. */
@@ -17,37 +17,37 @@ internal class NxtCommands(
     private val expressions: JavaExpressions,
     private val helpers: UsedHelpers,
 ) {
-    /** The Java of [statement]; null if it is the same as on an RCX. */
-    fun lines(statement: Statement): List<String>? = when (statement) {
-        is Statement.Move -> statement.distance?.let {
-            listOf(pilot("travel(${signed(it, statement.direction == MoveDirection.BACKWARD)})"))
+    /** The Java of [command]; null if it is the same as on an RCX. */
+    fun lines(command: Command): List<String>? = when (command) {
+        is Command.Move -> command.distance?.let {
+            listOf(pilot("travel(${signed(it, command.direction == MoveDirection.BACKWARD)})"))
         }
 
-        is Statement.Turn -> statement.angle?.let {
-            listOf(pilot("rotate(${signed(it, statement.direction == TurnDirection.RIGHT)})"))
+        is Command.Turn -> command.angle?.let {
+            listOf(pilot("rotate(${signed(it, command.direction == TurnDirection.RIGHT)})"))
         }
 
-        is Statement.StartMoving -> when (statement.direction) {
+        is Command.StartMoving -> when (command.direction) {
             MoveDirection.FORWARD -> listOf(pilot("forward()"))
             MoveDirection.BACKWARD -> listOf(pilot("backward()"))
         }
 
-        is Statement.StartTurning -> when (statement.direction) {
+        is Command.StartTurning -> when (command.direction) {
             TurnDirection.LEFT -> listOf(pilot("rotateLeft()"))
             TurnDirection.RIGHT -> listOf(pilot("rotateRight()"))
         }
 
-        is Statement.StopDriving -> listOf(pilot("stop()"))
-        is Statement.Power -> listOf(power(statement))
-        is Statement.Motor -> listOf(motor(statement))
-        is Statement.MotorTurn -> listOf(turnMotor(statement))
-        is Statement.ResetMotor -> listOf("Motor.${statement.port.name}.resetTachoCount();")
-        is Statement.Beep -> listOf(tone(NxtConstants.BEEP_FREQUENCY, NxtConstants.BEEP_MILLISECONDS))
-        is Statement.Buzz -> listOf(tone(NxtConstants.BUZZ_FREQUENCY, NxtConstants.BUZZ_MILLISECONDS))
-        is Statement.Show -> showColour(statement.value)
-        is Statement.ShowText -> listOf("${helpers.use(JavaHelper.SHOW_TEXT)}(${javaString(statement.text)});")
-        is Statement.ClearScreen -> listOf("LCD.clear();")
-        else -> null
+        is Command.StopDriving -> listOf(pilot("stop()"))
+        is Command.Power -> listOf(power(command))
+        is Command.Motor -> listOf(motor(command))
+        is Command.MotorTurn -> listOf(turnMotor(command))
+        is Command.ResetMotor -> listOf("Motor.${command.port.name}.resetTachoCount();")
+        is Command.Beep -> listOf(tone(NxtConstants.BEEP_FREQUENCY, NxtConstants.BEEP_MILLISECONDS))
+        is Command.Buzz -> listOf(tone(NxtConstants.BUZZ_FREQUENCY, NxtConstants.BUZZ_MILLISECONDS))
+        is Command.Show -> showColour(command.value)
+        is Command.ShowText -> listOf("${helpers.use(JavaHelper.SHOW_TEXT)}(${javaString(command.text)});")
+        is Command.ClearScreen -> listOf("LCD.clear();")
+        is Command.Pen, is Command.Wait, is Command.WaitUntil, is Command.ResetTimer, is Command.Play -> null
     }
 
     private fun pilot(call: String): String = "${helpers.use(JavaHelper.PILOT_FIELD)}.$call;"
@@ -68,13 +68,13 @@ internal class NxtCommands(
         }
     }
 
-    private fun power(statement: Statement.Power): String = when (statement.side) {
+    private fun power(statement: Command.Power): String = when (statement.side) {
         PowerSide.BOTH -> pilot("setSpeed(${speed(statement.power)})")
         PowerSide.LEFT -> "Motor.${robot.left.name}.setSpeed(${speed(statement.power)});"
         PowerSide.RIGHT -> "Motor.${robot.right.name}.setSpeed(${speed(statement.power)});"
     }
 
-    private fun motor(statement: Statement.Motor): String {
+    private fun motor(statement: Command.Motor): String {
         val motor = "Motor.${statement.port.name}"
         return when (val command = statement.command) {
             MotorCommand.Forward -> "$motor.forward();"
@@ -92,7 +92,7 @@ internal class NxtCommands(
         return "${helpers.use(JavaHelper.SPEED_OF)}(${whole(power)})"
     }
 
-    private fun turnMotor(statement: Statement.MotorTurn): String {
+    private fun turnMotor(statement: Command.MotorTurn): String {
         val motor = "Motor.${statement.port.name}"
         val angle = whole(statement.angle)
         return when {

@@ -3,6 +3,7 @@ package robotran.robolang.translate
 import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
+import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
@@ -40,18 +41,12 @@ internal class Throwing(
     }
 
     private fun waitsItself(statement: Statement): Boolean = when (statement) {
-        is Statement.Move,
-        is Statement.Turn,
-        is Statement.Pen,
-        is Statement.Wait,
-        is Statement.WaitUntil,
-        is Statement.Play,
-        -> true
+        is Command -> statement.waits || (statement is Command.StopDriving && robot == BrickKind.NXT)
         is Statement.Loop -> program.tree.behaviours.isNotEmpty()
-        is Statement.MotorTurn -> statement.waits
-        is Statement.StopDriving -> robot == BrickKind.NXT
         is Statement.Halt -> stopsAtEnd
-        else -> false
+        is Statement.If, is Statement.Break, is Statement.Continue, is Statement.Declare, is Statement.Assign,
+        is Statement.Call, is Statement.Return,
+        -> false
     }
 
     private fun called(statement: Statement): Set<Symbol> {

@@ -4,6 +4,7 @@ import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.Keyword
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

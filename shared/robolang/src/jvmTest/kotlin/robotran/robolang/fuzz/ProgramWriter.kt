@@ -1,10 +1,14 @@
 package robotran.robolang.fuzz
 
+import robotran.brick.kind.BrickKind
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
 import kotlin.random.Random
 
 /** Generates a random valid program, with statements of all kinds and with irregular spaces, capitals and comments. */
 class ProgramWriter(private val random: Random, private val isForNxt: Boolean = false) {
     private val text = StringBuilder()
+    private val brick = if (isForNxt) BrickKind.NXT else BrickKind.RCX
     private val known = KnownNames()
     private val hasBumpers = !isForNxt || random.nextBoolean()
     private val expressions = ExpressionWriter(random, known, isForNxt, hasBumpers)
@@ -79,7 +83,10 @@ class ProgramWriter(private val random: Random, private val isForNxt: Boolean = 
         }
     }
 
-    private fun command(): String = when (random.nextInt(if (isForNxt) 25 else 21)) {
+    private fun command(): String =
+        if (random.nextInt(10) == 0) EXAMPLES.getValue(brick).random(random) else writtenCommand()
+
+    private fun writtenCommand(): String = when (random.nextInt(if (isForNxt) 25 else 21)) {
         0 -> "forward ${expressions.number()}" + pick("", " cm")
         1 -> "Backward ${expressions.number()}"
 
@@ -205,5 +212,12 @@ class ProgramWriter(private val random: Random, private val isForNxt: Boolean = 
 
     private companion object {
         const val DEEPEST = 3
+        val OF_COMMANDS = setOf(BlockGroup.DRIVE, BlockGroup.PEN, BlockGroup.SENSE, BlockGroup.SHOW_AND_SOUND)
+
+        /** An example of each command, so that random programs also have those that are not written above. */
+        val EXAMPLES: Map<BrickKind, List<String>> = BrickKind.entries.associateWith { brick ->
+            LineForm.entries.filter { it.group in OF_COMMANDS && !it.isOpener && !it.isSetting }
+                .mapNotNull { it.exampleOn(brick) }
+        }
     }
 }

@@ -39,33 +39,29 @@ internal fun completeRobolang(
         settingsOn(brick) + words(listOf("end"), help)
     } else if (before.isEmpty() || before == listOf("else")) {
         val blocks = if (before.isEmpty() && isAtEnd) BLOCKS else emptyList()
-        val commands = words(RobolangWords.commands, help, COMMAND_SUFFIXES.takeIf { isAtEnd })
+        val commands = words(RobolangWords.commands, help) { if (isAtEnd) suffixOfCommand(it) else null }
         commands + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
     } else {
         val last = before.last()
-        val own = FOLLOWER_SUFFIXES[last].orEmpty()
-        followersOf(last, brick)?.let { words(it, help, own.takeIf { isAtEnd }) }
-            ?: (
-                valueWords(brick, help, (VALUE_SUFFIXES + own).takeIf { isAtEnd }) + names + functions(help) +
-                    words(RobolangWords.keywordsOn(brick), help)
-            )
+        val followers = followersOf(last, brick)
+        if (followers != null) {
+            words(followers, help) { if (isAtEnd) suffixAfter(last, it) else null }
+        } else {
+            words(RobolangWords.valueWordsOn(brick), help) {
+                if (isAtEnd) suffixAfter(last, it) ?: suffixOfValue(it) else null
+            } + names + functions(help) + words(RobolangWords.keywordsOn(brick), help)
+        }
     }
     if (!isExplicit && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
 
-private fun words(words: List<String>, help: WordHelp, suffixes: Map<String, CompletionSuffix>? = null) =
+private fun words(words: List<String>, help: WordHelp, suffix: (String) -> CompletionSuffix? = { null }) =
     words.map { word ->
-        val completion = completionOf(word, suffixes?.get(word), help)
-        completion.copy(offersNext = completion.inserted == "$word " && word in FOLLOWERS)
+        val completion = completionOf(word, suffix(word), help)
+        completion.copy(offersNext = completion.inserted == "$word " && word in OFFERING)
     }
-
-private fun valueWords(brick: BrickKind, help: WordHelp, suffixes: Map<String, CompletionSuffix>?) =
-    words(VALUE_WORDS + NXT_VALUE_WORDS.takeIf { brick == BrickKind.NXT }.orEmpty(), help, suffixes)
-
-private fun followersOf(word: String, brick: BrickKind): List<String>? =
-    NXT_FOLLOWERS.takeIf { brick == BrickKind.NXT }?.get(word) ?: FOLLOWERS[word]
 
 private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
     val commas = ", ".repeat(parameters - 1)
@@ -111,38 +107,8 @@ private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
 private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")
 private val DECLARING = setOf("var", "const", "procedure", "function", "for", "each", "(", ",")
 
-/** The words that can follow a word, where there are only a few. */
-private val FOLLOWERS = mapOf(
-    "turn" to listOf("left", "right"),
-    "start" to listOf("forward", "backward", "turning"),
-    "turning" to listOf("left", "right"),
-    "pen" to listOf("down", "up"),
-    "wait" to listOf("until"),
-    "reset" to listOf("timer"),
-    "clear" to listOf("screen"),
-    "button" to listOf("run", "view", "prgm"),
-    "facing" to listOf("down", "forward"),
-    "brick" to listOf("rcx", "nxt"),
-    "for" to listOf("each"),
-    "left" to listOf("bumper"),
-    "right" to listOf("bumper"),
-)
-
-private val VALUE_WORDS =
-    listOf("left", "right", "light", "sensor", "button", "timer", "battery", "true", "false", "and", "or", "not", "mod")
-
 private fun block(first: String, caret: Int, label: String = "$first … end") =
     Completion(label, CompletionKind.BLOCK, "$first\n  \nend", caret)
-
-/** The same for an NXT, where it differs. */
-private val NXT_FOLLOWERS = mapOf(
-    "start" to listOf("forward", "backward", "turning", "motor"),
-    "reset" to listOf("timer", "motor"),
-    "button" to listOf("enter", "left", "right", "escape"),
-)
-
-private val NXT_VALUE_WORDS = listOf("distance", "colour", "loudness", "turned") +
-    listOf("black", "blue", "green", "yellow", "red", "white")
 
 private val BLOCKS = listOf(
     block("repeat 4 times", "repeat 4 times\n  ".length),

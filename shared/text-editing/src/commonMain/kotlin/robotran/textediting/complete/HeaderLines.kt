@@ -1,6 +1,7 @@
 package robotran.textediting.complete
 
 import robotran.brick.kind.BrickKind
+import robotran.robolang.words.LineForm
 import robotran.textediting.text.Draft
 
 /**
@@ -29,18 +30,11 @@ internal fun headerAt(draft: Draft, line: Int): HeaderLines {
 }
 
 /** The lines that a header for [brick] can have. */
-internal fun settingsOn(brick: BrickKind): List<Completion> = when (brick) {
-    BrickKind.RCX -> listOf("light sensor on 2 facing down", "brick rcx", "brick nxt")
-
-    BrickKind.NXT -> listOf(
-        "light sensor on 3 facing down",
-        "sonar on 4",
-        "colour sensor on 3",
-        "sound sensor on 2",
-        "brick nxt",
-        "brick rcx",
-    )
-}.map { Completion(it, CompletionKind.WORD) }
+internal fun settingsOn(brick: BrickKind): List<Completion> {
+    val settings = LineForm.entries.filter { it.isSetting }.mapNotNull { it.exampleOn(brick) }
+    val otherBricks = BrickKind.entries.mapNotNull { LineForm.BRICK.exampleOn(it) }
+    return (settings + otherBricks).distinct().map { Completion(it, CompletionKind.WORD) }
+}
 
 private val KINDS = BrickKind.entries.associateBy { it.name.lowercase() }
 

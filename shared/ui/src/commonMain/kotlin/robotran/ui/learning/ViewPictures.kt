@@ -23,8 +23,8 @@ import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
-import robotran.blockediting.BlockGroup
 import robotran.language.ProgramLanguage
+import robotran.robolang.words.BlockGroup
 import robotran.textediting.code.tokensOf
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign

@@ -1,7 +1,6 @@
 package robotran.workshop.blocks
 
 import robotran.assignments.doing.forbiddenWords
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.brick.kind.BrickKind
@@ -9,6 +8,7 @@ import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.ProjectProgram
+import robotran.robolang.words.BlockGroup
 
 /** The ids of the palette's blocks that [assignment] allows; null for all. */
 fun allowedBlocks(assignment: Assignment): Set<String>? {

@@ -1,11 +1,10 @@
 package robotran.workshop.blocks
 
 import robotran.blockediting.Block
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
-import robotran.blockediting.group
 import robotran.robolang.outline.OutlineLine
+import robotran.robolang.words.BlockGroup
 
 /**
  * A row of the list in which blocks are shown. A block with others inside has a row for each of its own lines, so that

@@ -3,7 +3,6 @@ package robotran.workshop.blocks
 import androidx.compose.runtime.Immutable
 import robotran.blockediting.Block
 import robotran.blockediting.BlockEditError
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
@@ -11,6 +10,7 @@ import robotran.blockediting.BlockRun
 import robotran.blockediting.palette.PaletteBlock
 import robotran.language.Language
 import robotran.robolang.outline.SourceSpan
+import robotran.robolang.words.BlockGroup
 
 /**
  * The blocks of a Robolang program and what the pupil does with them.

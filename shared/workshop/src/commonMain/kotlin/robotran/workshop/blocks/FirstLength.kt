@@ -1,8 +1,8 @@
 package robotran.workshop.blocks
 
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockProgram
 import robotran.robolang.outline.SourceSpan
+import robotran.robolang.words.BlockGroup
 
 /** The value at [span], in the line of [cursor]. */
 internal class ValuePlace(val cursor: BlockCursor, val span: SourceSpan)

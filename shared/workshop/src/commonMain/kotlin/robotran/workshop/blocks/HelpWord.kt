@@ -1,7 +1,7 @@
 package robotran.workshop.blocks
 
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.OutlineLine
+import robotran.robolang.words.LineForm
 
 /**
  * The word of Robolang that explains this line of [text]. For a line that begins with a name of the pupil's it is the

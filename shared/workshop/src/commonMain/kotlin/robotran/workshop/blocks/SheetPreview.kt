@@ -2,10 +2,10 @@ package robotran.workshop.blocks
 
 import androidx.compose.runtime.Immutable
 import robotran.blockediting.scale
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueUse
 import robotran.world.geometry.Pose
 import kotlin.math.round
 

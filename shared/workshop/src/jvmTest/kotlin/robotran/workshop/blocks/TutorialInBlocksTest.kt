@@ -8,7 +8,7 @@ import robotran.blockediting.palette.ownBlocks
 import robotran.language.Language
 import robotran.learning.Lesson
 import robotran.learning.Lessons
-import robotran.robolang.outline.LineForm
+import robotran.robolang.words.LineForm
 import robotran.workshop.event.BlockEvent
 import kotlin.test.Test
 import kotlin.test.assertContains

@@ -13,10 +13,10 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.ProgramLanguage
 import robotran.projects.Assignment
+import robotran.robolang.words.BlockGroup
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
 import robotran.ui.language.LocalLanguage

@@ -1,7 +1,7 @@
 package robotran.ui.program.blocks
 
 import androidx.compose.ui.graphics.Color
-import robotran.blockediting.BlockGroup
+import robotran.robolang.words.BlockGroup
 
 /**
  * The hues of a group.

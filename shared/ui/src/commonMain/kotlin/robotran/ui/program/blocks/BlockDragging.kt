@@ -12,7 +12,7 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueForm
+import robotran.robolang.words.ValueForm
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow

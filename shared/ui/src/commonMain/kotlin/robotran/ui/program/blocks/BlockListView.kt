@@ -41,7 +41,6 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
-import robotran.blockediting.group
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.parts.isTree
 import robotran.ui.parts.scrolledByReaders

@@ -6,7 +6,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.lerp
 import robotran.blockediting.Block
-import robotran.blockediting.BlockGroup
+import robotran.robolang.words.BlockGroup
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.group

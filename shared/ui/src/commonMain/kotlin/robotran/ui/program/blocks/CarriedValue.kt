@@ -7,7 +7,7 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.valueKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.ValueKind
 
 /**
  * A value that a finger carries.

@@ -18,7 +18,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.PaletteBlock
-import robotran.blockediting.palette.canBeTried
 import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours

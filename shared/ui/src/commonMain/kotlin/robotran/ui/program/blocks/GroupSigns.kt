@@ -7,7 +7,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.blockediting.BlockGroup
+import robotran.robolang.words.BlockGroup
 import robotran.ui.parts.Icon
 
 /** The sign of each group, so that groups differ by more than colour. */

@@ -27,9 +27,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.describe.describe
-import robotran.blockediting.group
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueKind
+import robotran.robolang.words.ValueKind
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle

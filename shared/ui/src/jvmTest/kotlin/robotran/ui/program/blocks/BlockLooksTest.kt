@@ -2,7 +2,7 @@ package robotran.ui.program.blocks
 
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
-import robotran.blockediting.BlockGroup
+import robotran.robolang.words.BlockGroup
 import robotran.ui.theme.RobotranColours
 import kotlin.test.Test
 import kotlin.test.assertEquals

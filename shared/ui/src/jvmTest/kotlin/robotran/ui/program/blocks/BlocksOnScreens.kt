@@ -4,7 +4,7 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
-import robotran.blockediting.BlockGroup
+import robotran.robolang.words.BlockGroup
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.checkTargets

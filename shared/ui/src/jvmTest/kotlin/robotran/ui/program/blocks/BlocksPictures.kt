@@ -1,11 +1,11 @@
 package robotran.ui.program.blocks
 
 import kotlinx.coroutines.runBlocking
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
 import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.projects.ProgramView
+import robotran.robolang.words.BlockGroup
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph

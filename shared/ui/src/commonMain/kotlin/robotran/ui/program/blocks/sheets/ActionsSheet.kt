@@ -17,9 +17,9 @@ import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockId
 import robotran.blockediting.apply
 import robotran.blockediting.formsFor
-import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.SourceSpan
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueUse
 import robotran.ui.parts.ClipboardReader
 import robotran.ui.parts.clipboardReader
 import robotran.ui.program.blocks.BlockScope

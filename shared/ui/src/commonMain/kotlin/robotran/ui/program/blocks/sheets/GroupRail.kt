@@ -27,7 +27,7 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import robotran.blockediting.BlockGroup
+import robotran.robolang.words.BlockGroup
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
 import robotran.ui.program.blocks.BlockScope

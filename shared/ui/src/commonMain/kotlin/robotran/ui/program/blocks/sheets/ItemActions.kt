@@ -9,8 +9,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.nameAt
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueForm
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.ValueForm
+import robotran.robolang.words.ValueUse
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.*
 

@@ -41,7 +41,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.NumberScale
 import robotran.blockediting.scale
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.ValueUse
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions

@@ -41,7 +41,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.blockediting.BlockGroup
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.PaletteHelp
@@ -51,6 +50,7 @@ import robotran.blockediting.palette.searchPalette
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
+import robotran.robolang.words.BlockGroup
 import robotran.ui.parts.fieldColours
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging

@@ -4,8 +4,8 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.ValueKind
-import robotran.robolang.outline.ValueUse
+import robotran.robolang.words.ValueKind
+import robotran.robolang.words.ValueUse
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.*
 

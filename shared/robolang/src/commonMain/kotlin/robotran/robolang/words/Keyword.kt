@@ -1,21 +1,23 @@
-package robotran.robolang.syntax
+package robotran.robolang.words
 
 import robotran.brick.kind.BrickKind
 
 /**
- * The keywords; they ignore case.
+ * The keywords; they ignore case. Completion offers those that begin values in this order.
  *
  * @property text its spelling in Robolang.
  * @property singular another spelling, for one second or one degree, or of another English.
  * @property isFree whether a pupil may use the word as a name, since it stands only where no name can.
  * @property yields whether it is a name in a program that declares it as one: the words that came later.
  * @property brick the only brick that it is for; null for both.
+ * @property beginsValue whether an expression can begin with it.
  * @property endsValue whether it can end an expression, so that a minus after it subtracts.
  */
 internal enum class Keyword(
     val text: String,
     val singular: String? = null,
     val isFree: Boolean = false,
+    val beginsValue: Boolean = false,
     val endsValue: Boolean = false,
     val yields: Boolean = false,
     val brick: BrickKind? = null,
@@ -50,8 +52,8 @@ internal enum class Keyword(
     HALT("halt"),
     ROBOT("robot"),
     END("end"),
-    LEFT("left"),
-    RIGHT("right"),
+    LEFT("left", beginsValue = true),
+    RIGHT("right", beginsValue = true),
     DOWN("down", isFree = true),
     UP("up", isFree = true),
     TURNING("turning", isFree = true),
@@ -72,36 +74,36 @@ internal enum class Keyword(
     DEGREES("degrees", "degree"),
     SECONDS("seconds", "second"),
     MILLISECONDS("milliseconds", "millisecond"),
-    TRUE("true", endsValue = true),
-    FALSE("false", endsValue = true),
-    AND("and"),
-    OR("or"),
-    NOT("not"),
-    MOD("mod"),
     BUMPER("bumper", isFree = true, endsValue = true),
-    LIGHT("light", endsValue = true),
-    SENSOR("sensor"),
-    BUTTON("button"),
+    LIGHT("light", beginsValue = true, endsValue = true),
+    SENSOR("sensor", beginsValue = true),
+    BUTTON("button", beginsValue = true),
     RUN("run", isFree = true, endsValue = true),
     VIEW("view", isFree = true, endsValue = true),
     PRGM("prgm", isFree = true, endsValue = true),
-    TIMER("timer", endsValue = true),
-    BATTERY("battery", endsValue = true),
+    TIMER("timer", beginsValue = true, endsValue = true),
+    BATTERY("battery", beginsValue = true, endsValue = true),
+    TRUE("true", beginsValue = true, endsValue = true),
+    FALSE("false", beginsValue = true, endsValue = true),
+    AND("and"),
+    OR("or"),
+    NOT("not", beginsValue = true),
+    MOD("mod"),
     BRICK("brick", isFree = true),
     RCX("rcx", isFree = true),
     NXT("nxt", isFree = true),
     SONAR("sonar", isFree = true, brick = BrickKind.NXT),
     SOUND("sound", isFree = true, brick = BrickKind.NXT),
-    DISTANCE("distance", endsValue = true, yields = true, brick = BrickKind.NXT),
-    LOUDNESS("loudness", endsValue = true, yields = true, brick = BrickKind.NXT),
-    COLOUR("colour", "color", endsValue = true, yields = true, brick = BrickKind.NXT),
-    BLACK("black", endsValue = true, yields = true, brick = BrickKind.NXT),
-    BLUE("blue", endsValue = true, yields = true, brick = BrickKind.NXT),
-    GREEN("green", endsValue = true, yields = true, brick = BrickKind.NXT),
-    YELLOW("yellow", endsValue = true, yields = true, brick = BrickKind.NXT),
-    RED("red", endsValue = true, yields = true, brick = BrickKind.NXT),
-    WHITE("white", endsValue = true, yields = true, brick = BrickKind.NXT),
-    TURNED("turned", yields = true, brick = BrickKind.NXT),
+    DISTANCE("distance", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    COLOUR("colour", "color", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    LOUDNESS("loudness", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    TURNED("turned", beginsValue = true, yields = true, brick = BrickKind.NXT),
+    BLACK("black", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    BLUE("blue", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    GREEN("green", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    YELLOW("yellow", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    RED("red", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
+    WHITE("white", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
     ENTER("enter", isFree = true, endsValue = true, brick = BrickKind.NXT),
     ESCAPE("escape", isFree = true, endsValue = true, brick = BrickKind.NXT),
     ;
@@ -109,9 +111,6 @@ internal enum class Keyword(
     companion object {
         /** The words that a line can begin with. */
         val COMMANDS: Set<Keyword> = entries.filterTo(mutableSetOf()) { it <= END }
-
-        /** The keywords that begin a block. */
-        val OPENERS: Set<Keyword> = setOf(REPEAT, FOR, IF, PROCEDURE, FUNCTION, WHENEVER, ROBOT)
 
         private val bySpelling: Map<String, Keyword> =
             entries.flatMap { keyword -> listOfNotNull(keyword.text, keyword.singular).map { it to keyword } }.toMap()

@@ -1,0 +1,24 @@
+package robotran.robolang.words
+
+import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
+
+// Words of which a line or a value has one.
+
+internal val SIDES = listOf(Keyword.LEFT, Keyword.RIGHT)
+internal val DIRECTIONS = listOf(Keyword.FORWARD, Keyword.BACKWARD)
+internal val MOTOR_COMMANDS = DIRECTIONS + listOf(Keyword.STOP, Keyword.FLOAT)
+internal val PEN_POSITIONS = listOf(Keyword.DOWN, Keyword.UP)
+internal val TIME_UNITS = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
+internal val FACINGS = listOf(Keyword.DOWN, Keyword.FORWARD)
+
+/** The bricks by their words. */
+internal val KINDS = mapOf(Keyword.RCX to BrickKind.RCX, Keyword.NXT to BrickKind.NXT)
+
+internal val MOTORS: List<String> = MotorPort.entries.map { it.name }
+
+/** The numbers of the inputs of each brick. */
+internal val PORTS: Map<BrickKind, List<String>> =
+    BrickKind.entries.associateWith { brick -> (1..brick.inputPorts).map { it.toString() } }
+
+internal val Iterable<Keyword>.texts: List<String> get() = map { it.text }

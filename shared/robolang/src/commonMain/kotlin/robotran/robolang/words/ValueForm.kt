@@ -1,0 +1,104 @@
+package robotran.robolang.words
+
+import robotran.brick.kind.BrickKind
+
+/**
+ * The kinds of values.
+ *
+ * @property marked such a value, which makes sense; null if it has names of the pupil's, or if there are several. Two
+ * `|` enclose what a pupil writes first.
+ * @property brick the only brick that it is for; null for both.
+ */
+enum class ValueForm(
+    val marked: String?,
+    val group: BlockGroup,
+    val brick: BrickKind? = null,
+    private val otherExamples: Map<BrickKind, String> = emptyMap(),
+) {
+    NUMBER("5", BlockGroup.NUMBERS),
+
+    /** `true`, `false`. */
+    TRUTH("true", BlockGroup.CONTROL),
+    LIST("[1, 2, 3]", BlockGroup.LISTS),
+
+    /** A constant, a variable or a parameter. */
+    NAME(null, BlockGroup.NUMBERS),
+
+    /** `list[0]`. */
+    ELEMENT(null, BlockGroup.LISTS),
+    NEGATION("-light", BlockGroup.NUMBERS),
+    NOT("not left bumper", BlockGroup.CONTROL),
+
+    /** `a and b`, `a or b`. */
+    LOGIC("left bumper and right bumper", BlockGroup.CONTROL),
+    COMPARISON("light < 40", BlockGroup.CONTROL, otherExamples = mapOf(BrickKind.NXT to "distance < 20")),
+    ARITHMETIC("5 + 5", BlockGroup.NUMBERS),
+
+    /** A call of a function that the program declares, or of an unknown one. */
+    CALL(null, BlockGroup.OWN_COMMANDS),
+
+    /** A call of a function of the language. */
+    BUILT_IN(null, BlockGroup.NUMBERS),
+    BUMPER("left bumper", BlockGroup.SENSE),
+    LIGHT("light", BlockGroup.SENSE),
+    SENSOR("sensor |1|", BlockGroup.SENSE),
+    BUTTON("button run", BlockGroup.SENSE, otherExamples = mapOf(BrickKind.NXT to "button enter")),
+    TIMER("timer", BlockGroup.SENSE),
+    BATTERY("battery", BlockGroup.SENSE),
+
+    /** Of the ultrasonic sensor. */
+    DISTANCE("distance", BlockGroup.SENSE, BrickKind.NXT),
+
+    /** Of the sound sensor. */
+    LOUDNESS("loudness", BlockGroup.SENSE, BrickKind.NXT),
+
+    /** Of the colour sensor. */
+    COLOUR("colour", BlockGroup.SENSE, BrickKind.NXT),
+
+    /** `red` and the other colours. */
+    COLOUR_NAME("red", BlockGroup.SENSE, BrickKind.NXT),
+    TURNED("turned |A|", BlockGroup.SENSE, BrickKind.NXT),
+    BRACKETS("(5)", BlockGroup.NUMBERS),
+    ;
+
+    /** [marked] without its marks. */
+    val example: String? = marked?.replace("|", "")
+
+    /** The example for a robot with [brick]; null if there is none. */
+    fun exampleOn(brick: BrickKind): String? =
+        if (this.brick == null || this.brick == brick) otherExamples[brick] ?: example else null
+}
+
+/** The types of values, as far as a beginner meets them. */
+enum class ValueKind { NUMBER, CONDITION, LIST, COLOUR, UNKNOWN }
+
+/**
+ * What a value is for.
+ *
+ * @property kind the type that fits; [ValueKind.UNKNOWN] if several do.
+ * @property unit its unit as the language writes it; null if it has none. Hertz have no word in the language.
+ * @property example a value that makes sense there.
+ */
+enum class ValueUse(val kind: ValueKind, val unit: String?, val example: String) {
+    DISTANCE(ValueKind.NUMBER, "cm", "20"),
+    ANGLE(ValueKind.NUMBER, "degrees", "90"),
+    SECONDS(ValueKind.NUMBER, "seconds", "1"),
+    MILLISECONDS(ValueKind.NUMBER, "milliseconds", "500"),
+
+    /** A motor's power, 0..7. */
+    POWER(ValueKind.NUMBER, null, "5"),
+    FREQUENCY(ValueKind.NUMBER, "Hz", "440"),
+    COUNT(ValueKind.NUMBER, "times", "4"),
+    NUMBER(ValueKind.NUMBER, null, "5"),
+
+    /** A number, or a colour where there is a colour sensor. */
+    SHOWN(ValueKind.NUMBER, null, "5"),
+
+    /** The place of an element, from 0. */
+    INDEX(ValueKind.NUMBER, null, "0"),
+    CONDITION(ValueKind.CONDITION, null, "left bumper"),
+    LIST(ValueKind.LIST, null, "[1, 2, 3]"),
+
+    /** A number or a condition, as both sides of `==`. */
+    ANY(ValueKind.UNKNOWN, null, "5"),
+}
