@@ -1,8 +1,6 @@
-package robotran.robolang.translate
+//// PLAY
 
-/** The Java helpers for the display, sounds and time. */
-internal object JavaOtherTexts {
-    const val PLAY = """/** Plays a tone to its end; a long one is several, for the brick plays 2.55 seconds at most. */
+/** Plays a tone to its end; a long one is several, for the brick plays 2.55 seconds at most. */
 static void play(int frequency, float seconds) throws InterruptedException {
     int hundredths = roundHalfUp(seconds * 100);
     while (hundredths > 0) {
@@ -11,16 +9,20 @@ static void play(int frequency, float seconds) throws InterruptedException {
         Thread.sleep(part * 10);
         hundredths -= part;
     }
-}"""
+}
 
-    const val SHOW_WHOLE = """/** Shows a whole number with its sign. */
+//// SHOW_WHOLE
+
+/** Shows a whole number with its sign. */
 static void show(int number) {
     int digits = Math.max(-32768, Math.min(number, 32767));
     LCD.setNumber(LCDConstants.LCD_SIGNED, digits, LCDConstants.LCD_DECIMAL_0);
     LCD.refresh();
-}"""
+}
 
-    const val SHOW_DECIMAL = """/** Shows a number with as many digits behind its point as there is room for. */
+//// SHOW_DECIMAL
+
+/** Shows a number with as many digits behind its point as there is room for. */
 static void show(float number) {
     float magnitude = number < 0 ? -number : number;
     int decimals = 3;
@@ -38,18 +40,23 @@ static void show(float number) {
     digits = Math.min(digits, 32767);
     LCD.setNumber(LCDConstants.LCD_SIGNED, number < 0 ? -digits : digits, LCDConstants.LCD_DECIMAL_0 + decimals);
     LCD.refresh();
-}"""
+}
 
-    const val TIMER_START = """/** When the timer began, on the brick's clock. */
-static int timerStart = (int) System.currentTimeMillis();"""
+//// TIMER_START
 
-    const val TIMER = """/** The seconds since the start or the last resetTimer. */
+/** When the timer began, on the brick's clock. */
+static int timerStart = (int) System.currentTimeMillis();
+
+//// TIMER
+
+/** The seconds since the start or the last resetTimer. */
 static float timer() {
     return ((int) System.currentTimeMillis() - timerStart) / 1000f;
-}"""
+}
 
-    const val RESET_TIMER = """/** Lets the timer begin again. */
+//// RESET_TIMER
+
+/** Lets the timer begin again. */
 static void resetTimer() {
     timerStart = (int) System.currentTimeMillis();
-}"""
 }

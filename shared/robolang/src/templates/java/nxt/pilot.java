@@ -1,19 +1,16 @@
-package robotran.robolang.translate
+//// PILOT_FIELD
 
-/**
- * The class that drives in the Java for an NXT. Its methods are called as those of leJOS's `DifferentialPilot`, which
- * cuts off what is left of a degree: after a hundred moves that shows.
- */
-internal object NxtPilotTexts {
-    /** [isReacting] lets a behaviour take over from a move. */
-    fun pilot(isReacting: Boolean): String {
-        val throws = if (isReacting) " throws InterruptedException" else ""
-        val waiting = if (isReacting) WAITING_IN_CONTROL else WAITING
-        return CLASS.replace("THROWS", throws).replace("WAITING", waiting)
-    }
+/** The diameter of the wheels in cm: let the robot draw 100 cm and correct it. */
+static final float WHEEL_DIAMETER = @WHEEL_DIAMETER@;
 
-    private const val CLASS =
-        """/** Drives like a DifferentialPilot of leJOS, but keeps what is left of a degree for the next move. */
+/** How far apart the wheels are, in cm: let the robot turn ten times round and correct it. */
+static final float TRACK_WIDTH = @TRACK_WIDTH@;
+
+static final Pilot pilot = new Pilot(WHEEL_DIAMETER, TRACK_WIDTH, Motor.@LEFT_MOTOR@, Motor.@RIGHT_MOTOR@);
+
+//// PILOT
+
+/** Drives like a DifferentialPilot of leJOS, but keeps what is left of a degree for the next move. */
 static class Pilot {
     private final float degreesPerCentimetre;
     private final float degreesPerDegree;
@@ -30,12 +27,12 @@ static class Pilot {
     }
 
     /** Drives so many centimetres ahead, or back if there is a minus. */
-    void travel(float distance)THROWS {
+    void travel(float distance)@THROWS@ {
         turnWheels(distance * degreesPerCentimetre, distance * degreesPerCentimetre);
     }
 
     /** Turns on the spot by so many degrees to the left, or to the right if there is a minus. */
-    void rotate(float angle)THROWS {
+    void rotate(float angle)@THROWS@ {
         turnWheels(-angle * degreesPerDegree, angle * degreesPerDegree);
     }
 
@@ -60,7 +57,7 @@ static class Pilot {
     }
 
     /** Stops the wheels and waits until they stand. */
-    void stop()THROWS {
+    void stop()@THROWS@ {
         left.stop(true);
         right.stop(true);
         waitComplete();
@@ -72,7 +69,7 @@ static class Pilot {
         right.setSpeed(speed);
     }
 
-    private void turnWheels(float leftDegrees, float rightDegrees)THROWS {
+    private void turnWheels(float leftDegrees, float rightDegrees)@THROWS@ {
         if (Math.abs(left.getPosition() - leftGoal) > 1) leftGoal = left.getPosition();
         if (Math.abs(right.getPosition() - rightGoal) > 1) rightGoal = right.getPosition();
         leftGoal += leftDegrees;
@@ -82,17 +79,19 @@ static class Pilot {
         waitComplete();
     }
 
-    private void waitComplete()THROWS {
-WAITING
+    private void waitComplete()@THROWS@ {
+@WAITING@
     }
-}"""
+}
 
-    private const val WAITING = """        left.waitComplete();
-        right.waitComplete();"""
+//// WAITING
 
-    private const val WAITING_IN_CONTROL =
-        """        while ((left.isMoving() || right.isMoving()) && !mustGiveWay()) Thread.sleep(1);
+        left.waitComplete();
+        right.waitComplete();
+
+//// WAITING, reacting
+
+        while ((left.isMoving() || right.isMoving()) && !mustGiveWay()) Thread.sleep(1);
         if (left.isMoving()) left.stop(true);
         if (right.isMoving()) right.stop(true);
-        giveWay();"""
-}
+        giveWay();

@@ -1,10 +1,6 @@
-package robotran.robolang.translate
+//// QUARTER_SINE
 
-/**
- * The Java helpers for angles and powers: the interpreter's arithmetic step by step, so that both give the same bits.
- */
-internal object JavaMathTexts {
-    const val QUARTER_SINE = """/** Sine of an angle up to an eighth of a turn, in radians. */
+/** Sine of an angle up to an eighth of a turn, in radians. */
 static float sineOfSmall(float x) {
     float square = x * x;
     return x * (1f - square / 6f * (1f - square / 20f * (1f - square / 42f * (1f - square / 72f))));
@@ -14,9 +10,11 @@ static float sineOfSmall(float x) {
 static float cosineOfSmall(float x) {
     float square = x * x;
     return 1f - square / 2f * (1f - square / 12f * (1f - square / 30f * (1f - square / 56f)));
-}"""
+}
 
-    const val SIN = """/** Sine of an angle in degrees. */
+//// SIN
+
+/** Sine of an angle in degrees. */
 static float sin(float degrees) {
     if (!(degrees > -16777216f && degrees < 16777216f)) return 0f;
     int quarters = round(degrees / 90f);
@@ -26,9 +24,11 @@ static float sin(float degrees) {
     if (quarter == 1) return cosineOfSmall(rest);
     if (quarter == 2) return -sineOfSmall(rest);
     return -cosineOfSmall(rest);
-}"""
+}
 
-    const val COS = """/** Cosine of an angle in degrees. */
+//// COS
+
+/** Cosine of an angle in degrees. */
 static float cos(float degrees) {
     if (!(degrees > -16777216f && degrees < 16777216f)) return 1f;
     int quarters = round(degrees / 90f);
@@ -38,14 +38,18 @@ static float cos(float degrees) {
     if (quarter == 1) return -sineOfSmall(rest);
     if (quarter == 2) return -cosineOfSmall(rest);
     return sineOfSmall(rest);
-}"""
+}
 
-    const val TAN = """/** Tangent of an angle in degrees. */
+//// TAN
+
+/** Tangent of an angle in degrees. */
 static float tan(float degrees) {
     return sin(degrees) / cos(degrees);
-}"""
+}
 
-    const val ATAN2 = """/** The direction, in degrees, of a point so far up and so far to the right. */
+//// ATAN2
+
+/** The direction, in degrees, of a point so far up and so far to the right. */
 static float atan2(float y, float x) {
     float right = x < 0f ? -x : x;
     float up = y < 0f ? -y : y;
@@ -71,9 +75,11 @@ static float smallArcOf(float t) {
     float sum = 0f;
     for (int divisor = 15; divisor >= 1; divisor -= 2) sum = 1f / divisor - square * sum;
     return t * sum * 57.29578f;
-}"""
+}
 
-    const val POW = """/** A number to the power of another. */
+//// POW
+
+/** A number to the power of another. */
 static float pow(float base, float exponent) {
     int whole = (int) exponent;
     if ((float) whole == exponent) return wholePower(base, whole);
@@ -121,5 +127,4 @@ static float powerOfTwo(float exponent) {
     for (int divisor = 7; divisor >= 1; divisor--) result = 1f + x / divisor * result;
     for (int step = whole < 0 ? -whole : whole; step > 0; step--) result = whole < 0 ? result / 2f : result * 2f;
     return result;
-}"""
 }
