@@ -4,6 +4,7 @@ plugins {
 }
 
 texts {
+    constant("commonMain", "robotran.robolang.template.templates", "shared/robolang/src/templates", "**/*")
     constant(
         "commonTest",
         "robotran.robolang.testPrograms",

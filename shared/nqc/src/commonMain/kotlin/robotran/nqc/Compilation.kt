@@ -45,7 +45,7 @@ internal class Compilation(
             preprocessed.tokens,
             sink,
             target,
-            preprocessed.macros,
+            preprocessed.macros.keys,
             prelude.functions,
             apiNames,
             textAt = SourceLines(files)::textAt,
@@ -55,7 +55,7 @@ internal class Compilation(
         val isRead = !sink.hasErrors
         ProgramCheck(program, parser.declared, sink).check(endOf(preprocessed.tokens), preprocessed.pragmas.init)
         val start = start(program, preprocessed.pragmas)
-        val calls = CallCheck(program, parser.declared, start, apiNames, preprocessed.macros, sink)
+        val calls = CallCheck(program, parser.declared, start, apiNames, preprocessed.macros.keys, sink)
         val subsOfTasks = calls.subsOfTasks()
         calls.checkSubs()
         // Calls of nothing are left out of the code, which nobody gets then.

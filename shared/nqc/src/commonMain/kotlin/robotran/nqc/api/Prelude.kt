@@ -6,6 +6,7 @@ import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.Severity
 import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.messages.NqcMessages
+import robotran.nqc.parse.ApiNames
 import robotran.nqc.parse.ProgramParser
 import robotran.nqc.preprocess.Macro
 import robotran.nqc.preprocess.Preprocessor
@@ -15,45 +16,60 @@ import robotran.nqc.syntax.TokenKind
 import robotran.nqc.tree.FunctionUnit
 
 /**
- * The API as the compiler sees it.
+ * The API as the compiler sees it: its header, read for one target.
  *
  * @property macros values and constants.
  * @property functions functions, whose places are [SourceRange.API].
  */
 internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolean) {
-    private val entries = NqcApi.of(target, isOld)
+    private val header = ApiHeader(isOld)
+    private val sink = DiagnosticSink(NqcMessages.of(Language.ENGLISH))
 
-    /** What the parameters of functions are expected to be. */
-    private val limits = entries.mapValues { (it.value.definition as? ApiDefinition.Function)?.limits.orEmpty() }
+    val macros: Map<String, Macro> =
+        macros(marksOf(target, isOld).mapValues { Macro(it.key, null, tokensOf(it.value)) })
 
-    val macros: Map<String, Macro> = entries.values.mapNotNull { entry ->
-        (entry.definition as? ApiDefinition.Text)?.let { Macro(entry.name, entry.parameters, tokensOf(it.text)) }
-    }.associateBy { it.name } + marks(target, isOld).mapValues { Macro(it.key, null, tokensOf(it.value)) }
+    val functions: Map<String, FunctionUnit> = functions(target)
 
-    val functions: Map<String, FunctionUnit>
+    /** What programs can use, by name. */
+    val entries: Map<String, NqcApiEntry> = header.docs.mapNotNull { (name, doc) -> entryOf(name, doc) }
+        .associateBy { it.name }
 
     init {
-        val sink = DiagnosticSink(NqcMessages.of(Language.ENGLISH))
-        val names = apiNames(target, isOld)
-        val text = entries.values.mapNotNull { functionOf(it, target) }.joinToString("\n") + if (isOld) "" else INIT
-        val tokens = Preprocessor(mapOf(FILE to text), macros, sink).read(FILE).tokens.map(::ofApi)
-        functions = ProgramParser(tokens, sink, target, emptySet(), emptyMap(), names, { limits[it].orEmpty() })
-            .program(isApi = true).functions
-        check(!sink.hasErrors) { "The API has mistakes: ${sink.inSourceOrder(ERROR, FILE)}" }
+        check(!sink.hasErrors) { "The API has mistakes: ${sink.inSourceOrder(Severity.ERROR, FILE)}" }
     }
 
-    private fun functionOf(entry: NqcApiEntry, target: FirmwareTarget): String? {
-        val function = entry.definition as? ApiDefinition.Function ?: return null
-        val isFirst = target == FirmwareTarget.RCX
-        val body = function.body.replace(
-            "{basic}",
-            if (isFirst) BASIC else ALL,
-        ).replace("{random}", if (isFirst) RANDOM else ALL)
-        return "void ${entry.name}(${function.declaration}) { $body }"
+    private fun macros(marks: Map<String, Macro>): Map<String, Macro> {
+        val defined = read(header.text, marks).macros
+        return header.docs.keys.mapNotNull { defined[it] }.associate { macro ->
+            macro.name to Macro(macro.name, macro.parameters, macro.body.map(::ofApi))
+        } + marks
+    }
+
+    /** Functions use macros that the header defines below them, so these are known before. */
+    private fun functions(target: FirmwareTarget): Map<String, FunctionUnit> {
+        val tokens = read(header.functions, macros).tokens.map(::ofApi)
+        val names = ApiNames({ false }, { null })
+        val limitOf = { function: String, parameter: String -> header.docs[function]?.limitOf(parameter) }
+        return ProgramParser(tokens, sink, target, emptySet(), emptyMap(), names, limitOf)
+            .program(isApi = true).functions
+    }
+
+    private fun read(text: String, macros: Map<String, Macro>) =
+        Preprocessor(mapOf(FILE to text), macros, sink).read(FILE)
+
+    /** Null if the target does not have it. */
+    private fun entryOf(name: String, doc: ApiDoc): NqcApiEntry? {
+        val function = functions[name]
+        if (function != null) {
+            return NqcApiEntry(name, NqcApiKind.FUNCTION, function.parameters.map { it.name }, function, doc)
+        }
+        val macro = macros[name] ?: return null
+        val isNumber = macro.parameters == null && macro.body.singleOrNull()?.kind == TokenKind.NUMBER
+        return NqcApiEntry(name, if (isNumber) NqcApiKind.CONSTANT else NqcApiKind.VALUE, macro.parameters, null, doc)
     }
 
     private fun tokensOf(text: String): List<Token> {
-        val lexer = Lexer(FILE, text, DiagnosticSink(NqcMessages.of(Language.ENGLISH)))
+        val lexer = Lexer(FILE, text, sink)
         return generateSequence { lexer.next() }.takeWhile { it.kind != TokenKind.END }.map(::ofApi).toList()
     }
 
@@ -64,8 +80,6 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
         const val INIT_NAME = "_init"
 
         private const val FILE = ""
-        private const val INIT = "\nvoid $INIT_NAME() { SetPower(OUT_ABC, OUT_FULL); Fwd(OUT_ABC); }"
-        private val ERROR = Severity.ERROR
 
         /** The sources that commands of firmware 1.0 take, as bits; see `AssemblyField`. */
         private const val BASIC = "0x5"
@@ -75,7 +89,7 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
         /** Version 4.1 of NQC. */
         private const val VERSION = "401"
 
-        private fun marks(target: FirmwareTarget, isOld: Boolean): Map<String, String> {
+        private fun marksOf(target: FirmwareTarget, isOld: Boolean): Map<String, String> {
             val isFirst = target == FirmwareTarget.RCX
             val marks = mapOf(
                 "__RCX" to if (isFirst) "1" else "2",

@@ -20,7 +20,7 @@ val NqcApiEntry.usualCall: String?
 
 private fun argumentOf(entry: NqcApiEntry, number: Int): String? {
     ExpectedNames.of(entry, number).firstOrNull()?.let { return it }
-    val limit = (entry.definition as? ApiDefinition.Function)?.limits?.getOrNull(number)
+    val limit = entry.function?.limits?.getOrNull(number)
     return NUMBERS[limit]
 }
 

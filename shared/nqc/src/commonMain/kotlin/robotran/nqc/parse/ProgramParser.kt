@@ -22,7 +22,7 @@ import robotran.nqc.tree.TaskUnit
  * @param words the macros, for suggestions.
  * @param api the functions that exist from the beginning.
  * @param apiNames what messages say about them.
- * @param limitsOf which constants make sense for the parameters of a function.
+ * @param limitOf which constants make sense for the parameter of a function.
  * @param textAt what is typed somewhere in the program's files.
  */
 internal class ProgramParser(
@@ -32,7 +32,7 @@ internal class ProgramParser(
     words: Set<String>,
     private val api: Map<String, FunctionUnit>,
     apiNames: ApiNames,
-    private val limitsOf: (String) -> List<ParameterLimit?> = { emptyList() },
+    private val limitOf: (function: String, parameter: String) -> ParameterLimit? = { _, _ -> null },
     textAt: (SourceRange) -> String? = { null },
 ) {
     /** The tasks, subroutines and functions of the whole program. */
@@ -183,7 +183,8 @@ internal class ProgramParser(
         scopes.inScope {
             val parameters = parameters.parameters()
             reader.closing(")")
-            val function = FunctionUnit(name.text, parameters, name.range, isApi, limitsOf(name.text))
+            val limits = parameters.map { limitOf(name.text, it.name) }
+            val function = FunctionUnit(name.text, parameters, name.range, isApi, limits)
             val brace = reader.token
             function.body = Statement.Block(emptyList(), isScope = false, brace.range)
             functions[name.text] = function

@@ -15,4 +15,4 @@ internal class Pragmas(val hasInit: Boolean, val init: InitFunction?, val reserv
 internal class InitFunction(val name: String, val range: SourceRange)
 
 /** The tokens of a program after all directives and macros. */
-internal class PreprocessedProgram(val tokens: List<Token>, val pragmas: Pragmas, val macros: Set<String>)
+internal class PreprocessedProgram(val tokens: List<Token>, val pragmas: Pragmas, val macros: Map<String, Macro>)

@@ -49,7 +49,7 @@ internal class Preprocessor(
         conditions.innermost?.let {
             sink.report(NqcDiagnosticCode.UNTERMINATED_IF, it, sink.messages.unterminatedIf())
         }
-        return PreprocessedProgram(tokens + end, pragmas.result(), macros.keys)
+        return PreprocessedProgram(tokens + end, pragmas.result(), macros)
     }
 
     private fun follow(directive: Token) {

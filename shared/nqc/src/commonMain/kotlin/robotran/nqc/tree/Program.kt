@@ -20,7 +20,7 @@ internal class FunctionUnit(
     val parameters: List<Variable>,
     val range: SourceRange,
     val isOfApi: Boolean,
-    val limits: List<ParameterLimit?> = emptyList(),
+    val limits: List<ParameterLimit?>,
 ) {
     lateinit var body: Statement
 }

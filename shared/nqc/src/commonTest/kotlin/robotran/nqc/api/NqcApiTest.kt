@@ -5,6 +5,8 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.NqcOptions
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
+import robotran.nqc.tree.ParameterKind
+import robotran.nqc.tree.Variable
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -21,11 +23,11 @@ class NqcApiTest {
     }
 
     private fun check(entry: NqcApiEntry, options: NqcOptions) {
-        val definition = entry.definition as? ApiDefinition.Function
-        val arguments = definition?.declaration.orEmpty().split(',').filter { it.isNotBlank() }.map { argumentFor(it) }
+        val function = entry.function
+        val arguments = function?.parameters.orEmpty().map { argumentFor(it) }
         val use = when {
             entry.name == "until" || entry.name == "wait" -> "${entry.name}(x == 1);"
-            definition != null -> "${entry.name}(${arguments.joinToString()});"
+            function != null -> "${entry.name}(${arguments.joinToString()});"
             entry.parameters == null -> "x = ${entry.name};"
             else -> "x = ${entry.name}(${entry.parameters.joinToString { "1" }});"
         }
@@ -33,10 +35,10 @@ class NqcApiTest {
         assertIs<NqcResult.Ready>(result, "$use ${(result as? NqcResult.HasErrors)?.diagnostics}")
     }
 
-    private fun argumentFor(parameter: String): String = when {
-        parameter.trim().startsWith("__sensor") -> "@0x90000"
-        parameter.trim().endsWith("source") || parameter.trim().endsWith("target") -> "@0x10000"
-        parameter.trim().endsWith("variable") -> "x"
+    private fun argumentFor(parameter: Variable): String = when {
+        parameter.parameter == ParameterKind.SENSOR -> "@0x90000"
+        parameter.name == "source" || parameter.name == "target" -> "@0x10000"
+        parameter.name == "variable" -> "x"
         else -> "1"
     }
 
@@ -52,5 +54,17 @@ class NqcApiTest {
     @Test
     fun `the second firmware has all names of the first`() {
         assertTrue(NqcApi.of(FirmwareTarget.RCX2).keys.containsAll(NqcApi.of(FirmwareTarget.RCX).keys))
+    }
+
+    @Test
+    fun `every tag of a doc comment is about a parameter, and every name in it exists`() {
+        for (isOld in listOf(false, true)) {
+            val api = NqcApi.of(FirmwareTarget.RCX2, isOld)
+            for ((doc, entries) in api.values.groupBy { it.doc }) {
+                val parameters = entries.flatMap { it.function?.parameters.orEmpty() }.map { it.name }.toSet()
+                assertTrue(parameters.containsAll(doc.taggedParameters), "${entries.first().name} $parameters")
+                assertTrue(api.keys.containsAll(parameters.flatMap { doc.namesFor(it) }), entries.first().name)
+            }
+        }
     }
 }

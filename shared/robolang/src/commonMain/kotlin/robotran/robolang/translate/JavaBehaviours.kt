@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.template.fillIn
 
 /**
  * Writes `whenever` blocks as leJOS behaviours under an arbitrator. The main program has the lowest priority. It is not
@@ -40,10 +41,9 @@ internal class JavaBehaviours(
         if (behaviours.isEmpty()) return
         val all = listOf(MAIN_PROGRAM) + behaviours.indices.map(::className)
         writer.blank()
-        writer.lines(JavaBehaviourTexts.MAIN_PROGRAM)
+        writer.lines(javaOf("MAIN_PROGRAM"))
         writer.blank()
-        val reactions = if (robot == BrickKind.NXT) NxtReactingTexts.REACTIONS else JavaBehaviourTexts.REACTIONS
-        writer.lines(reactions.replace("ALL", all.joinToString(", ") { "new $it()" }))
+        writer.lines(javaOf("REACTIONS").fillIn(mapOf("BEHAVIOURS" to all.joinToString(", ") { "new $it()" })))
     }
 
     private fun write(behaviour: Behaviour, name: String) {
@@ -70,7 +70,7 @@ internal class JavaBehaviours(
         writer.line("isActive = false;")
         writer.close(behaviour.endRange.line)
         writer.blank()
-        writer.lines(JavaBehaviourTexts.SUPPRESS)
+        writer.lines(javaOf("SUPPRESS"))
         writer.close()
     }
 
@@ -83,6 +83,8 @@ internal class JavaBehaviours(
         writer.line(otherwise)
         writer.close()
     }
+
+    private fun javaOf(name: String): String = JavaTemplates.of(name, robot, isReacting = true)
 
     private fun className(index: Int) = "$WHENEVER${index + 1}"
 

@@ -122,7 +122,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         takeComments(comments.heading)
         commentsLeft()
         open("public class $className")
-        JavaFigures(robot).write(helpers.all, this)
+        helpers.all.filter { it.isField }.forEach { helper(it) }
         append(body)
         val methods = helpers.all.filterNot { it.isField }
         if (methods.isNotEmpty()) {

@@ -1,63 +1,27 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.run.NxtConstants
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.decimalText
 
-/**
- * Writes the fields that the translation itself needs at the top of the class, first the robot's figures with
- * instructions to correct them.
- */
-internal class JavaFigures(private val robot: RobotTarget) {
-    fun write(used: List<JavaHelper>, writer: JavaWriter) {
-        for (field in used.filter { it.isField }) {
-            writer.blank()
-            writer.lines(textOf(field))
-        }
-    }
+/** The figures of [robot] that stand in the Java of a translation, by placeholder. */
+internal fun figuresOf(robot: RobotTarget): Map<String, String> = when (robot) {
+    is RobotTarget.Rcx -> mapOf(
+        "MILLISECONDS_PER_CENTIMETRE" to decimal(robot.millisecondsPerCentimetre),
+        "MILLISECONDS_PER_DEGREE" to decimal(robot.millisecondsPerDegree),
+        "PEN_MILLISECONDS" to "${RobotConstants.PEN_MILLISECONDS}",
+    )
 
-    private fun textOf(field: JavaHelper): String = when (field) {
-        JavaHelper.CENTIMETRE -> {
-            """
-            /** How many milliseconds the wheels turn for one centimetre. Let the robot draw 100 cm and correct it. */
-            static final float ${field.called} = ${decimal(rcx.millisecondsPerCentimetre)};
-            """.trimIndent()
-        }
-
-        JavaHelper.DEGREE -> {
-            """
-            /** How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it. */
-            static final float ${field.called} = ${decimal(rcx.millisecondsPerDegree)};
-            """.trimIndent()
-        }
-
-        JavaHelper.PEN_TIME -> {
-            """
-            /** How many milliseconds the pen's motor turns to lower or to lift the pen. */
-            static final int ${field.called} = ${RobotConstants.PEN_MILLISECONDS};
-            """.trimIndent()
-        }
-
-        JavaHelper.PILOT_FIELD -> pilot(robot as RobotTarget.Nxt)
-        else -> NxtTexts.of(field, isReacting = true).takeIf { robot.kind == BrickKind.NXT } ?: field.text
-    }
-
-    private val rcx: RobotTarget.Rcx get() = robot as RobotTarget.Rcx
-
-    private fun newPilot(robot: RobotTarget.Nxt): String =
-        "new Pilot(WHEEL_DIAMETER, TRACK_WIDTH, Motor.${robot.left.name}, Motor.${robot.right.name})"
-
-    private fun pilot(robot: RobotTarget.Nxt): String =
-        """
-        /** The diameter of the wheels in cm: let the robot draw 100 cm and correct it. */
-        static final float WHEEL_DIAMETER = ${decimal(robot.wheelDiameter)};
-
-        /** How far apart the wheels are, in cm: let the robot turn ten times round and correct it. */
-        static final float TRACK_WIDTH = ${decimal(robot.track)};
-
-        static final Pilot pilot = ${newPilot(robot)};
-        """.trimIndent()
-
-    private fun decimal(figure: Double): String = decimalText(figure.toFloat()) + "f"
+    is RobotTarget.Nxt -> mapOf(
+        "WHEEL_DIAMETER" to decimal(robot.wheelDiameter),
+        "TRACK_WIDTH" to decimal(robot.track),
+        "LEFT_MOTOR" to robot.left.name,
+        "RIGHT_MOTOR" to robot.right.name,
+        "PEN_DEGREES" to "${NxtConstants.PEN_DEGREES}",
+        "SLOWEST_SPEED" to "${NxtConstants.SLOWEST_SPEED}",
+        "SPEED_OF_POWER" to "${NxtConstants.SPEED_OF_POWER}",
+    )
 }
+
+private fun decimal(figure: Double): String = decimalText(figure.toFloat()) + "f"

@@ -2,17 +2,11 @@ package robotran.robolang.translate
 
 import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BuiltIn
-import robotran.robolang.translate.JavaMathTexts as Maths
-import robotran.robolang.translate.JavaMoveTexts as Moves
-import robotran.robolang.translate.JavaNumberTexts as Numbers
-import robotran.robolang.translate.JavaOtherTexts as Others
-import robotran.robolang.translate.JavaReactingTexts as Reacting
 
 /**
- * A method or field that a translation contains only if it is used.
+ * A method or field that a translation contains only if it is used. [JavaTemplates] has its Java.
  *
  * @property called its name.
- * @property text its Java, indented as a class member, in a program without behaviours; empty for the robot's figures.
  * @property isCalculation whether it is in the class [CALCULATION]: its many constants must not use up those of the
  * program's class, whose constant indices are bytes.
  * @property needs the helpers that it uses, which are declared above it.
@@ -20,80 +14,75 @@ import robotran.robolang.translate.JavaReactingTexts as Reacting
  */
 internal enum class JavaHelper(
     val called: String,
-    val text: String,
     val needs: List<JavaHelper> = emptyList(),
     val isField: Boolean = false,
     val isCalculation: Boolean = false,
-    private val reactingText: String? = null,
     private val brick: BrickKind? = null,
 ) {
-    CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", "", isField = true),
-    DEGREE("MILLISECONDS_PER_DEGREE", "", isField = true),
-    PEN_TIME("PEN_MILLISECONDS", "", isField = true),
-    PILOT_FIELD("pilot", "", isField = true, brick = BrickKind.NXT),
-    DICE("dice", Numbers.DICE, isField = true),
-    TIMER_START("timerStart", Others.TIMER_START, isField = true),
-    CONTROL("mainIsPaused", Reacting.CONTROL, isField = true),
-    GIVE_WAY("giveWay", Reacting.GIVE_WAY, listOf(CONTROL)),
-    PAUSE("pause", Reacting.PAUSE, listOf(GIVE_WAY)),
-    PAUSE_IN_CONTROL("pauseInControl", Reacting.PAUSE_IN_CONTROL, listOf(GIVE_WAY)),
-    ROUND_HALF_UP("roundHalfUp", Numbers.ROUND_HALF_UP),
-    WAIT_SECONDS("waitSeconds", Moves.WAIT_SECONDS, listOf(ROUND_HALF_UP)),
-    WAIT_MILLISECONDS("waitMilliseconds", Moves.WAIT_MILLISECONDS, listOf(ROUND_HALF_UP)),
-    PILOT("Pilot", "", brick = BrickKind.NXT),
-    AWAIT_MOTOR("awaitMotor", "", listOf(GIVE_WAY), brick = BrickKind.NXT),
-    TURN_MOTOR("turnMotor", "", listOf(AWAIT_MOTOR), brick = BrickKind.NXT),
-    SPEED_OF("speedOf", "", brick = BrickKind.NXT),
-    SHOW_TEXT("show", "", brick = BrickKind.NXT),
-    SHOW_COLOUR("showColour", "", listOf(SHOW_TEXT), brick = BrickKind.NXT),
-    DURATION_OF("durationOf", Moves.DURATION_OF, listOf(ROUND_HALF_UP)),
-    STOP_AT("stopAt", Moves.STOP_AT, reactingText = Reacting.STOP_AT),
-    FORWARD_CENTIMETRES("forwardCentimetres", Moves.FORWARD_CENTIMETRES, listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
-    BACKWARD_CENTIMETRES("backwardCentimetres", Moves.BACKWARD_CENTIMETRES, listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
-    FORWARD_SECONDS("forwardSeconds", Moves.FORWARD_SECONDS, listOf(DURATION_OF, STOP_AT)),
-    BACKWARD_SECONDS("backwardSeconds", Moves.BACKWARD_SECONDS, listOf(DURATION_OF, STOP_AT)),
-    LEFT_DEGREES("turnLeftDegrees", Moves.LEFT_DEGREES, listOf(DEGREE, DURATION_OF, STOP_AT)),
-    RIGHT_DEGREES("turnRightDegrees", Moves.RIGHT_DEGREES, listOf(DEGREE, DURATION_OF, STOP_AT)),
-    LEFT_SECONDS("turnLeftSeconds", Moves.LEFT_SECONDS, listOf(DURATION_OF, STOP_AT)),
-    RIGHT_SECONDS("turnRightSeconds", Moves.RIGHT_SECONDS, listOf(DURATION_OF, STOP_AT)),
-    PEN_DOWN("penDown", Moves.PEN_DOWN, listOf(PEN_TIME), reactingText = Reacting.PEN_DOWN),
-    PEN_UP("penUp", Moves.PEN_UP, listOf(PEN_TIME), reactingText = Reacting.PEN_UP),
-    POWER_BOTH("power", Moves.POWER_BOTH),
-    PLAY("play", Others.PLAY, listOf(ROUND_HALF_UP)),
-    SHOW_WHOLE("show", Others.SHOW_WHOLE),
-    SHOW_DECIMAL("show", Others.SHOW_DECIMAL, listOf(ROUND_HALF_UP)),
-    TIMER("timer", Others.TIMER, listOf(TIMER_START)),
-    RESET_TIMER("resetTimer", Others.RESET_TIMER, listOf(TIMER_START)),
-    REMAINDER("remainder", Numbers.REMAINDER),
-    RANDOM("random", Numbers.RANDOM, listOf(DICE)),
-    RANDOM_DECIMAL("random", Numbers.RANDOM_DECIMAL, listOf(DICE)),
-    FLOOR("floor", Numbers.FLOOR),
-    CEIL("ceil", Numbers.CEIL),
-    ROUND("round", Numbers.ROUND, listOf(FLOOR)),
-    SQRT("sqrt", Numbers.SQRT),
-    QUARTER_SINE("sineOfSmall", Maths.QUARTER_SINE, listOf(ROUND), isCalculation = true),
-    SIN("sin", Maths.SIN, listOf(QUARTER_SINE), isCalculation = true),
-    COS("cos", Maths.COS, listOf(QUARTER_SINE), isCalculation = true),
-    TAN("tan", Maths.TAN, listOf(SIN, COS), isCalculation = true),
-    ATAN2("atan2", Maths.ATAN2, isCalculation = true),
-    POW("pow", Maths.POW, listOf(ROUND), isCalculation = true),
+    CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", isField = true),
+    DEGREE("MILLISECONDS_PER_DEGREE", isField = true),
+    PEN_TIME("PEN_MILLISECONDS", isField = true),
+    PILOT_FIELD("pilot", isField = true, brick = BrickKind.NXT),
+    DICE("dice", isField = true),
+    TIMER_START("timerStart", isField = true),
+    CONTROL("mainIsPaused", isField = true),
+    GIVE_WAY("giveWay", listOf(CONTROL)),
+    PAUSE("pause", listOf(GIVE_WAY)),
+    PAUSE_IN_CONTROL("pauseInControl", listOf(GIVE_WAY)),
+    ROUND_HALF_UP("roundHalfUp"),
+    WAIT_SECONDS("waitSeconds", listOf(ROUND_HALF_UP)),
+    WAIT_MILLISECONDS("waitMilliseconds", listOf(ROUND_HALF_UP)),
+    PILOT("Pilot", brick = BrickKind.NXT),
+    AWAIT_MOTOR("awaitMotor", listOf(GIVE_WAY), brick = BrickKind.NXT),
+    TURN_MOTOR("turnMotor", listOf(AWAIT_MOTOR), brick = BrickKind.NXT),
+    SPEED_OF("speedOf", brick = BrickKind.NXT),
+    SHOW_TEXT("show", brick = BrickKind.NXT),
+    SHOW_COLOUR("showColour", listOf(SHOW_TEXT), brick = BrickKind.NXT),
+    DURATION_OF("durationOf", listOf(ROUND_HALF_UP)),
+    STOP_AT("stopAt"),
+    FORWARD_CENTIMETRES("forwardCentimetres", listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
+    BACKWARD_CENTIMETRES("backwardCentimetres", listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
+    FORWARD_SECONDS("forwardSeconds", listOf(DURATION_OF, STOP_AT)),
+    BACKWARD_SECONDS("backwardSeconds", listOf(DURATION_OF, STOP_AT)),
+    LEFT_DEGREES("turnLeftDegrees", listOf(DEGREE, DURATION_OF, STOP_AT)),
+    RIGHT_DEGREES("turnRightDegrees", listOf(DEGREE, DURATION_OF, STOP_AT)),
+    LEFT_SECONDS("turnLeftSeconds", listOf(DURATION_OF, STOP_AT)),
+    RIGHT_SECONDS("turnRightSeconds", listOf(DURATION_OF, STOP_AT)),
+    PEN_DOWN("penDown", listOf(PEN_TIME)),
+    PEN_UP("penUp", listOf(PEN_TIME)),
+    POWER_BOTH("power"),
+    PLAY("play", listOf(ROUND_HALF_UP)),
+    SHOW_WHOLE("show"),
+    SHOW_DECIMAL("show", listOf(ROUND_HALF_UP)),
+    TIMER("timer", listOf(TIMER_START)),
+    RESET_TIMER("resetTimer", listOf(TIMER_START)),
+    REMAINDER("remainder"),
+    RANDOM("random", listOf(DICE)),
+    RANDOM_DECIMAL("random", listOf(DICE)),
+    FLOOR("floor"),
+    CEIL("ceil"),
+    ROUND("round", listOf(FLOOR)),
+    SQRT("sqrt"),
+    QUARTER_SINE("sineOfSmall", listOf(ROUND), isCalculation = true),
+    SIN("sin", listOf(QUARTER_SINE), isCalculation = true),
+    COS("cos", listOf(QUARTER_SINE), isCalculation = true),
+    TAN("tan", listOf(SIN, COS), isCalculation = true),
+    ATAN2("atan2", isCalculation = true),
+    POW("pow", listOf(ROUND), isCalculation = true),
     ;
 
-    /** Its Java for [robot], for a program with behaviours if [isReacting]. */
-    fun textIn(isReacting: Boolean, robot: BrickKind): String =
-        (if (robot == BrickKind.NXT) NxtTexts.of(this, isReacting) else null) ?: textIn(isReacting)
-
     /** The helpers that its Java for [robot] uses. */
-    fun needsOn(robot: BrickKind, isReacting: Boolean): List<JavaHelper> = when {
-        robot == BrickKind.RCX -> needs
-        this == PILOT_FIELD -> listOf(PILOT)
-        this == PILOT -> if (isReacting) listOf(GIVE_WAY) else emptyList()
-        else -> NxtTexts.needsOf(this, isReacting) ?: needs
-    }
+    fun needsOn(robot: BrickKind, isReacting: Boolean): List<JavaHelper> =
+        if (robot == BrickKind.RCX) needs else needsOnNxt(isReacting)
 
-    private fun textIn(isReacting: Boolean): String = when {
-        !isReacting || this == GIVE_WAY || this == PAUSE || this == PAUSE_IN_CONTROL -> text
-        else -> reactingText ?: text.replace("Thread.sleep(", "pause(")
+    private fun needsOnNxt(isReacting: Boolean): List<JavaHelper> = when (this) {
+        PILOT_FIELD -> listOf(PILOT)
+        PILOT -> if (isReacting) listOf(GIVE_WAY) else emptyList()
+        STOP_AT -> listOf(PILOT_FIELD)
+        PEN_DOWN, PEN_UP -> if (isReacting) listOf(AWAIT_MOTOR) else emptyList()
+        SHOW_WHOLE -> listOf(SHOW_TEXT)
+        SHOW_DECIMAL -> listOf(ROUND_HALF_UP, SHOW_TEXT)
+        else -> needs
     }
 
     companion object {

@@ -24,10 +24,8 @@ fun kitFiles(translation: Translation, sourceName: String, source: String): List
         KitFile("$className/${translation.fileName}", translation.java),
         KitFile("$className/$sourceName", source),
     )
-    if (translation.brick == BrickKind.NXT) return program + NxtKit(className, sourceName).files()
-    val scripts = KitScripts(className, className, listOf(translation.fileName))
-    val readme = KitFile("$className/README.txt", KitTexts.readme(className, sourceName))
-    return program + readme + filesOf(scripts, className)
+    return program +
+        KitTools(className, className, listOf(translation.fileName), sourceName).filesFor(translation.brick)
 }
 
 /**
@@ -42,16 +40,8 @@ fun javaKitFiles(mainClass: String, sources: List<KitFile>, brick: BrickKind = B
     val names = mutableListOf<String>()
     for (source in sources) names += uniqueName(plainName(source.path), names)
     val files = names.zip(sources) { name, source -> KitFile("$className/$name", source.text) }
-    if (brick == BrickKind.NXT) return files + NxtKit(className, null, mainClass.replace('/', '.'), names).files()
-    val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
-    return files + KitFile("$className/README.txt", KitTexts.javaReadme(className)) + filesOf(scripts, className)
+    return files + KitTools(className, mainClass.replace('/', '.'), names, null).filesFor(brick)
 }
-
-private fun filesOf(scripts: KitScripts, className: String): List<KitFile> = listOf(
-    KitFile("$className/build.xml", scripts.antFile()),
-    KitFile("$className/download.sh", scripts.shellScript(), isExecutable = true),
-    KitFile("$className/download.bat", scripts.batchFile().replace("\n", "\r\n")),
-)
 
 /** The name of a source without characters that are special to a shell; a public class's name has none. */
 private fun plainName(path: String): String {

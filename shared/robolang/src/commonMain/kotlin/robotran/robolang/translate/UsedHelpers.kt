@@ -3,6 +3,7 @@ package robotran.robolang.translate
 import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.template.fillIn
 
 /** Collects the helpers that a translation uses; only those are written. */
 internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boolean) {
@@ -14,6 +15,11 @@ internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boole
     /** For constants. */
     val durations = Durations(robot)
 
+    private val values: Map<String, String> by lazy {
+        val waiting = JavaTemplates.of("WAITING", BrickKind.NXT, isReacting)
+        figuresOf(robot) + mapOf("THROWS" to throwsClause(isReacting), "WAITING" to waiting)
+    }
+
     /** The used helpers, in order of declaration. */
     val all: List<JavaHelper> get() = JavaHelper.entries.filter { it in used }
 
@@ -23,7 +29,7 @@ internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boole
 
     /** The Java of [helper] for the robot. */
     fun textOf(helper: JavaHelper): String {
-        val text = helper.textIn(isReacting, robot.kind)
+        val text = JavaTemplates.of(helper.name, robot.kind, isReacting).fillIn(values)
         return when {
             robot.kind == BrickKind.RCX -> motors.of(text)
             helper == JavaHelper.PILOT -> motors.ofPilot(text)

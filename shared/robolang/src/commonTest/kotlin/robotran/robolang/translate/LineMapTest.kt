@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -113,7 +114,7 @@ class LineMapTest {
             "return false;",
             "isActive = false;",
             "giveWay();",
-        ).toSet() + listOf(JavaBehaviourTexts.SUPPRESS, JavaBehaviourTexts.MAIN_PROGRAM, JavaBehaviourTexts.REACTIONS)
-            .flatMap { text -> text.lines().map { it.trim() } }
+        ).toSet() + listOf("SUPPRESS", "MAIN_PROGRAM", "REACTIONS")
+            .flatMap { name -> JavaTemplates.of(name, BrickKind.RCX, isReacting = true).lines().map { it.trim() } }
     }
 }
