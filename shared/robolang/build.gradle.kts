@@ -4,7 +4,7 @@ plugins {
 }
 
 texts {
-    constant("commonMain", "robotran.robolang.template.templates", "shared/robolang/src/templates", "**/*")
+    constant("commonMain", "robotran.robolang.template.templates", "shared/robolang/src/brick", "**/*")
     constant(
         "commonTest",
         "robotran.robolang.testPrograms",

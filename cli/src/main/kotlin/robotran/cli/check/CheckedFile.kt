@@ -19,9 +19,9 @@ import robotran.cli.input.isCourse
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.json.JsonWarning
+import robotran.language.source.Diagnostic
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -38,7 +38,7 @@ internal sealed interface CheckedFile {
      */
     data class Robolang(
         val file: RobolangFile,
-        val translated: List<ProgramDiagnostic> = emptyList(),
+        val translated: List<Diagnostic> = emptyList(),
         val isForBrick: Boolean = false,
     ) : CheckedFile {
         val canRun: Boolean get() = file is RobolangFile.Ready && !(isForBrick && translated.isNotEmpty())
@@ -51,8 +51,8 @@ internal sealed interface CheckedFile {
      * @property isCompiled whether it is the latter; diagnostics then name class and method as their file.
      */
     data class Java(
-        val diagnostics: List<ProgramDiagnostic>,
-        val warnings: List<ProgramDiagnostic>,
+        val diagnostics: List<Diagnostic>,
+        val warnings: List<Diagnostic>,
         val isCompiled: Boolean = false,
         override val remarks: List<String> = emptyList(),
     ) : CheckedFile
@@ -60,8 +60,8 @@ internal sealed interface CheckedFile {
     /** A program for LEGO's own firmware, with all files that it includes. */
     data class Firmware(
         val program: NamedProgram,
-        val diagnostics: List<ProgramDiagnostic>,
-        val warnings: List<ProgramDiagnostic>,
+        val diagnostics: List<Diagnostic>,
+        val warnings: List<Diagnostic>,
         override val remarks: List<String> = emptyList(),
     ) : CheckedFile
 
@@ -154,7 +154,7 @@ private fun checkRobolang(
 }
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */
-private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<ProgramDiagnostic> {
+private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<Diagnostic> {
     val source = ProgramSource.Robolang(file.program.name, file.source)
     val kind = file.program.kind
     return runBlocking {
@@ -199,7 +199,7 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: Bri
 }
 
 /** A diagnostic that belongs to none of the [sources] goes to the first. */
-private fun byFile(told: List<ProgramDiagnostic>, sources: List<SourceFile>): Map<String, List<ProgramDiagnostic>> =
+private fun byFile(told: List<Diagnostic>, sources: List<SourceFile>): Map<String, List<Diagnostic>> =
     told.groupBy { diagnostic ->
         (sources.find { it.name == diagnostic.file } ?: sources.first()).name
     }

@@ -9,10 +9,10 @@ import robotran.cli.console.jsonOutput
 import robotran.cli.files.nameOf
 import robotran.cli.input.RobolangFile
 import robotran.json.JsonWarning
-import robotran.programs.ProgramDiagnostic
-import robotran.robolang.diagnostic.Diagnostic
-import robotran.robolang.diagnostic.Severity
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 
 /**
  * The output of `robotran check --json`: a list with one object per file. Each object has `file` and either
@@ -33,7 +33,7 @@ private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject 
 
 private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file) {
     is CheckedFile.Robolang -> {
-        diagnosticsOf(file.file).map(::json) +
+        diagnosticsOf(file.file).map(::jsonOfRobolang) +
             file.translated.map { json(if (file.isForBrick) "mistake" else "warning", it) }
     }
 
@@ -64,38 +64,26 @@ private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> = when (file) {
 }
 
 /** @param checked the checked file, if others may be named that it includes. */
-private fun json(severity: String, diagnostic: ProgramDiagnostic, checked: String? = null): JsonObject =
-    buildJsonObject {
-        put("severity", severity)
-        if (checked != null && nameOf(diagnostic.file) != nameOf(checked)) put("file", diagnostic.file)
-        diagnostic.range?.let { put(it) }
-        put("message", diagnostic.message)
-        diagnostic.fix?.let { fix ->
-            put(
-                "fix",
-                buildJsonObject {
-                    put(fix.range)
-                    put("replacement", fix.replacement)
-                },
-            )
-        }
-    }
+private fun json(severity: String, diagnostic: Diagnostic, checked: String? = null): JsonObject = buildJsonObject {
+    put("severity", severity)
+    if (checked != null && nameOf(diagnostic.file) != nameOf(checked)) put("file", diagnostic.file)
+    diagnostic.range?.let { put(it) }
+    put("message", diagnostic.message)
+    diagnostic.fix?.let { put("fix", json(it)) }
+}
 
-private fun json(diagnostic: Diagnostic): JsonObject = buildJsonObject {
-    put("code", diagnostic.code.id)
+private fun jsonOfRobolang(diagnostic: Diagnostic): JsonObject = buildJsonObject {
+    diagnostic.code?.let { put("code", it.id) }
     put("severity", if (diagnostic.severity == Severity.ERROR) "mistake" else "warning")
-    put(diagnostic.range)
+    diagnostic.range?.let { put(it) }
     put("text", diagnostic.text)
     put("message", diagnostic.message)
-    diagnostic.fix?.let { fix ->
-        put(
-            "fix",
-            buildJsonObject {
-                put(fix.range)
-                put("replacement", fix.replacement)
-            },
-        )
-    }
+    diagnostic.fix?.let { put("fix", json(it)) }
+}
+
+private fun json(fix: SourceFix): JsonObject = buildJsonObject {
+    put(fix.range)
+    put("replacement", fix.replacement)
 }
 
 private fun JsonObjectBuilder.put(range: SourceRange) {

@@ -1,11 +1,11 @@
 package robotran.cli.input
 
 import robotran.cli.files.NamedProgram
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.programs.ProgramSource
 
 /** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
-internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): String {
+internal fun lineOf(program: NamedProgram, diagnostic: Diagnostic): String {
     val file =
         when (program.source) {
             is ProgramSource.Robolang -> program.path
@@ -20,13 +20,13 @@ internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): Strin
 }
 
 /** [diagnostic] of the file [name] in one line. */
-internal fun lineOf(name: String, diagnostic: ProgramDiagnostic): String {
+internal fun lineOf(name: String, diagnostic: Diagnostic): String {
     val place = diagnostic.range?.let { ":${it.line}:${it.column}" }.orEmpty()
     return "$name$place: ${diagnostic.message}"
 }
 
 /** [diagnostic] of one of [programs] in one line. */
-internal fun lineOf(programs: List<NamedProgram>, diagnostic: ProgramDiagnostic): String =
+internal fun lineOf(programs: List<NamedProgram>, diagnostic: Diagnostic): String =
     lineOf(programs.find { owns(it.source, diagnostic.file) } ?: programs.first(), diagnostic)
 
 private fun owns(source: ProgramSource, file: String) = source.name == file || source.files.any { it.name == file }

@@ -7,12 +7,12 @@ import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
+import robotran.language.source.Diagnostic
 import robotran.projects.penbotTarget
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.brickOfRobolang
 import robotran.robolang.compileRobolang
-import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
 import kotlin.io.path.Path
 import kotlin.io.path.name
@@ -67,7 +67,3 @@ internal fun readRobolangText(name: String, language: Language): TextFile = if (
 } else {
     TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
 }
-
-/** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
-internal fun lineOf(name: String, diagnostic: Diagnostic): String =
-    "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"

@@ -1,7 +1,7 @@
 package robotran.blockediting
 
-import robotran.robolang.diagnostic.Diagnostic
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceSpan
 import robotran.textediting.TextEdit
 
 /** The result of a [BlockEdit]. */

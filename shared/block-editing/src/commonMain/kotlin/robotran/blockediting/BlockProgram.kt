@@ -1,11 +1,11 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ProgramOutline
-import robotran.robolang.outline.SourceSpan
 
 /**
  * A Robolang text as blocks. Immutable: an edit makes another one, see [apply].

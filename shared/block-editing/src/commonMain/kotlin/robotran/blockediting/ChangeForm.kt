@@ -2,7 +2,6 @@ package robotran.blockediting
 
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.LineForm
 import robotran.textediting.TextEdit

@@ -1,7 +1,7 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
 import robotran.textediting.TextEdit

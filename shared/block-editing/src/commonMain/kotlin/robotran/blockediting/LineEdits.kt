@@ -1,8 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
-import robotran.robolang.outline.SourceSpan
 import robotran.textediting.TextEdit
 
 /** Edits of one line as text. */

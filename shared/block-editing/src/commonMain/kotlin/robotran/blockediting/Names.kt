@@ -1,10 +1,10 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.RobolangWords
 import robotran.robolang.SourceTokenKind
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.robolangTokens
 import robotran.textediting.TextEdit

@@ -1,8 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
 import robotran.textediting.TextEdit

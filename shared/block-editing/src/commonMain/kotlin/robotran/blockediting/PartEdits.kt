@@ -1,8 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.ValueForm
 import robotran.textediting.TextEdit

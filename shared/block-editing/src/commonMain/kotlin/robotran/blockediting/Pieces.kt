@@ -1,8 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 
 /**
  * The smallest pieces of a program in the order of its blocks: words, values, the spaces between them, comments and line

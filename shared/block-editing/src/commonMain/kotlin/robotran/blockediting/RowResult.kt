@@ -1,7 +1,7 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.ProgramOutline
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.syntax.RobolangLimits
 import robotran.textediting.TextEdit

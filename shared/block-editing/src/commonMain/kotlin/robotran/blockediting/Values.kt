@@ -1,11 +1,11 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.OutlineValue
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueKind

@@ -1,6 +1,6 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.SourceSpan
 
 /** A program with a comment, an empty line and odd spaces, which no edit may lose. */
 internal const val SQUARE =

@@ -1,8 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.words.ValueKind
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -4,8 +4,8 @@ import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertContains

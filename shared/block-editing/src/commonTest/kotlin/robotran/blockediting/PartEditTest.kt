@@ -1,6 +1,6 @@
 package robotran.blockediting
 
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.SourceSpan
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,8 +1,8 @@
 package robotran.blockediting
 
 import robotran.blockediting.palette.Palette
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.words.LineForm
 import kotlin.random.Random
 

@@ -1,7 +1,7 @@
 package robotran.javacompiler
 
-import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.ecj.BrickTarget
+import robotran.language.source.Diagnostic
 
 /** The result of a compilation. */
 sealed interface CompilationResult {
@@ -17,11 +17,11 @@ sealed interface CompilationResult {
      */
     class Compiled(
         val classes: Map<String, ByteArray>,
-        val warnings: List<JavaDiagnostic>,
+        val warnings: List<Diagnostic>,
         val mainClasses: List<String>,
-        val missingMain: JavaDiagnostic?,
+        val missingMain: Diagnostic?,
     ) : CompilationResult
 
     /** The program cannot run. The [diagnostics] are all its errors, in the order of the sources and never empty. */
-    data class Rejected(val diagnostics: List<JavaDiagnostic>) : CompilationResult
+    data class Rejected(val diagnostics: List<Diagnostic>) : CompilationResult
 }

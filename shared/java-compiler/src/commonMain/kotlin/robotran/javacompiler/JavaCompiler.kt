@@ -2,8 +2,6 @@ package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.Diagnosis
 import robotran.javacompiler.diagnose.Diamonds
-import robotran.javacompiler.diagnose.JavaDiagnostic
-import robotran.javacompiler.diagnose.JavaSeverity
 import robotran.javacompiler.diagnose.MissingMembers
 import robotran.javacompiler.diagnose.PastedCharacters
 import robotran.javacompiler.ecj.BrickTarget
@@ -58,7 +56,7 @@ internal inline fun compilation(
     val compilation = compiled(texts, target) { ecj(it, gaps.keys) }
     val diagnosis = Diagnosis(texts, library, compilation, messages, gaps, target)
     val diagnostics = diagnosis.diagnostics()
-    val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
+    val errors = diagnostics.filter { it.severity == Severity.ERROR }
     if (errors.isEmpty()) {
         return CompilationResult.Compiled(
             compilation.classes,
@@ -100,23 +98,23 @@ internal fun withDiamonds(first: EcjCompilation, diamonds: Diamonds, second: Ecj
 }
 
 /** The characters that no keyboard writes in the lines of [errors], by path; null if there are none. */
-internal fun pastedCharacters(texts: List<JavaSource>, errors: List<JavaDiagnostic>): Map<String, PastedCharacters>? =
+internal fun pastedCharacters(texts: List<JavaSource>, errors: List<Diagnostic>): Map<String, PastedCharacters>? =
     texts.associate { text ->
-        val lines = errors.filter { it.path == text.path }.map { it.range.line }
+        val lines = errors.filter { it.file == text.path }.mapNotNull { it.range?.line }
         text.path to PastedCharacters(text, lines.toSet())
     }.takeIf { pasted -> pasted.values.any { it.lines.isNotEmpty() } }
 
 /** A mistake for each line with [pasted] characters, and the errors among [others], of the texts without them. */
 internal fun withPastedCharacters(
     pasted: Map<String, PastedCharacters>,
-    others: List<JavaDiagnostic>,
+    others: List<Diagnostic>,
     messages: JavaMessages,
-): List<JavaDiagnostic> {
+): List<Diagnostic> {
     val kept = others.filter {
-        it.severity == JavaSeverity.ERROR && it.range.line !in pasted.getValue(it.path).lines
-    }.groupBy { it.path }
+        it.severity == Severity.ERROR && it.range?.line !in pasted.getValue(it.file).lines
+    }.groupBy { it.file }
     return pasted.flatMap { (path, characters) ->
-        (characters.diagnostics(messages) + kept[path].orEmpty()).sortedBy { it.range.line }
+        (characters.diagnostics(messages) + kept[path].orEmpty()).sortedBy { it.range?.line }
     }
 }
 

@@ -1,11 +1,12 @@
 package robotran.javacompiler
 
-import robotran.javacompiler.diagnose.JavaDiagnostic
-import robotran.javacompiler.diagnose.JavaFix
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceFix
 import robotran.lejoslibrary.LejosLibrary
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
 
 /** The class files of leJOS. It is always the same map, so that the compiler reads the classes only once. */
 val library: Map<String, ByteArray> by lazy {
@@ -24,7 +25,7 @@ suspend fun compile(text: String, vararg others: JavaSource): CompilationResult 
 suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled =
     assertIs(compile(text, *others))
 
-suspend fun diagnostics(text: String, vararg others: JavaSource): List<JavaDiagnostic> =
+suspend fun diagnostics(text: String, vararg others: JavaSource): List<Diagnostic> =
     assertIs<CompilationResult.Rejected>(compile(text, *others)).diagnostics
 
 /** A whole program with [statements], which begin in line 4. */
@@ -33,14 +34,13 @@ fun program(statements: String) =
         "InterruptedException {\n$statements\n}\n}\n"
 
 /** The first diagnostic for [statements] in a main method. */
-suspend fun diagnostic(statements: String): JavaDiagnostic = diagnostics(program(statements)).first()
+suspend fun diagnostic(statements: String): Diagnostic = diagnostics(program(statements)).first()
 
 /** The first diagnostic for [declarations] as class members. */
-suspend fun memberDiagnostic(declarations: String): JavaDiagnostic =
-    diagnostics("class Robot {\n$declarations\n}").first()
+suspend fun memberDiagnostic(declarations: String): Diagnostic = diagnostics("class Robot {\n$declarations\n}").first()
 
 /** Returns [text] with [fix] applied. */
-fun withFix(text: String, fix: JavaFix): String {
+fun withFix(text: String, fix: SourceFix): String {
     val lines = text.lines().toMutableList()
     val line = lines[fix.range.line - 1]
     lines[fix.range.line - 1] =
@@ -53,3 +53,6 @@ suspend fun fixedStatements(statements: String): String {
     val text = withFix(program(statements), assertNotNull(diagnostic(statements).fix))
     return text.substringAfter("InterruptedException {\n").removeSuffix("\n}\n}\n")
 }
+
+/** Asserts that [told] ends with the sentence [advice], which says what to do instead. */
+fun assertAdvice(advice: String, told: Diagnostic) = assertTrue(told.message.endsWith(" $advice"), told.message)

@@ -1,6 +1,7 @@
 package robotran.javacompiler
 
 import kotlin.random.Random
+import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
 
 private val WORD = Regex("""\w+|\s+|[^\w\s]""")
@@ -45,7 +46,8 @@ private fun assertReported(result: CompilationResult.Rejected, text: String) {
     val lines = text.lines().size
     for (diagnostic in result.diagnostics) {
         assertTrue(diagnostic.message.isNotBlank(), text)
-        assertTrue(diagnostic.range.line in 1..lines && diagnostic.range.column in 1..diagnostic.range.endColumn, text)
+        val range = assertNotNull(diagnostic.range, text)
+        assertTrue(range.line in 1..lines && range.column in 1..range.endColumn, text)
         diagnostic.fix?.let { withFix(text, it) }
     }
 }

@@ -1,7 +1,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.language.source.Diagnostic
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
@@ -83,12 +83,12 @@ class JavaFixesTest {
     }
 
     /** The errors or warnings: a semicolon behind `while (...)` is Java, but hardly ever what was meant. */
-    private fun mistakesOf(result: CompilationResult): List<JavaDiagnostic> = when (result) {
+    private fun mistakesOf(result: CompilationResult): List<Diagnostic> = when (result) {
         is CompilationResult.Compiled -> result.warnings
         is CompilationResult.Rejected -> result.diagnostics
     }
 
-    private suspend fun check(text: String, mistakes: suspend (String) -> List<JavaDiagnostic>) {
+    private suspend fun check(text: String, mistakes: suspend (String) -> List<Diagnostic>) {
         val before = mistakes(text)
         assertTrue(before.isNotEmpty(), text)
         for (fix in before.mapNotNull { it.fix }) {

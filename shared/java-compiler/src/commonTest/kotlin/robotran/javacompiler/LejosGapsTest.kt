@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.Diagnostic
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosDifferences
 import robotran.lejoslibrary.LejosRemedy
@@ -22,7 +22,7 @@ class LejosGapsTest {
         LejosDifferences.all.filterNot { it.isIn(version) },
     )
 
-    private suspend fun diagnostics(statements: String): List<JavaDiagnostic> =
+    private suspend fun diagnostics(statements: String): List<Diagnostic> =
         assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, program(statements)), statements).diagnostics
 
     @Test
@@ -34,7 +34,7 @@ class LejosGapsTest {
             val diagnostic = diagnostics("Throwable t = new $name(\"late\");").single()
             assertEquals("new $name(\"late\")", diagnostic.text)
             assertContains(diagnostic.message, name.substringAfterLast('.'))
-            assertContains(assertNotNull(diagnostic.hint), "new ${name.substringAfterLast('.')}()")
+            assertContains(diagnostic.message, "new ${name.substringAfterLast('.')}()")
             assertIs<CompilationResult.Compiled>(
                 compileFor(LejosVersion.V3_0, program("Throwable t = new $name();")),
                 name,
@@ -51,11 +51,11 @@ class LejosGapsTest {
 
     @Test
     fun `every gap is refused where it is used, and its hint says what to write`() = runTest {
-        for ((use, hint) in USES) assertContains(assertNotNull(diagnostics(use).first().hint, use), hint)
+        for ((use, hint) in USES) assertContains(diagnostics(use).first().message, hint)
         for ((use, hint) in USES_OF_30) {
             assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program(use)), use)
             val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V2_1, program(use)), use)
-            assertContains(assertNotNull(rejected.diagnostics.first().hint, use), hint)
+            assertContains(rejected.diagnostics.first().message, hint)
         }
     }
 
@@ -114,7 +114,7 @@ class LejosGapsTest {
         for (step in refused) {
             val diagnostic = diagnostics("int i = 0; $step").single()
             assertContains(diagnostic.message, "127", message = step)
-            assertContains(assertNotNull(diagnostic.hint, step), "i = i ")
+            assertContains(diagnostic.message, "i = i ", message = step)
         }
         val accepted = listOf(
             "i += 127;",
@@ -157,7 +157,7 @@ class LejosGapsTest {
         for (joined in listOf("\"a\" + n", "n + \"a\"", "\"a\" + 1.5f * n", "args[0] + (byte) n")) {
             val warning = compiled(program("int n = args.length; String s = $joined;")).warnings.single()
             assertEquals(joined, warning.text)
-            assertContains(assertNotNull(warning.hint), "LCD.showNumber")
+            assertContains(warning.message, "LCD.showNumber")
         }
         val others = "String s = \"a\" + args[0] + 'b' + true; String t = \"a\" + 1;"
         assertEquals(emptyList(), compiled(program(others)).warnings)

@@ -1,9 +1,9 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaFix
-import robotran.javacompiler.diagnose.JavaRange
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -31,16 +31,16 @@ class NameMistakesTest {
         assertEquals("LCD.showNumber(3);", fixedStatements("lcd.showNumber(3);"))
         assertEquals("String s;", fixedStatements("string s;"))
         assertEquals("int y;", fixedStatements("Int y;"))
-        assertContains(assertNotNull(diagnostic("motor.A.forward();").hint), "capital")
+        assertContains(diagnostic("motor.A.forward();").message, "capital")
     }
 
     @Test
     fun `a missing import is told with its line`() = runTest {
         val diagnostic = diagnostics("class Robot { void go() { Motor.A.forward(); } }").single()
-        assertContains(assertNotNull(diagnostic.hint), "import josx.platform.rcx.*;")
-        assertEquals(JavaFix(JavaRange(1, 1, 1), "import josx.platform.rcx.*;\n"), diagnostic.fix)
+        assertContains(diagnostic.message, "import josx.platform.rcx.*;")
+        assertEquals(SourceFix(SourceRange(1, 1, 1), "import josx.platform.rcx.*;\n"), diagnostic.fix)
         val inPackage = "// package none;\npackage robots;\nclass Robot { Vector all; }"
-        assertEquals(JavaFix(JavaRange(2, 16, 16), "\nimport java.util.*;"), diagnostics(inPackage).single().fix)
+        assertEquals(SourceFix(SourceRange(2, 16, 16), "\nimport java.util.*;"), diagnostics(inPackage).single().fix)
     }
 
     @Test
@@ -55,12 +55,12 @@ class NameMistakesTest {
 
     @Test
     fun `an unknown variable can be declared`() = runTest {
-        assertContains(assertNotNull(diagnostic("number = 1;").hint), "int number = 0;")
+        assertContains(diagnostic("number = 1;").message, "int number = 0;")
     }
 
     @Test
     fun `an unknown method can be written`() = runTest {
-        assertContains(assertNotNull(diagnostic("turnAround();").hint), "static void turnAround() { }")
+        assertContains(diagnostic("turnAround();").message, "static void turnAround() { }")
     }
 
     @Test
@@ -69,7 +69,7 @@ class NameMistakesTest {
         for (use in listOf("new Other().count = 3;", "new Other().go();")) {
             val diagnostic = diagnostics(program(use), other).single()
             assertContains(diagnostic.message, "only \"Other\" itself")
-            assertContains(assertNotNull(diagnostic.hint), "Take \"private\" away")
+            assertContains(diagnostic.message, "Take \"private\" away")
         }
     }
 
@@ -81,14 +81,14 @@ class NameMistakesTest {
 
     @Test
     fun `the length of a text has brackets and that of an array has none`() = runTest {
-        assertContains(assertNotNull(diagnostic("String s = null; int n = s.length;").hint), "word.length()")
+        assertContains(diagnostic("String s = null; int n = s.length;").message, "word.length()")
         assertEquals("int n = args.length;", fixedStatements("int n = args.length();"))
     }
 
     @Test
     fun `single values have no methods and texts no places`() = runTest {
         assertContains(diagnostic("int q = 1; q.go();").message, "no methods")
-        assertContains(assertNotNull(diagnostic("String s = \"a\"; char c = s[0];").hint), "charAt(0)")
+        assertContains(diagnostic("String s = \"a\"; char c = s[0];").message, "charAt(0)")
     }
 
     @Test
@@ -96,7 +96,7 @@ class NameMistakesTest {
         assertEquals(
             listOf(1, 3),
             diagnostics("import java.util.ArrayList;\nclass Robot {\nArrayList a;\nArrayList b;\n}").map {
-                it.range.line
+                it.range?.line
             },
         )
         assertEquals(1, diagnostics(program("int x = 1\nMotor.A.foo();")).size)

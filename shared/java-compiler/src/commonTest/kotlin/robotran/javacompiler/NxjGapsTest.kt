@@ -16,7 +16,7 @@ import kotlin.test.assertTrue
 class NxjGapsTest {
     private suspend fun assertTold(remedy: NxjRemedy, vararg statements: String) {
         for (text in statements) {
-            assertEquals(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), nxtDiagnostic(text).hint, text)
+            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), nxtDiagnostic(text))
         }
     }
 
@@ -42,9 +42,9 @@ class NxjGapsTest {
         assertTold(NxjRemedy.END_THREAD, "Thread.currentThread().stop();")
         assertTold(NxjRemedy.COMPARE_CHARACTERS, "boolean b = Character.isLetter('a');")
         assertTold(NxjRemedy.SUBSTRINGS, "new StringBuilder().insert(0, \"a\");")
-        assertEquals(
+        assertAdvice(
             "Write for (int i = text.length() - 1; i >= 0; i--) { back = back + text.charAt(i); }.",
-            nxtDiagnostic("new StringBuilder().reverse();").hint,
+            nxtDiagnostic("new StringBuilder().reverse();"),
         )
         assertTold(NxjRemedy.INSTANCEOF, "String n = \"\".getClass().getName();")
     }
@@ -77,7 +77,7 @@ class NxjGapsTest {
         )
         for ((name, remedy) in imports) {
             val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
-            assertEquals(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told.hint, name)
+            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told)
         }
     }
 
@@ -100,7 +100,7 @@ class NxjGapsTest {
         )
         for ((name, remedy) in imports) {
             val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
-            assertEquals(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told.hint, name)
+            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told)
         }
         assertTold(NxjRemedy.DRAW, "LCD.showNumber(3);")
         assertTold(NxjRemedy.SENSOR_PORT, "Sensor.S1.activate();")
@@ -148,18 +148,23 @@ class NxjGapsTest {
         )
         for ((feature, statements) in programs) {
             val told = nxtDiagnostic(statements)
-            assertEquals(JavaMessages.of(Language.ENGLISH).newerJava(feature), told.message, statements)
-            assertEquals(JavaMessages.of(Language.ENGLISH).insteadOf(feature), told.hint, statements)
+            val sentences = "${JavaMessages.of(
+                Language.ENGLISH,
+            ).newerJava(feature)} ${JavaMessages.of(Language.ENGLISH).insteadOf(feature)}"
+            assertEquals(sentences, told.message, statements)
         }
     }
 
-    private suspend fun toldOf(statements: String): List<Pair<Int, String>> =
+    private suspend fun toldOf(statements: String): List<Pair<Int?, String>> =
         assertIs<CompilationResult.Rejected>(compileForNxt(nxtProgram(statements))).diagnostics
-            .map { it.range.line to it.message }
+            .map { it.range?.line to it.message }
 
     @Test
     fun `a missing semicolon is told beside an empty diamond`() = runTest {
-        val diamond = JavaMessages.of(Language.ENGLISH).newerJava(NewerJava.DIAMOND)
+        val diamond = NewerJava.DIAMOND.let {
+            JavaMessages.of(Language.ENGLISH).newerJava(it) + " " +
+                JavaMessages.of(Language.ENGLISH).insteadOf(it)
+        }
         val before = "LCD.drawInt(1, 0, 0)\nMap<String, Integer> map = new HashMap<>();\nmap.put(null, null);"
         val (semicolon, told) = toldOf(before)
         assertEquals(8, semicolon.first)
@@ -186,17 +191,18 @@ class NxjGapsTest {
 
     @Test
     fun `boxes of the wrong kind get no advice for an RCX`() = runTest {
-        assertEquals(null, nxtDiagnostic("Integer i = 5L;").hint)
-        assertFalse("Vector" in nxtDiagnostic("Integer i = null; boolean b = i && true;").hint.orEmpty())
+        val sentence = "This is of type \"long\", and \"Integer\" is needed here."
+        assertEquals(sentence, nxtDiagnostic("Integer i = 5L;").message)
+        assertFalse("Vector" in nxtDiagnostic("Integer i = null; boolean b = i && true;").message)
     }
 
     @Test
     fun `missing imports and typing errors are mended`() = runTest {
         val told = nxtDiagnosticOf("public class Robot { public static void main(String[] a) { Motor.A.forward(); } }")
-        assertContains(told.hint.orEmpty(), "import lejos.nxt.*;")
-        assertContains(nxtDiagnostic("Motor.A.foward();").hint.orEmpty(), "forward")
-        assertContains(nxtDiagnostic("new ArrayList<String>().contans(null);").hint.orEmpty(), "contains")
-        assertContains(nxtDiagnostic("UltrasonicSenor s = null;").hint.orEmpty(), "UltrasonicSensor")
+        assertContains(told.message, "import lejos.nxt.*;")
+        assertContains(nxtDiagnostic("Motor.A.foward();").message, "forward")
+        assertContains(nxtDiagnostic("new ArrayList<String>().contans(null);").message, "contains")
+        assertContains(nxtDiagnostic("UltrasonicSenor s = null;").message, "UltrasonicSensor")
     }
 
     @Test
@@ -224,21 +230,21 @@ class NxjGapsTest {
     @Test
     fun `a class of two packages is told with the import of the brick's`() = runTest {
         val diagnostic = nxtDiagnostic("Timer timer = null;")
-        assertEquals(JavaMessages.of(Language.ENGLISH).severalClasses("Timer"), diagnostic.message)
-        assertEquals(JavaMessages.of(Language.ENGLISH).importIt("import lejos.util.Timer;"), diagnostic.hint)
+        val advice = JavaMessages.of(Language.ENGLISH).importIt("import lejos.util.Timer;")
+        assertEquals("${JavaMessages.of(Language.ENGLISH).severalClasses("Timer")} $advice", diagnostic.message)
     }
 
     @Test
     fun `of two classes the one with types in angle brackets is Java's`() = runTest {
-        suspend fun hint(statement: String) =
-            nxtDiagnosticOf("import javax.microedition.lcdui.*;\n" + nxtProgram(statement)).hint
-        assertEquals(
+        suspend fun told(statement: String) =
+            nxtDiagnosticOf("import javax.microedition.lcdui.*;\n" + nxtProgram(statement))
+        assertAdvice(
             JavaMessages.of(Language.ENGLISH).importIt("import java.util.List;"),
-            hint("List<String> names = null;"),
+            told("List<String> names = null;"),
         )
-        assertEquals(
+        assertAdvice(
             JavaMessages.of(Language.ENGLISH).importIt("import javax.microedition.lcdui.List;"),
-            hint("List menu = null;"),
+            told("List menu = null;"),
         )
     }
 }

@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
-import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.Diagnostic
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.assertIs
 import kotlin.test.fail
@@ -19,7 +19,7 @@ suspend fun compileForNxt(text: String, isForgiving: Boolean = false): Compilati
 
 suspend fun compiledForNxt(text: String): CompilationResult.Compiled = when (val result = compileForNxt(text)) {
     is CompilationResult.Compiled -> result
-    is CompilationResult.Rejected -> fail(result.diagnostics.joinToString("\n") { "${it.range.line}: ${it.message}" })
+    is CompilationResult.Rejected -> fail(result.diagnostics.joinToString("\n") { "${it.range?.line}: ${it.message}" })
 }
 
 /** A whole program for an NXT with [statements], which begin in line 8. */
@@ -29,8 +29,8 @@ fun nxtProgram(statements: String) =
         "public static void main(String[] args) throws Exception {\n$statements\n}\n}\n"
 
 /** The first diagnostic of the program [text] for an NXT. */
-suspend fun nxtDiagnosticOf(text: String): JavaDiagnostic =
+suspend fun nxtDiagnosticOf(text: String): Diagnostic =
     assertIs<CompilationResult.Rejected>(compileForNxt(text), text).diagnostics.first()
 
 /** The first diagnostic for [statements] in a main method for an NXT. */
-suspend fun nxtDiagnostic(statements: String): JavaDiagnostic = nxtDiagnosticOf(nxtProgram(statements))
+suspend fun nxtDiagnostic(statements: String): Diagnostic = nxtDiagnosticOf(nxtProgram(statements))

@@ -30,7 +30,7 @@ class PastedCharactersTest {
         for ((written, meant) in lines) {
             val text = program("int before = 0;\n$written\nint behind = before;")
             val diagnostic = diagnostics(text).single()
-            assertEquals(5, diagnostic.range.line, written)
+            assertEquals(5, diagnostic.range?.line, written)
             assertEquals(
                 program("int before = 0;\n$meant\nint behind = before;"),
                 withFix(text, assertNotNull(diagnostic.fix)),
@@ -42,7 +42,7 @@ class PastedCharactersTest {
     @Test
     fun `other mistakes beside them are told as ever`() = runTest {
         val all = diagnostics(program("int x = 3 \u2212 1;\nint y = 2\nMotor.A.foo();\nx \u2264 3;"))
-        assertEquals(listOf(4, 5, 7), all.map { it.range.line })
+        assertEquals(listOf(4, 5, 7), all.map { it.range?.line })
         assertContains(all[1].message, "Put a \";\"")
     }
 
@@ -51,7 +51,7 @@ class PastedCharactersTest {
         compiled(program("String s = \"\u201Ehi\u201D \u2264 \u00A0\"; // it\u2019s \u2013 so\n/* \u2026 \u00D7 */"))
         assertEquals(
             listOf(5),
-            diagnostics(program("String s = \"\u201Ehi\u201C\"; // it\u2019s\nint x = 1")).map { it.range.line },
+            diagnostics(program("String s = \"\u201Ehi\u201C\"; // it\u2019s\nint x = 1")).map { it.range?.line },
         )
     }
 

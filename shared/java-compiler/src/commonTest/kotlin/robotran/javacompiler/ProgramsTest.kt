@@ -15,7 +15,7 @@ class ProgramsTest {
         val expected = testPrograms.mapValues { (_, text) -> linesWithMistakes(text) }.filterValues { it.isNotEmpty() }
         val found = testPrograms.mapValues { (path, text) ->
             when (val result = compileProgram(path, text)) {
-                is CompilationResult.Rejected -> result.diagnostics.map { it.range.line }
+                is CompilationResult.Rejected -> result.diagnostics.map { it.range?.line }
                 is CompilationResult.Compiled -> emptyList()
             }
         }.filterValues { it.isNotEmpty() }

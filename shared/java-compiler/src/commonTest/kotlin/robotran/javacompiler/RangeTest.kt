@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaRange
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -11,19 +11,19 @@ class RangeTest {
 
     @Test
     fun `a tab is one column`() = runTest {
-        assertEquals(JavaRange(2, 2, 5) to "Foo", place("class Robot {\n\tFoo foo;\n}"))
+        assertEquals(SourceRange(2, 2, 5) to "Foo", place("class Robot {\n\tFoo foo;\n}"))
     }
 
     @Test
     fun `every kind of line end ends one line`() = runTest {
-        assertEquals(JavaRange(4, 1, 4) to "Foo", place("class Robot {\r\n\r\n\r\nFoo foo;\r\n}"))
-        assertEquals(JavaRange(4, 1, 4) to "Foo", place("class Robot {\r\r\rFoo foo;\r}"))
-        assertEquals(JavaRange(3, 1, 4) to "Foo", place("class Robot {\n\r\nFoo foo;\n}"))
+        assertEquals(SourceRange(4, 1, 4) to "Foo", place("class Robot {\r\n\r\n\r\nFoo foo;\r\n}"))
+        assertEquals(SourceRange(4, 1, 4) to "Foo", place("class Robot {\r\r\rFoo foo;\r}"))
+        assertEquals(SourceRange(3, 1, 4) to "Foo", place("class Robot {\n\r\nFoo foo;\n}"))
     }
 
     @Test
     fun `columns count UTF-16 characters`() = runTest {
-        assertEquals(JavaRange(2, 9, 12) to "Foo", place("class Robot {\n/*\uD83D\uDE00*/  Foo foo;\n}"))
+        assertEquals(SourceRange(2, 9, 12) to "Foo", place("class Robot {\n/*\uD83D\uDE00*/  Foo foo;\n}"))
     }
 
     @Test
@@ -33,8 +33,8 @@ class RangeTest {
         assertEquals(
             listOf("Robot.java" to 2, "Robot.java" to 3, "Other.java" to 2),
             found.map {
-                it.path to
-                    it.range.line
+                it.file to
+                    it.range?.line
             },
         )
     }

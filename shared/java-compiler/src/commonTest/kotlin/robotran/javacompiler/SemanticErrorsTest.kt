@@ -8,7 +8,7 @@ import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
 class SemanticErrorsTest {
-    private suspend fun hint(statements: String) = assertNotNull(diagnostic(statements).hint)
+    private suspend fun hint(statements: String) = diagnostic(statements).message
 
     @Test
     fun `a single equals sign in a condition becomes two`() = runTest {
@@ -47,8 +47,8 @@ class SemanticErrorsTest {
     fun `an exception that nothing takes care of is passed on or caught`() = runTest {
         val text = "class Robot {\nvoid go() {\n  Thread.sleep(10);\n}\n}"
         val diagnostic = diagnostics(text).single()
-        assertContains(assertNotNull(diagnostic.hint), "throws InterruptedException")
-        assertContains(assertNotNull(diagnostic.hint), "catch (InterruptedException e)")
+        assertContains(diagnostic.message, "throws InterruptedException")
+        assertContains(diagnostic.message, "catch (InterruptedException e)")
         compiled(withFix(text, assertNotNull(diagnostic.fix)))
         assertNull(diagnostics("class Robot { void go() { if (true) Thread.sleep(10); } }").single().fix)
     }
@@ -64,7 +64,7 @@ class SemanticErrorsTest {
 
     @Test
     fun `a method gives back what it says`() = runTest {
-        assertContains(assertNotNull(memberDiagnostic("int f(int x) { if (x > 3) return 1; }").hint), "return")
+        assertContains(memberDiagnostic("int f(int x) { if (x > 3) return 1; }").message, "return")
         assertContains(memberDiagnostic("void f() { return 3; }").message, "void")
         val text = "class Robot {\npublic static main(String[] args) { }\n}"
         compiled(withFix(text, assertNotNull(diagnostics(text).single().fix)))
@@ -89,18 +89,18 @@ class SemanticErrorsTest {
 
     @Test
     fun `what belongs to an object is not reached from a static method`() = runTest {
-        assertContains(assertNotNull(memberDiagnostic("int n; static void f() { n = 3; }").hint), "\"static\"")
-        assertContains(assertNotNull(memberDiagnostic("void g() { } static void f() { g(); }").hint), "\"static\"")
+        assertContains(memberDiagnostic("int n; static void f() { n = 3; }").message, "\"static\"")
+        assertContains(memberDiagnostic("void g() { } static void f() { g(); }").message, "\"static\"")
         assertContains(memberDiagnostic("static void f() { this.toString(); }").message, "\"this\"")
         assertContains(diagnostic("Motor.setPower(3);").message, "object of \"Motor\"")
     }
 
     @Test
     fun `classes have the methods that they must have`() = runTest {
-        assertContains(assertNotNull(diagnostics("class Robot extends Thread { }").single().hint), "public void run()")
+        assertContains(diagnostics("class Robot extends Thread { }").single().message, "public void run()")
         assertContains(diagnostics("class Robot extends Thread { void run() { } }").single().message, "\"public\"")
         assertContains(
-            assertNotNull(diagnostics("interface X { } class Robot { X x = new X(); }").single().hint),
+            diagnostics("interface X { } class Robot { X x = new X(); }").single().message,
             "is a X",
         )
     }

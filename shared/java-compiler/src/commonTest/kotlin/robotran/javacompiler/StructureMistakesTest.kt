@@ -1,7 +1,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.language.source.Diagnostic
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -9,7 +9,7 @@ import kotlin.test.assertNotNull
 
 /** What is in the wrong place is told there, in the words of its mistake, and nothing that only follows from it. */
 class StructureMistakesTest {
-    private suspend fun only(text: String): JavaDiagnostic = diagnostics(text).single()
+    private suspend fun only(text: String): Diagnostic = diagnostics(text).single()
 
     @Test
     fun `a method in a method is told to be moved out`() = runTest {
@@ -17,7 +17,7 @@ class StructureMistakesTest {
         for (method in methods) {
             val body = if (method.startsWith("static int")) "return 2 * a;" else "Motor.A.stop();"
             val diagnostic = diagnostics(program("Motor.A.forward();\n$method {\n$body\n}\nturn();")).single()
-            assertEquals(5, diagnostic.range.line)
+            assertEquals(5, diagnostic.range?.line)
             assertContains(diagnostic.message, "inside another method")
         }
         compiled(program("new Thread() { public void run() { } }.start();"))
@@ -32,13 +32,13 @@ class StructureMistakesTest {
     @Test
     fun `what stands beside the class is told with the class it belongs into`() = runTest {
         val diagnostic = only("import josx.platform.rcx.*;\n\nvoid drive() {\n}\n\npublic class Robot {\n}\n")
-        assertEquals(3, diagnostic.range.line)
+        assertEquals(3, diagnostic.range?.line)
         assertContains(diagnostic.message, "in no class")
-        assertContains(assertNotNull(diagnostic.hint), "class \"Robot\"")
+        assertContains(diagnostic.message, "class \"Robot\"")
         val alone = only("import josx.platform.rcx.*;\n\npublic static void main(String[] args) {\nLCD.clear();\n}\n")
-        assertEquals(3, alone.range.line)
-        assertEquals("Write \"public class Robot {\" above it, and \"}\" at the very end.", alone.hint)
-        assertContains(assertNotNull(only("LCD.clear();\n").hint), "public static void main")
+        assertEquals(3, alone.range?.line)
+        assertAdvice("Write \"public class Robot {\" above it, and \"}\" at the very end.", alone)
+        assertContains(only("LCD.clear();\n").message, "public static void main")
     }
 
     @Test
@@ -57,7 +57,7 @@ class StructureMistakesTest {
                 "import josx.platform.rcx.*;\npublic class Robot {\nstatic int x = 3;\n$statement\n" +
                     "public static void main(String[] args) { }\n}",
             )
-            assertEquals(4, diagnostic.range.line, statement)
+            assertEquals(4, diagnostic.range?.line, statement)
             assertContains(diagnostic.message, "in none of its methods")
         }
     }
@@ -75,7 +75,7 @@ class StructureMistakesTest {
     fun `capital letters at the head of a class are made small together`() = runTest {
         val text = "import josx.platform.rcx.*;\n\nPublic Class Robot {\n    int speed;\n    void go() {\n    }\n}\n"
         val diagnostic = only(text)
-        assertEquals(3, diagnostic.range.line)
+        assertEquals(3, diagnostic.range?.line)
         compiled(withFix(text, assertNotNull(diagnostic.fix)))
     }
 

@@ -1,7 +1,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaRange
+import robotran.language.source.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -12,7 +12,7 @@ class SyntaxMistakesTest {
     fun `a missing semicolon is put in where it belongs`() = runTest {
         val diagnostic = diagnostic("int x = 1\nint y = 2;")
         assertEquals("Put a \";\" at the end of this statement.", diagnostic.message)
-        assertEquals(JavaRange(4, 10, 10), diagnostic.range)
+        assertEquals(SourceRange(4, 10, 10), diagnostic.range)
         assertEquals("int x = 1;\nint y = 2;", fixedStatements("int x = 1\nint y = 2;"))
         assertEquals("do { } while (true);", fixedStatements("do { } while (true)"))
     }
@@ -23,7 +23,7 @@ class SyntaxMistakesTest {
         for (rest in listOf("", "\nrounds = 2;", "\nint k = 2;", "\nMotor.A.stop();", " // add")) {
             val diagnostic = diagnostic(statements + rest)
             assertEquals("Put a \";\" at the end of this statement.", diagnostic.message)
-            assertEquals(JavaRange(6, 20, 20), diagnostic.range)
+            assertEquals(SourceRange(6, 20, 20), diagnostic.range)
             assertEquals("$statements;$rest", fixedStatements(statements + rest))
         }
         assertEquals(
@@ -42,7 +42,7 @@ class SyntaxMistakesTest {
     fun `a missing brace is told where the next one should have been`() = runTest {
         val text = "class Robot {\nvoid go() {\nint x = 3;\nvoid stop() {\n}\n}"
         val diagnostic = diagnostics(text).single()
-        assertEquals(3, diagnostic.range.line)
+        assertEquals(3, diagnostic.range?.line)
         assertContains(diagnostic.message, "without its \"}\"")
         compiled(withFix(text, assertNotNull(diagnostic.fix)))
         val endless = "class Robot {\nvoid go() {\n}\n"
@@ -57,7 +57,7 @@ class SyntaxMistakesTest {
     @Test
     fun `a text that does not end is told and nothing that follows from it`() = runTest {
         val diagnostic = diagnostics(program("int y = 0;\nString t = \"abc;\nif (y > 1) { y = 2; }")).single()
-        assertEquals(JavaRange(5, 12, 13), diagnostic.range)
+        assertEquals(SourceRange(5, 12, 13), diagnostic.range)
         assertContains(diagnostic.message, "quotation mark")
         assertContains(diagnostics(program("String t = \"a // \\\" b;")).single().message, "quotation mark")
     }
@@ -116,8 +116,8 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a program without a class is shown one with the name of its file`() = runTest {
-        assertContains(assertNotNull(diagnostics("Motor.A.forward();").first().hint), "public class Robot {")
-        assertContains(assertNotNull(diagnostics("void main() { }").first().hint), "public class Robot {")
+        assertContains(diagnostics("Motor.A.forward();").first().message, "public class Robot {")
+        assertContains(diagnostics("void main() { }").first().message, "public class Robot {")
     }
 
     @Test
@@ -140,7 +140,7 @@ class SyntaxMistakesTest {
     @Test
     fun `arrays get their length where they are made`() = runTest {
         assertContains(diagnostic("int y[3];").message, "new int[3]")
-        assertContains(assertNotNull(diagnostic("int[] x; x = {1, 2};").hint), "new int[] {")
+        assertContains(diagnostic("int[] x; x = {1, 2};").message, "new int[] {")
     }
 
     @Test
@@ -150,6 +150,6 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a try needs a catch`() = runTest {
-        assertContains(assertNotNull(diagnostic("try { Thread.sleep(3); }").hint), "catch (")
+        assertContains(diagnostic("try { Thread.sleep(3); }").message, "catch (")
     }
 }

@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.diagnose.JavaRange
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
@@ -49,9 +49,9 @@ class CompilingTest {
     fun `a program without a main method is told where it should be`() = runTest {
         val none = compiled("// class\nclass Robot { }")
         assertEquals(emptyList(), none.mainClasses)
-        assertEquals(JavaRange(2, 7, 12) to "Robot", none.missingMain?.let { it.range to it.text })
+        assertEquals(SourceRange(2, 7, 12) to "Robot", none.missingMain?.let { it.range to it.text })
         val wrong = compiled("class Robot {\nvoid Main(String[] a) { } }").missingMain
-        assertEquals(JavaRange(2, 6, 10) to "Main", wrong?.let { it.range to it.text })
+        assertEquals(SourceRange(2, 6, 10) to "Main", wrong?.let { it.range to it.text })
         assertNotEquals(none.missingMain?.message, wrong?.message)
         assertNull(compiled(program("")).missingMain)
     }
@@ -73,8 +73,8 @@ class CompilingTest {
     fun `a byte order mark is no part of a program`() = runTest {
         assertTrue(compiled("\uFEFFclass Robot { }").warnings.isEmpty())
         assertEquals(
-            JavaRange(1, 15, 15),
-            diagnostics("\uFEFFclass Robot { int a }").single().range.copy(column = 15, endColumn = 15),
+            SourceRange(1, 15, 15),
+            diagnostics("\uFEFFclass Robot { int a }").single().range?.copy(column = 15, endColumn = 15),
         )
     }
 

@@ -5,8 +5,8 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.source.Diagnostic
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -38,7 +38,7 @@ class ExampleTest {
             val result = nxtReader.read(ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
             val told = (result as? ProgramResult.HasErrors)?.diagnostics
             val ready = assertIs<ProgramResult.Ready>(result, "${help.word}: $told")
-            assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, help.word)
+            assertEquals(emptyList<Diagnostic>(), ready.warnings, help.word)
         }
     }
 
@@ -69,7 +69,7 @@ class ExampleTest {
     private suspend fun runs(word: String, source: ProgramSource, brick: BrickKind = BrickKind.RCX) {
         val result = (if (brick == BrickKind.NXT) nxtReader else reader).read(source)
         val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
-        assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, word)
+        assertEquals(emptyList<Diagnostic>(), ready.warnings, word)
         val session = Session(BuiltInWorlds.plainFor(brick), listOf(ready.program), loadPhysicsEngine())
         session.pressRun()
         session.advance(LONG_ENOUGH)

@@ -1,6 +1,7 @@
 package robotran.legofirmware
 
 import robotran.brick.controls.BrickButton
+import robotran.language.source.Severity
 import robotran.legofirmware.assembly.AssemblyLimits
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
@@ -16,6 +17,7 @@ import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.sensors.SensorCode
 import kotlin.random.Random
 import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
 
 /** Damages an image of the vectors and tries it. Returns whether it could be read. */
@@ -85,8 +87,9 @@ internal fun tryText(text: String): Boolean = when (val result = assemble(text))
         assertTrue(result.diagnostics.size in 1..AssemblyLimits.DIAGNOSTICS)
         val lines = text.lines()
         for (found in result.diagnostics) {
-            assertTrue(found.isError && found.message.length < MESSAGE_CHARACTERS, found.message)
-            assertEquals(found.text, lines[found.line - 1].substring(found.column - 1, found.endColumn - 1))
+            assertTrue(found.severity == Severity.ERROR && found.message.length < MESSAGE_CHARACTERS, found.message)
+            val range = assertNotNull(found.range)
+            assertEquals(found.text, lines[range.line - 1].substring(range.column - 1, range.endColumn - 1))
         }
         false
     }

@@ -1,14 +1,15 @@
 package robotran.nqc
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.nqc.api.Prelude
 import robotran.nqc.api.apiNames
 import robotran.nqc.check.CallCheck
 import robotran.nqc.check.ProgramCheck
+import robotran.nqc.diagnostic.API_RANGE
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.generate.GeneratedProgram
 import robotran.nqc.generate.ProgramGenerator
 import robotran.nqc.generate.SensorUse
@@ -69,12 +70,12 @@ internal class Compilation(
     }
 
     private fun endOf(tokens: List<Token>) =
-        tokens.last().range.takeIf { it.file == name } ?: SourceRange(name, 1, 1, 1)
+        tokens.last().range.takeIf { it.file == name } ?: SourceRange(1, 1, 1, name)
 
     /** The call of what runs before the main task; null if there is none. */
     private fun start(program: ParsedProgram, pragmas: Pragmas): Statement? {
         val init = pragmas.init
-        val main = program.tasks.find { it.name == MAIN }?.range ?: SourceRange.API
+        val main = program.tasks.find { it.name == MAIN }?.range ?: API_RANGE
         return when {
             !pragmas.hasInit -> null
             init != null -> Statement.Call(init.name, emptyList(), init.range, init.range, false)

@@ -1,11 +1,11 @@
 package robotran.nqc
 
 import robotran.language.Language
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.Severity
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.messages.NqcMessages
 
 /**
@@ -26,7 +26,7 @@ fun compileNqc(
     for ((file, text) in files) {
         if (text.length > NqcLimits.SOURCE_CHARACTERS) {
             val message = messages.sourceTooLong(NqcLimits.SOURCE_CHARACTERS)
-            sink.report(NqcDiagnosticCode.SOURCE_TOO_LONG, SourceRange(file, 1, 1, 1), message)
+            sink.report(NqcDiagnosticCode.SOURCE_TOO_LONG, SourceRange(1, 1, 1, file), message)
         }
     }
     val program = if (sink.hasErrors) null else Compilation(name, files, options, sink).compile()

@@ -1,12 +1,12 @@
 package robotran.nqc
 
-import robotran.nqc.diagnostic.NqcDiagnostic
+import robotran.language.source.Diagnostic
 
 /** The result of [compileNqc]. */
 sealed interface NqcResult {
     /** [program] can be loaded into a brick. [warnings] are in the order of the source, the main file first. */
-    class Ready(val program: NqcProgram, val warnings: List<NqcDiagnostic>) : NqcResult
+    class Ready(val program: NqcProgram, val warnings: List<Diagnostic>) : NqcResult
 
     /** The program has errors. [diagnostics] are in the order of the source and never empty. */
-    class HasErrors(val diagnostics: List<NqcDiagnostic>) : NqcResult
+    class HasErrors(val diagnostics: List<Diagnostic>) : NqcResult
 }

@@ -119,7 +119,7 @@ class CodeTest {
         val program = programOf(source, NqcOptions(files = files))
         assertEquals("13 01 02 07", program.image.chunks.single().code.toString())
         assertEquals("lib.nqh", program.lines.values.single().single().range.file)
-        assertEquals(2, program.lines.values.single().single().range.line)
+        assertEquals(2, program.lines.values.single().single().range?.line)
     }
 
     @Test
@@ -127,7 +127,7 @@ class CodeTest {
         val files = mapOf("lib.nqh" to "\nint x\n")
         val found = diagnosticsOf("#include \"lib.nqh\"\ntask main() { }", NqcOptions(files = files)).single()
         assertEquals(NqcDiagnosticCode.MISSING_SEMICOLON, found.code)
-        assertEquals("lib.nqh" to 2, found.range.file to found.range.line)
+        assertEquals("lib.nqh" to 2, found.file to found.range?.line)
     }
 
     @Test

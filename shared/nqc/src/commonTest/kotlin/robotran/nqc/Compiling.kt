@@ -1,12 +1,12 @@
 package robotran.nqc
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceFix
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.nqc.diagnostic.NqcDiagnostic
-import robotran.nqc.diagnostic.SourceFix
 import kotlin.test.fail
 
 /** The errors of [source], or its warnings if there are none. */
-internal fun diagnosticsOf(source: String, options: NqcOptions = NqcOptions()): List<NqcDiagnostic> =
+internal fun diagnosticsOf(source: String, options: NqcOptions = NqcOptions()): List<Diagnostic> =
     when (val result = compileNqc("test.nqc", source, options)) {
         is NqcResult.Ready -> result.warnings
         is NqcResult.HasErrors -> result.diagnostics

@@ -1,7 +1,8 @@
 package robotran.nqc
 
 import robotran.language.Language
-import robotran.nqc.diagnostic.NqcDiagnostic
+import robotran.language.source.Diagnostic
+import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.messages.NqcMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -16,13 +17,15 @@ class ErrorCasesTest {
         val failures = ErrorCase.all.mapNotNull { case ->
             val found = diagnosticsOf(case)
             val isEqual = if (case.mistakes.isEmpty()) {
-                found.all { it.code.original == null }
+                found.all { originalOf(it) == null }
             } else {
                 case.mistakes.distinctBy { it.second }.all { (text, line) ->
-                    found.any { matches(it, text) && (line == 0 || it.range.line == (OTHER_LINES[case.name] ?: line)) }
+                    found.any { matches(it, text) && (line == 0 || it.range?.line == (OTHER_LINES[case.name] ?: line)) }
                 }
             }
-            val said = found.joinToString("\n  ") { "${it.range.line}:${it.range.column} ${it.code.id} ${it.message}" }
+            val said = found.joinToString("\n  ") {
+                "${it.range?.line}:${it.range?.column} ${it.code?.id} ${it.message}"
+            }
             if (isEqual) null else "${case.name} ${case.mistakes}\n${case.source}  $said"
         }
         assertTrue(failures.isEmpty(), failures.joinToString("\n"))
@@ -49,8 +52,10 @@ class ErrorCasesTest {
         }
     }
 
-    private fun matches(diagnostic: NqcDiagnostic, text: String): Boolean {
-        val pattern = diagnostic.code.original?.split("%s")?.joinToString(".*") { Regex.escape(it) } ?: return false
+    private fun originalOf(diagnostic: Diagnostic) = (diagnostic.code as NqcDiagnosticCode).original
+
+    private fun matches(diagnostic: Diagnostic, text: String): Boolean {
+        val pattern = originalOf(diagnostic)?.split("%s")?.joinToString(".*") { Regex.escape(it) } ?: return false
         return Regex(pattern).matches(text)
     }
 

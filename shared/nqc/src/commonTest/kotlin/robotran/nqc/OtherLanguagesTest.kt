@@ -24,13 +24,13 @@ class OtherLanguagesTest {
     fun `a semicolon or an equals sign in a definition is told there`() {
         val semicolon = "#define TIME 100;\ntask main()\n{\n    Wait(TIME);\n    Wait(TIME + 1);\n}"
         val found = diagnosticsOf(semicolon).single()
-        assertEquals(1 to 17, found.range.line to found.range.column)
+        assertEquals(1 to 17, found.range?.line to found.range?.column)
         assertMended(semicolon, "ends without a semicolon", semicolon.replace("100;", "100"))
         for (use in listOf("x = TIME + 1;", "if (x == TIME) x++;", "for (x = 0; x < TIME; x++) Wait(1);")) {
             assertMended("int x;\n#define TIME 100;\ntask main() { $use }", "ends without a semicolon")
         }
         val equals = "#define LEN = 50\ntask main()\n{\n    Wait(LEN);\n}"
-        assertEquals(1, diagnosticsOf(equals).single().range.line)
+        assertEquals(1, diagnosticsOf(equals).single().range?.line)
         assertMended(equals, "there is no = in a #define", equals.replace("= ", ""))
         assertEquals(emptyList(), diagnosticsOf("#define DRIVE OnFwd(OUT_A);\ntask main() { DRIVE }"))
     }
@@ -39,10 +39,13 @@ class OtherLanguagesTest {
     fun `a function in a task is moved out`() {
         val source = "task main()\n{\n    void turn() { Off(OUT_A); }\n    turn();\n    Wiat(5);\n}\n"
         val (nested, other) = diagnosticsOf(source)
-        assertEquals(NqcDiagnosticCode.NESTED_UNIT to 3, nested.code to nested.range.line)
+        assertEquals(NqcDiagnosticCode.NESTED_UNIT to 3, nested.code to nested.range?.line)
         assertNull(nested.fix)
-        assertEquals(5, other.range.line)
-        assertEquals(3, diagnosticsOf("task main()\n{\n    int turn(int a) { }\n    turn(3);\n}\n").single().range.line)
+        assertEquals(5, other.range?.line)
+        assertEquals(
+            3,
+            diagnosticsOf("task main()\n{\n    int turn(int a) { }\n    turn(3);\n}\n").single().range?.line,
+        )
         val open = diagnosticsOf("task main()\n{\n    if (true) {\n    Wait(5);\n}\ntask two()\n{\n}\n").first()
         assertEquals(NqcDiagnosticCode.MISSING_BRACE, open.code)
     }
@@ -61,7 +64,7 @@ class OtherLanguagesTest {
             assertMended("$main\n{\n    OnFwd(OUT_A);\n}\n", "task main()", "task main()\n{\n    OnFwd(OUT_A);\n}\n")
         }
         val source = "int main()\n{\n    OnFwd(OUT_A);\n    return 0;\n}\n"
-        assertEquals(listOf(1, 4), diagnosticsOf(source).map { it.range.line })
+        assertEquals(listOf(1, 4), diagnosticsOf(source).map { it.range?.line })
         val returning = source.replace("int main()", "task main()")
         assertMended(returning, "return;", returning.replace("return 0", "return"))
     }
@@ -69,7 +72,7 @@ class OtherLanguagesTest {
     @Test
     fun `a function with a type is read to its end`() {
         val source = "int speed(int a)\n{\n    return a + 1;\n}\ntask main()\n{\n    speed(3);\n}\n"
-        assertEquals(listOf(1, 3), diagnosticsOf(source).map { it.range.line })
+        assertEquals(listOf(1, 3), diagnosticsOf(source).map { it.range?.line })
     }
 
     @Test
@@ -100,7 +103,7 @@ class OtherLanguagesTest {
         }
         val choices = "if (i == 1) Wait(5);\nelseif (i == 2) Wait(6);\nelif (i == 3) Wait(6);"
         val lines = "int i;\ntask main()\n{\n$choices\n}"
-        assertEquals(listOf(5, 6), diagnosticsOf(lines).map { it.range.line })
+        assertEquals(listOf(5, 6), diagnosticsOf(lines).map { it.range?.line })
     }
 
     @Test
@@ -132,7 +135,7 @@ class OtherLanguagesTest {
         assertMended("unsigned int x = 5; task main() { Wait(x); }", "unsigned")
         assertMended("public task main() { Wait(5); }", "public", "task main() { Wait(5); }")
         val function = "public static void go() { Wait(5); }\ntask main() { go(); }"
-        assertEquals(listOf(1), diagnosticsOf(function).map { it.range.line }.distinct())
+        assertEquals(listOf(1), diagnosticsOf(function).map { it.range?.line }.distinct())
     }
 
     @Test
@@ -140,9 +143,9 @@ class OtherLanguagesTest {
         val source = "task main() { start drive; } task drive(void) { Wait(5); }"
         assertMended(source, "task drive()", source.replace("void", ""))
         val used = diagnosticsOf("task main() { start drive; }\ntask drive(int x) { Wait(x); }").single()
-        assertTrue("global variable" in used.message && used.range.line == 2, used.message)
+        assertTrue("global variable" in used.message && used.range?.line == 2, used.message)
         val given = diagnosticsOf("task main() { start drive(5); }\ntask drive(int x) { Wait(x); }")
-        assertEquals(listOf(1, 2), given.map { it.range.line })
+        assertEquals(listOf(1, 2), given.map { it.range?.line })
         assertTrue("start drive;" in given.first().message && given.first().fix == null, "5 would be lost")
     }
 

@@ -66,14 +66,14 @@ class PastedCharactersTest {
     fun `every line with pasted characters is told at once, beside other mistakes`() {
         val statements = "OnFwd(OUT_A\u00A0+ OUT_C);\n Wait(50); \u2013 \n PlaySound(SOUND_UP)\uFF1B\n go();"
         val source = "task main()\n{\n $statements\n}\n"
-        assertEquals(listOf(3, 4, 5, 6), diagnosticsOf(source).map { it.range.line })
+        assertEquals(listOf(3, 4, 5, 6), diagnosticsOf(source).map { it.range?.line })
     }
 
     private fun inTask(statement: String) = "int x;\ntask main()\n{\n    $statement\n}\n"
 
     private fun assertMended(statement: String, expected: String, named: String) {
         val found = diagnosticsOf(inTask(statement)).single()
-        assertEquals(4, found.range.line)
+        assertEquals(4, found.range?.line)
         assertTrue(named in found.message, found.message)
         val mended = applied(inTask(statement), checkNotNull(found.fix) { "$found" })
         assertEquals(inTask(expected), mended)

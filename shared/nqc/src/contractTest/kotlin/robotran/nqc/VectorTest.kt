@@ -27,7 +27,7 @@ class VectorTest {
     }
 
     private fun describe(result: NqcResult): String =
-        (result as? NqcResult.HasErrors)?.diagnostics?.joinToString { "${it.range.line}: ${it.message}" }
+        (result as? NqcResult.HasErrors)?.diagnostics?.joinToString { "${it.range?.line}: ${it.message}" }
             ?: "other bytes"
 
     private fun hex(byte: Byte) = (byte.toInt() and 0xFF).toString(16).padStart(2, '0')

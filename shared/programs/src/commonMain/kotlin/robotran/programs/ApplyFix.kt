@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.robolang.diagnostic.SourceFix
+import robotran.language.source.SourceFix
 
 /** This source after [fix]; unchanged if its range does not exist. */
 fun String.withFix(fix: SourceFix): String {

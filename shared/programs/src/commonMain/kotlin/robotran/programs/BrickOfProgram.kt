@@ -1,8 +1,8 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.language.source.SourceRange
 import robotran.robolang.brickOfRobolang
-import robotran.robolang.diagnostic.SourceRange
 
 /**
  * The first place where a program names something that only one kind of brick has.

@@ -1,5 +1,7 @@
 package robotran.programs
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.linkLejosImage
@@ -30,7 +32,7 @@ internal class ClassFileLinker(
             is ImageResult.Refused -> ProgramResult.HasErrors(program.diagnosticsOf(image.errors))
 
             is ImageResult.Linked -> {
-                val warnings = image.warnings.map { ProgramDiagnostic(program.name, null, it) }
+                val warnings = image.warnings.map { Diagnostic(Severity.WARNING, program.name, null, it) }
                 simulate(program, image.image.entryClasses.single(), image.image.layout, warnings)
             }
         }
@@ -50,7 +52,7 @@ internal class ClassFileLinker(
         program: CompiledProgram,
         mainClass: String?,
         layout: BrickLayout?,
-        warnings: List<ProgramDiagnostic>,
+        warnings: List<Diagnostic>,
     ): ProgramResult {
         val result = linkTinyVm(
             program.name,

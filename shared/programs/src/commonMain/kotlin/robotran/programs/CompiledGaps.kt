@@ -1,6 +1,7 @@
 package robotran.programs
 
 import robotran.javacompiler.messages.LejosMessages
+import robotran.language.source.Diagnostic
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosRemedy
 import robotran.tinyvm.diagnostic.MemberUse
@@ -13,7 +14,7 @@ internal class CompiledGaps(settings: JavaSettings, private val messages: LejosM
         .associateBy { it.owner to it.member }
 
     /** The mistakes in [classFiles], which must link; at most one per line. */
-    fun find(classFiles: Map<String, ByteArray>): List<ProgramDiagnostic> {
+    fun find(classFiles: Map<String, ByteArray>): List<Diagnostic> {
         if (missing.isEmpty()) return emptyList()
         return memberMistakes(classFiles) { use -> differenceOf(use)?.let(::messageOf) }
     }

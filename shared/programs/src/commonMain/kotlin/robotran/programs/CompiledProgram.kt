@@ -1,6 +1,8 @@
 package robotran.programs
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
 
 /**
@@ -13,18 +15,18 @@ internal class CompiledProgram(
     val name: String,
     val classFiles: Map<String, ByteArray>,
     val mainClass: String?,
-    val warnings: List<ProgramDiagnostic>,
-    val locate: (LinkError) -> ProgramDiagnostic,
+    val warnings: List<Diagnostic>,
+    val locate: (LinkError) -> Diagnostic,
 ) {
     /** What [errors] say to the pupil, each once: several places in the Java may be one in the program, or none. */
-    fun diagnosticsOf(errors: List<LinkError>): List<ProgramDiagnostic> = errors.map(locate).distinct()
+    fun diagnosticsOf(errors: List<LinkError>): List<Diagnostic> = errors.map(locate).distinct()
 }
 
 /** The result of compiling a program without linking it. */
 internal sealed interface CompiledSource {
     class Compiled(val program: CompiledProgram) : CompiledSource
 
-    class HasErrors(val diagnostics: List<ProgramDiagnostic>) : CompiledSource
+    class HasErrors(val diagnostics: List<Diagnostic>) : CompiledSource
 }
 
 /** What another compiler made. */
@@ -34,9 +36,10 @@ internal fun compiledOf(source: ProgramSource.CompiledClasses) =
     }
 
 /** [error] in [file]; null if its file is unknown. */
-internal fun diagnosticOf(error: LinkError, file: String?): ProgramDiagnostic {
+internal fun diagnosticOf(error: LinkError, file: String?): Diagnostic {
     val place = listOfNotNull(error.className.ifEmpty { null }, error.methodName).joinToString(".")
-    return ProgramDiagnostic(
+    return Diagnostic(
+        severity = Severity.ERROR,
         file = file ?: place,
         range = rangeOf(error.sourceLine),
         message = if (file == null || place.isEmpty()) error.message else "$place: ${error.message}",

@@ -1,8 +1,9 @@
 package robotran.programs
 
 import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.legofirmware.FirmwareProgram
-import robotran.legofirmware.assembly.AssemblyDiagnostic
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
 import robotran.legofirmware.image.CodeLine
@@ -17,11 +18,7 @@ import robotran.nqc.NqcOptions
 import robotran.nqc.NqcProgram
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
-import robotran.nqc.diagnostic.NqcDiagnostic
 import robotran.nqc.messages.NqcMessages
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
-import robotran.nqc.diagnostic.SourceRange as NqcRange
 
 /** Makes programs for LEGO's own firmware. */
 internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, private val language: Language) {
@@ -36,13 +33,13 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
         val options = NqcOptions(settings.target, settings.isOldNqc, includedFiles(source.files))
         val messages = NqcMessages.of(language)
         return when (val result = compileNqc(simpleName(main.name), main.text, options, messages)) {
-            is NqcResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source, it) })
+            is NqcResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { named(source, it) })
 
             is NqcResult.Ready -> ready(
                 source,
                 result.program.image,
                 linesOf(result.program, isOneFile = source.files.size == 1),
-                result.warnings.map { diagnosticOf(source, it) },
+                result.warnings.map { named(source, it) },
                 result.program.variables,
             )
         }
@@ -63,48 +60,36 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
         },
     )
 
-    private fun diagnosticOf(source: ProgramSource.Nqc, diagnostic: NqcDiagnostic): ProgramDiagnostic {
-        val file =
-            source.files.find { simpleName(it.name) == simpleName(diagnostic.range.file) } ?: source.files.first()
-        val fix = diagnostic.fix?.takeIf { it.range.file == diagnostic.range.file }?.let { fix ->
-            rangeOf(fix.range)?.let { SourceFix(it, fix.replacement) }
-        }
-        return ProgramDiagnostic(file.name, rangeOf(diagnostic.range), diagnostic.message, fix)
+    /** The compiler knows only what `#include` calls a file. */
+    private fun named(source: ProgramSource, diagnostic: Diagnostic): Diagnostic {
+        val file = source.files.find { simpleName(it.name) == simpleName(diagnostic.file) } ?: source.files.first()
+        return diagnostic.copy(file = file.name)
     }
-
-    private fun rangeOf(range: NqcRange): SourceRange? =
-        range.takeIf { it.line > 0 }?.let { SourceRange(it.line, it.column, it.endColumn) }
 
     private fun readLasm(source: ProgramSource.Lasm): ProgramResult =
         when (val result = assemble(source.text, language, settings.target)) {
-            is AssemblyResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source, it) })
+            is AssemblyResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map { named(source, it) })
 
             is AssemblyResult.Assembled -> ready(
                 source,
                 result.image,
                 result.lines,
-                result.warnings.map { diagnosticOf(source, it) },
+                result.warnings.map { named(source, it) },
             )
         }
-
-    private fun diagnosticOf(source: ProgramSource.Lasm, diagnostic: AssemblyDiagnostic): ProgramDiagnostic {
-        val range = SourceRange(diagnostic.line, diagnostic.column, diagnostic.endColumn)
-        return ProgramDiagnostic(
-            source.name,
-            range,
-            diagnostic.message,
-            diagnostic.replacement?.let { SourceFix(range, it) },
-        )
-    }
 
     private fun readImage(source: ProgramSource.FirmwareImage): ProgramResult =
         when (val result = readRcxImage(source.bytes)) {
             is RcxImageResult.Refused -> {
-                ProgramResult.HasErrors(listOf(ProgramDiagnostic(source.name, null, result.fault.message(language))))
+                ProgramResult.HasErrors(
+                    listOf(Diagnostic(Severity.ERROR, source.name, null, result.fault.message(language))),
+                )
             }
 
             is RcxImageResult.Read -> {
-                val warnings = result.warnings.map { ProgramDiagnostic(source.name, null, it.message(language)) }
+                val warnings = result.warnings.map {
+                    Diagnostic(Severity.WARNING, source.name, null, it.message(language))
+                }
                 ready(source, result.image, result.image.assemblyListing().lines, warnings)
             }
         }
@@ -113,7 +98,7 @@ internal class FirmwareProgramCompiler(private val settings: FirmwareSettings, p
         source: ProgramSource,
         image: RcxImage,
         lines: LineTable,
-        warnings: List<ProgramDiagnostic>,
+        warnings: List<Diagnostic>,
         variables: VariableTable? = null,
     ) = ProgramResult.Ready(FirmwareProgram(source.name, image, lines, language, variables), warnings)
 }

@@ -1,6 +1,7 @@
 package robotran.programs
 
-import robotran.robolang.diagnostic.SourceFix
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceFix
 
 /**
  * Keeps of the fixes that a compiler suggests only those that help: after them, the program has fewer mistakes, and none
@@ -13,7 +14,7 @@ internal class FixVerification(private val compile: (ProgramSource) -> ProgramRe
         is ProgramResult.Ready -> result.copy(warnings = verified(source, result.warnings, isError = false))
     }
 
-    private fun verified(source: ProgramSource, found: List<ProgramDiagnostic>, isError: Boolean) = buildList {
+    private fun verified(source: ProgramSource, found: List<Diagnostic>, isError: Boolean) = buildList {
         val length = source.files.sumOf { it.text.length }
         var trials = (MAX_CHARACTERS / maxOf(1, length)).coerceAtLeast(1)
         for (diagnostic in found) {
@@ -25,9 +26,9 @@ internal class FixVerification(private val compile: (ProgramSource) -> ProgramRe
 
     private fun helps(
         source: ProgramSource,
-        diagnostic: ProgramDiagnostic,
+        diagnostic: Diagnostic,
         fix: SourceFix,
-        before: List<ProgramDiagnostic>,
+        before: List<Diagnostic>,
         isError: Boolean,
     ): Boolean {
         val fixed = source.withFix(diagnostic.file, fix) ?: return false
@@ -48,7 +49,7 @@ internal class FixVerification(private val compile: (ProgramSource) -> ProgramRe
  * Whether a program that had the mistakes [before] has fewer of them [after] a [fix] of [file], and none that is new: at
  * most one is told in a line, and each must have been told there before.
  */
-fun isBetter(before: List<ProgramDiagnostic>, after: List<ProgramDiagnostic>, file: String, fix: SourceFix): Boolean {
+fun isBetter(before: List<Diagnostic>, after: List<Diagnostic>, file: String, fix: SourceFix): Boolean {
     val known = before.mapTo(mutableSetOf()) { keyOf(it, it.range?.line) }
     val added = fix.replacement.count { it == '\n' }
     return after.size < before.size && after.all { mistake ->
@@ -63,5 +64,5 @@ fun isBetter(before: List<ProgramDiagnostic>, after: List<ProgramDiagnostic>, fi
 }
 
 /** Numbers in a message may be those of lines, which move. */
-private fun keyOf(diagnostic: ProgramDiagnostic, line: Int?) =
+private fun keyOf(diagnostic: Diagnostic, line: Int?) =
     Triple(diagnostic.file, line, diagnostic.message.filterNot { it in '0'..'9' })

@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.language.source.Diagnostic
 import robotran.lejoslinker.LejosImage
 
 /** The result of [ProgramCompiler.buildImage]. */
@@ -9,10 +10,10 @@ sealed interface ImageBuildResult {
      *
      * @property warnings about the programs, and about the little memory that they leave.
      */
-    class Built(val image: LejosImage, val warnings: List<ProgramDiagnostic>) : ImageBuildResult
+    class Built(val image: LejosImage, val warnings: List<Diagnostic>) : ImageBuildResult
 
     /** A brick cannot run the programs. The [diagnostics] are in the order of the programs and never empty. */
-    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageBuildResult
+    data class HasErrors(val diagnostics: List<Diagnostic>) : ImageBuildResult
 
     /** The Java compiler could not be loaded; see [CompilerLoading.Failed]. */
     class NotLoaded(val cause: Throwable) : ImageBuildResult

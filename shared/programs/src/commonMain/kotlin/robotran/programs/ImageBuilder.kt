@@ -1,5 +1,7 @@
 package robotran.programs
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.lejoslinker.ImageResult
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -45,7 +47,7 @@ internal class ImageBuilder(
             }
 
             is ImageResult.Linked -> {
-                val room = image.warnings.map { ProgramDiagnostic(programs.first().name, null, it) }
+                val room = image.warnings.map { Diagnostic(Severity.WARNING, programs.first().name, null, it) }
                 ImageBuildResult.Built(image.image, programs.flatMap { it.warnings } + room)
             }
         }
@@ -59,21 +61,13 @@ internal class ImageBuilder(
         is ProgramSource.Robolang -> when (
             val result = compileRobolang(source.name, source.text, target, robolang)
         ) {
-            is RobolangResult.Ready -> {
-                translated
-                    .compile(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
-            }
-
-            is RobolangResult.HasErrors -> {
-                CompiledSource.HasErrors(
-                    result.diagnostics.map { diagnosticOf(source.name, it) },
-                )
-            }
+            is RobolangResult.Ready -> translated.compile(source.name, result.program, result.warnings)
+            is RobolangResult.HasErrors -> CompiledSource.HasErrors(result.diagnostics)
         }
     }
 
     /** Classes of different programs with the same name; the same class may be in several. */
-    private fun clashesOf(programs: List<CompiledProgram>): List<ProgramDiagnostic> {
+    private fun clashesOf(programs: List<CompiledProgram>): List<Diagnostic> {
         val seen = HashMap<String, ByteArray>()
         return programs.flatMap { program ->
             program.classFiles.filter { (name, bytes) ->

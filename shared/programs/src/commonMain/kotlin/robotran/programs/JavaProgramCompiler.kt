@@ -4,14 +4,12 @@ import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.CompilerNotLoadedException
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.TimedJavaCompiler
-import robotran.javacompiler.diagnose.JavaDiagnostic
-import robotran.javacompiler.diagnose.JavaRange
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.programs.messages.ProgramMessages
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
 import kotlin.coroutines.cancellation.CancellationException
 
@@ -72,7 +70,8 @@ internal class TimedJavaProgramCompiler(
         return if (result == null) CompiledSource.HasErrors(listOf(tooLong(source))) else compiledOf(source, result)
     }
 
-    private fun tooLong(source: ProgramSource.Java) = ProgramDiagnostic(
+    private fun tooLong(source: ProgramSource.Java) = Diagnostic(
+        Severity.ERROR,
         source.files.firstOrNull()?.name.orEmpty(),
         null,
         ProgramMessages.of(language).compilesTooLong(),
@@ -87,7 +86,7 @@ private fun linked(compiled: CompiledSource, linker: ProgramLinker): ProgramResu
 }
 
 private fun compiledOf(source: ProgramSource.Java, result: CompilationResult): CompiledSource = when (result) {
-    is CompilationResult.Rejected -> CompiledSource.HasErrors(result.diagnostics.map(::diagnosticOf))
+    is CompilationResult.Rejected -> CompiledSource.HasErrors(result.diagnostics)
     is CompilationResult.Compiled -> compiledOf(source, result)
 }
 
@@ -95,10 +94,9 @@ private fun compiledOf(source: ProgramSource.Java, compiled: CompilationResult.C
     val first = source.files.firstOrNull()?.name.orEmpty()
     val mainClass =
         mainClassOf(first, compiled.mainClasses)
-            ?: return CompiledSource.HasErrors(listOfNotNull(compiled.missingMain?.let(::diagnosticOf)))
-    val warnings = compiled.warnings.map(::diagnosticOf)
+            ?: return CompiledSource.HasErrors(listOfNotNull(compiled.missingMain))
     return CompiledSource.Compiled(
-        CompiledProgram(source.name, compiled.classes, mainClass, warnings) { refusal ->
+        CompiledProgram(source.name, compiled.classes, mainClass, compiled.warnings) { refusal ->
             diagnosticOf(refusal, fileOf(source.files, refusal))
         },
     )
@@ -112,12 +110,3 @@ private fun mainClassOf(file: String, candidates: List<String>): String? {
 /** The file that [refusal] is about, or else the first file. */
 private fun fileOf(files: List<SourceFile>, refusal: LinkError): String? =
     (files.firstOrNull { simpleName(it.name) == refusal.sourceFile } ?: files.firstOrNull())?.name
-
-private fun diagnosticOf(diagnostic: JavaDiagnostic) = ProgramDiagnostic(
-    diagnostic.path,
-    rangeOf(diagnostic.range),
-    listOfNotNull(diagnostic.message, diagnostic.hint).joinToString(" "),
-    diagnostic.fix?.let { SourceFix(rangeOf(it.range), it.replacement) },
-)
-
-private fun rangeOf(range: JavaRange) = SourceRange(range.line, range.column, range.endColumn)

@@ -1,26 +1,28 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.programs.messages.ProgramMessages
 
 /** Tells that a program is for another kind of brick, at the place where it says so. */
 internal class OtherBrick(private val robot: BrickKind, private val messages: ProgramMessages) {
     /** The mistake in [source] if it cannot run on the robot; null if it can, or is in Robolang, which tells itself. */
-    fun mistakeIn(source: ProgramSource): ProgramDiagnostic? {
+    fun mistakeIn(source: ProgramSource): Diagnostic? {
         if (source is ProgramSource.Robolang) return null
         val program = brickOf(source)?.takeIf { it != robot } ?: return null
         return diagnosticOf(source, messages.forOtherBrick(program.name, robot.name))
     }
 
     /** The mistake in [source] if it is not for an RCX with leJOS, which images are for. */
-    fun mistakeInImage(source: ProgramSource): ProgramDiagnostic? {
+    fun mistakeInImage(source: ProgramSource): Diagnostic? {
         if (source is ProgramSource.ForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
         return if (program == BrickKind.RCX) null else diagnosticOf(source, messages.noImageFor(program.name))
     }
 
-    private fun diagnosticOf(source: ProgramSource, message: String): ProgramDiagnostic {
+    private fun diagnosticOf(source: ProgramSource, message: String): Diagnostic {
         val mention = (source as? ProgramSource.Java)?.let { brickMentionIn(it.files) }
-        return ProgramDiagnostic(mention?.file ?: source.name, mention?.range, message)
+        return Diagnostic(Severity.ERROR, mention?.file ?: source.name, mention?.range, message)
     }
 }

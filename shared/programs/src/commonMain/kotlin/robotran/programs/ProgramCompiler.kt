@@ -167,15 +167,13 @@ class ProgramCompiler private constructor(
      */
     suspend fun readTranslation(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, target, RobolangMessages.of(language))) {
-            is RobolangResult.HasErrors -> {
-                ProgramResult.HasErrors(result.diagnostics.map { diagnosticOf(source.name, it) })
-            }
+            is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics)
 
             is RobolangResult.Ready -> {
                 loadLibrary()
                 val (linker, library) = javaParts()
                 TranslatedProgramCompiler(timedCompiler(linker, library), ProgramMessages.of(language))
-                    .read(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
+                    .read(source.name, result.program, result.warnings)
             }
         }
 

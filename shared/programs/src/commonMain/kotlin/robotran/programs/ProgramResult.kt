@@ -1,6 +1,7 @@
 package robotran.programs
 
 import robotran.brick.program.BrickProgram
+import robotran.language.source.Diagnostic
 
 /** The result of compiling a program. */
 sealed interface ProgramResult {
@@ -11,10 +12,10 @@ sealed interface ProgramResult {
      */
     data class Ready(
         val program: BrickProgram,
-        val warnings: List<ProgramDiagnostic> = emptyList(),
+        val warnings: List<Diagnostic> = emptyList(),
         val mainClass: String? = null,
     ) : ProgramResult
 
     /** The program cannot run. The [diagnostics] are complete, in the order of the sources and never empty. */
-    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramResult
+    data class HasErrors(val diagnostics: List<Diagnostic>) : ProgramResult
 }

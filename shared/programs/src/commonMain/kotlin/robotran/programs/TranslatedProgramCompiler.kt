@@ -1,8 +1,10 @@
 package robotran.programs
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
 import robotran.programs.messages.ProgramMessages
 import robotran.robolang.RobolangProgram
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.translate.Translation
 import robotran.robolang.translate.translateRobolang
 
@@ -12,14 +14,14 @@ internal class TranslatedProgramCompiler(
     private val messages: ProgramMessages,
 ) {
     /** Compiles and links, see [compile]. */
-    suspend fun read(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): ProgramResult =
+    suspend fun read(name: String, program: RobolangProgram, warnings: List<Diagnostic>): ProgramResult =
         compiler.link(compile(name, program, warnings))
 
     /**
      * @param name the Robolang program's file.
      * @param warnings about the program itself.
      */
-    suspend fun compile(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): CompiledSource {
+    suspend fun compile(name: String, program: RobolangProgram, warnings: List<Diagnostic>): CompiledSource {
         val translation = translateRobolang(program)
         return when (val compiled = compiler.compile(sourceOf(translation))) {
             is CompiledSource.HasErrors -> CompiledSource.HasErrors(
@@ -41,8 +43,9 @@ internal class TranslatedProgramCompiler(
         ProgramSource.Java(translation.fileName, listOf(SourceFile(translation.fileName, translation.java)))
 
     /** A line that every translation has belongs to no line of the program. */
-    private fun located(name: String, translation: Translation, diagnostic: ProgramDiagnostic): ProgramDiagnostic {
+    private fun located(name: String, translation: Translation, diagnostic: Diagnostic): Diagnostic {
         val line = diagnostic.range?.let { translation.lineMap.robolangLineOf(it.line) }
-        return ProgramDiagnostic(name, line?.let { SourceRange(it, 1, 1) }, messages.inTranslation(diagnostic.message))
+        val range = line?.let { SourceRange(it, 1, 1) }
+        return Diagnostic(Severity.ERROR, name, range, messages.inTranslation(diagnostic.message))
     }
 }

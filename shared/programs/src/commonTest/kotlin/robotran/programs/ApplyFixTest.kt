@@ -1,7 +1,7 @@
 package robotran.programs
 
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

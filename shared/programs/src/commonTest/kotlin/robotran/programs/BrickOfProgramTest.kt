@@ -1,7 +1,7 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

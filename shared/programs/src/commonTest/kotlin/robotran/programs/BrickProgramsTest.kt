@@ -1,6 +1,7 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.source.Diagnostic
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -27,7 +28,7 @@ class BrickProgramsTest {
             if (kind in kinds) listOf(index + 1 to comment.substringAfter(": ")) else emptyList()
         }
 
-    private fun assertTold(expected: List<Pair<Int, String>>, told: List<ProgramDiagnostic>, name: String) {
+    private fun assertTold(expected: List<Pair<Int, String>>, told: List<Diagnostic>, name: String) {
         assertEquals(expected.map { it.first }, told.map { it.range?.line }, "$name: ${told.map { it.message }}")
         expected.zip(told).forEach { (pair, diagnostic) ->
             assertTrue(pair.second in diagnostic.message, "$name: ${pair.second} is not in ${diagnostic.message}")

@@ -3,11 +3,12 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceRange
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.toBytes
-import robotran.robolang.diagnostic.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -26,7 +27,7 @@ class FirmwareProgramsTest {
     private suspend fun imageOf(source: ProgramSource, by: ProgramCompiler = compiler) =
         assertNotNull(assertIs<ProgramResult.Ready>(by.read(source), source.name).firmwareImage)
 
-    private suspend fun mistakeIn(source: ProgramSource, by: ProgramCompiler = compiler): ProgramDiagnostic =
+    private suspend fun mistakeIn(source: ProgramSource, by: ProgramCompiler = compiler): Diagnostic =
         assertIs<ProgramResult.HasErrors>(by.read(source)).diagnostics.first()
 
     @Test

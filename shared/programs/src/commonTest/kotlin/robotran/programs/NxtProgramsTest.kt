@@ -3,7 +3,7 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.tinyvm.NxjProgram
 import kotlin.test.Test
 import kotlin.test.assertContains

@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.language.source.Diagnostic
 import kotlin.random.Random
 
 /** Programs of a language with mistakes, and how many of the fixes that it offers for them do harm. */
@@ -33,13 +34,13 @@ internal class HelpfulFixes(programs: Map<String, String>, seed: Long) {
         }
     }
 
-    private fun mistakesIn(result: ProgramResult): List<ProgramDiagnostic> = when (result) {
+    private fun mistakesIn(result: ProgramResult): List<Diagnostic> = when (result) {
         is ProgramResult.HasErrors -> result.diagnostics
         is ProgramResult.Ready -> result.warnings
     }
 
     /** A program without errors may have warnings that nobody has seen before. */
-    private fun sameKindIn(before: ProgramResult, after: ProgramResult): List<ProgramDiagnostic> =
+    private fun sameKindIn(before: ProgramResult, after: ProgramResult): List<Diagnostic> =
         if (before is ProgramResult.HasErrors && after is ProgramResult.Ready) emptyList() else mistakesIn(after)
 
     private fun changed(text: String): String {

@@ -2,8 +2,10 @@ package robotran.programs
 
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -49,7 +51,7 @@ class HelpfulFixesFuzzTest {
     fun `a fix that only moves a mistake is not offered`() {
         val unhelpful = FixVerification { ProgramResult.HasErrors(listOf(mistake(2), mistake(3))) }
         assertNull(verifiedFix(unhelpful))
-        val harmful = FixVerification { ProgramResult.HasErrors(emptyList<ProgramDiagnostic>() + mistake(3, "new")) }
+        val harmful = FixVerification { ProgramResult.HasErrors(emptyList<Diagnostic>() + mistake(3, "new")) }
         assertNull(verifiedFix(harmful))
         val helpful = FixVerification { ProgramResult.HasErrors(listOf(mistake(3))) }
         assertNotNull(verifiedFix(helpful))
@@ -63,7 +65,7 @@ class HelpfulFixesFuzzTest {
     }
 
     private fun mistake(line: Int, message: String = "wrong") =
-        ProgramDiagnostic("a.robo", SourceRange(line, 1, 2), message)
+        Diagnostic(Severity.ERROR, "a.robo", SourceRange(line, 1, 2), message)
 
     private fun assertHelpful(programs: Map<String, String>, sourceOf: (String, String) -> ProgramSource) {
         val fixes = HelpfulFixes(programs, Fuzzing.seed)

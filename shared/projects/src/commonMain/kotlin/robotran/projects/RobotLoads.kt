@@ -2,8 +2,9 @@ package robotran.projects
 
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.projects.messages.ProjectMessages
@@ -24,7 +25,7 @@ sealed interface RobotLoads {
      * direction.
      * @property warnings for the given programs only, because the pupil cannot fix the world's own programs.
      */
-    data class Ready(val loads: List<RobotLoad>, val warnings: List<ProgramDiagnostic>) : RobotLoads
+    data class Ready(val loads: List<RobotLoad>, val warnings: List<Diagnostic>) : RobotLoads
 
     /**
      * The programs cannot run.
@@ -32,7 +33,7 @@ sealed interface RobotLoads {
      * @property robot the name of the robot with the errors.
      * @property diagnostics all errors of its programs, never empty.
      */
-    data class HasErrors(val robot: String, val diagnostics: List<ProgramDiagnostic>) : RobotLoads
+    data class HasErrors(val robot: String, val diagnostics: List<Diagnostic>) : RobotLoads
 }
 
 /**
@@ -48,7 +49,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
     assignmentError(world, given, messages)?.let { return it }
     unfinishedRobot(world, reader.language)?.let { return it }
     val loads = mutableListOf<RobotLoad>()
-    val warnings = mutableListOf<ProgramDiagnostic>()
+    val warnings = mutableListOf<Diagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
         val compiler = reader.forTarget(robot.description.target)
@@ -70,7 +71,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
 fun unfinishedRobot(world: World, language: Language): RobotLoads.HasErrors? {
     val (_, robot, draft, error) = draftError(world) ?: return null
     val message = ProjectMessages.of(language).robotUnfinished(robot, draft.title, error.sentence(language))
-    return RobotLoads.HasErrors(robot, listOf(ProgramDiagnostic("", null, message)))
+    return RobotLoads.HasErrors(robot, listOf(Diagnostic(Severity.ERROR, "", null, message)))
 }
 
 /** As [readRobotLoads] of a world, for [project], in its [Project.worldToRun] and with the configurations of its robots. */
@@ -114,13 +115,21 @@ private fun assignmentError(
 ): RobotLoads.HasErrors? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        return RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.unknownRobot(name, names))))
+        return RobotLoads.HasErrors(
+            name,
+            listOf(Diagnostic(Severity.ERROR, "", null, messages.unknownRobot(name, names))),
+        )
     }
     return given.entries.firstOrNull { it.value.size > BrickProgram.MAX_PROGRAMS }?.let { (name, programs) ->
         RobotLoads.HasErrors(
             name,
             listOf(
-                ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, BrickProgram.MAX_PROGRAMS)),
+                Diagnostic(
+                    Severity.ERROR,
+                    "",
+                    null,
+                    messages.tooManyPrograms(name, programs.size, BrickProgram.MAX_PROGRAMS),
+                ),
             ),
         )
     }

@@ -1,10 +1,10 @@
 package robotran.robolang
 
 import robotran.language.Language
+import robotran.language.source.SourceRange
 import robotran.robolang.check.Checker
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Parser
@@ -27,7 +27,7 @@ fun compileRobolang(
     robot: RobotTarget,
     messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
 ): RobolangResult {
-    val diagnostics = DiagnosticSink(messages)
+    val diagnostics = DiagnosticSink(messages, name)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
         diagnostics.report(

@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.robolang.diagnostic.Diagnostic
+import robotran.language.source.Diagnostic
 
 /** The result of compiling a Robolang source. */
 sealed interface RobolangResult {

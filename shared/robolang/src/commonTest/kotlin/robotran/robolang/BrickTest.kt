@@ -1,7 +1,7 @@
 package robotran.robolang
 
 import robotran.brick.kind.BrickKind
-import robotran.robolang.diagnostic.Diagnostic
+import robotran.language.source.Diagnostic
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang

@@ -1,8 +1,8 @@
 package robotran.robolang
 
 import robotran.language.Language
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.RobolangLimits
 import kotlin.test.Test
@@ -36,14 +36,14 @@ class DiagnosticTest {
     fun `every line end counts as one`() {
         for (lineEnd in listOf("\n", "\r\n", "\r")) {
             val diagnostics = mistakesOf("beep${lineEnd}hop${lineEnd}${lineEnd}skip$lineEnd")
-            assertEquals(listOf(2, 4), diagnostics.map { it.range.line })
+            assertEquals(listOf(2, 4), diagnostics.map { it.range?.line })
         }
     }
 
     @Test
     fun `a byte order mark does not count as a character`() {
         assertEquals(emptyList(), mistakesOf("\uFEFFbeep"))
-        assertEquals(1, mistakesOf("\uFEFFhop").single().range.column)
+        assertEquals(1, mistakesOf("\uFEFFhop").single().range?.column)
     }
 
     @Test

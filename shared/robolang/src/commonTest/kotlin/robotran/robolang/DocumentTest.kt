@@ -98,7 +98,7 @@ class DocumentTest {
     private fun codesOf(source: String, robot: RobotTarget): List<String> = when (val result = read(source, robot)) {
         is RobolangResult.HasErrors -> result.diagnostics
         is RobolangResult.Ready -> result.warnings
-    }.map { it.code.id }
+    }.mapNotNull { it.code?.id }
 
     private companion object {
         /** The mistakes that only a program for an NXT can have. */

@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.robolang.diagnostic.SourceFix
+import robotran.language.source.SourceFix
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

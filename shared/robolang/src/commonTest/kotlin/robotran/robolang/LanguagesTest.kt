@@ -1,7 +1,7 @@
 package robotran.robolang
 
 import robotran.language.Language
-import robotran.robolang.diagnostic.Diagnostic
+import robotran.language.source.Diagnostic
 import robotran.robolang.messages.RobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,9 +1,9 @@
 package robotran.robolang
 
+import robotran.language.source.Diagnostic
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
-import robotran.robolang.diagnostic.Diagnostic
 
 /** Compares a program's run with its expectations; returns each difference as a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
@@ -18,7 +18,7 @@ internal fun differences(program: TestProgram): List<String> {
 }
 
 private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diagnostic>): List<String> {
-    val actual = diagnostics.map { "${it.range.line}:${it.range.column} ${it.message}" }
+    val actual = diagnostics.map { "${it.range?.line}:${it.range?.column} ${it.message}" }
     return if (actual == expected.errors) {
         emptyList()
     } else {
@@ -29,7 +29,7 @@ private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diag
 /** Null if the program expects no warnings; the caller then runs it. */
 private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnostic>): List<String>? {
     if (expected.warnings.isEmpty()) return null
-    val actual = warnings.map { "${it.range.line}:${it.range.column} ${it.message}" }
+    val actual = warnings.map { "${it.range?.line}:${it.range?.column} ${it.message}" }
     if (actual == expected.warnings) return emptyList()
     return listOf(
         "should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}",

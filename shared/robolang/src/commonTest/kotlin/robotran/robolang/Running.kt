@@ -2,8 +2,8 @@ package robotran.robolang
 
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
+import robotran.language.source.Diagnostic
 import robotran.rcxrom.program.RcxProgram
-import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.robot.RobotTarget
 
 /** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */

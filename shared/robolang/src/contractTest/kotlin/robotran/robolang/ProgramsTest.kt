@@ -28,9 +28,9 @@ class ProgramsTest {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
             when (val result = compileRobolang(path, text, testTarget)) {
-                is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
+                is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range?.line} ${it.message}" }
 
-                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } +
+                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range?.line} ${it.message}" } +
                     failureOf(result.rcxProgram)
             }
         }

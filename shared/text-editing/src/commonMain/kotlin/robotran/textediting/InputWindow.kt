@@ -1,8 +1,8 @@
 package robotran.textediting
 
+import robotran.language.source.SourceSpan
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.TextSpan
 
 /**
  * The part of a long text that the input field holds. It gives on-screen keyboards and input methods a context, without
@@ -12,7 +12,7 @@ import robotran.textediting.text.TextSpan
  * @property containsSelection false if the selection is too long for the field. Then the field's whole text is selected,
  * and any input replaces the whole selection.
  */
-data class InputWindow(val span: TextSpan, val containsSelection: Boolean) {
+data class InputWindow(val span: SourceSpan, val containsSelection: Boolean) {
     /** The field's text for [draft]. */
     fun textOf(draft: Draft): String = draft.text.substring(span.start, span.end)
 
@@ -54,14 +54,14 @@ data class InputWindow(val span: TextSpan, val containsSelection: Boolean) {
         return if (fits && isInside && roomBefore && roomBehind) copy(span = moved) else null
     }
 
-    private fun movedWith(edit: TextEdit): TextSpan? = when {
-        edit.start >= span.start && edit.start + edit.removed.length <= span.end -> TextSpan(
+    private fun movedWith(edit: TextEdit): SourceSpan? = when {
+        edit.start >= span.start && edit.start + edit.removed.length <= span.end -> SourceSpan(
             span.start,
             span.end + edit.growth,
         )
 
         edit.start > span.end -> span
-        edit.start + edit.removed.length < span.start -> TextSpan(span.start + edit.growth, span.end + edit.growth)
+        edit.start + edit.removed.length < span.start -> SourceSpan(span.start + edit.growth, span.end + edit.growth)
         else -> null
     }
 
@@ -78,16 +78,16 @@ data class InputWindow(val span: TextSpan, val containsSelection: Boolean) {
         /** Creates the window for [draft]. */
         fun of(draft: Draft): InputWindow {
             if (draft.text.length <= MAX_WHOLE_LENGTH) {
-                return InputWindow(TextSpan(0, draft.text.length), containsSelection = true)
+                return InputWindow(SourceSpan(0, draft.text.length), containsSelection = true)
             }
             val selection = draft.selection
             if (selection.end - selection.start > SIZE) {
                 val start = selection.caret.coerceIn(selection.start, selection.end - PLACEHOLDER_LENGTH)
-                return InputWindow(TextSpan(start, start + PLACEHOLDER_LENGTH), containsSelection = false)
+                return InputWindow(SourceSpan(start, start + PLACEHOLDER_LENGTH), containsSelection = false)
             }
             val from = lineStartBefore(draft, selection.start - SIZE / 2)
             val until = (selection.end + SIZE / 2).coerceAtMost(draft.text.length)
-            return InputWindow(TextSpan(from, until), containsSelection = true)
+            return InputWindow(SourceSpan(from, until), containsSelection = true)
         }
 
         /** The length of the field's text if the selection is too long for it: enough for backspace to work. */

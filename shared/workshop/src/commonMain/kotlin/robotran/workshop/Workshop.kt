@@ -13,7 +13,7 @@ import robotran.brick.controls.startButton
 import robotran.brick.kind.BrickKind
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.projects.Assignment
 import robotran.projects.AssignmentTries
 import robotran.projects.Project
@@ -479,7 +479,7 @@ class Workshop(
         learning.programsChanged()
     }
 
-    override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
+    override fun showMistake(diagnostic: Diagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
 

@@ -53,10 +53,10 @@ class PackageGraph(files: List<SourceFile>) {
     }
 
     private companion object {
-        /** `a.b` for `a.b.name`, `a.b.Type` and `a.b.Type.member`: packages are lower case. */
+        /** `a.b` for `a.b.name`, `a.b.Type`, `a.b.Type.member` and `a.b.` of a star: packages are lower case. */
         fun packageOf(import: String): String {
             val parts = import.split(".")
-            val type = parts.indexOfFirst { it.first().isUpperCase() }
+            val type = parts.indexOfFirst { it.firstOrNull()?.isUpperCase() == true }
             return parts.take(if (type >= 0) type else parts.size - 1).joinToString(".")
         }
     }

@@ -3,10 +3,10 @@ package robotran.assignments.grading
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.GradingMessages
 import robotran.language.Language
+import robotran.language.source.Diagnostic
 import robotran.programs.FirmwareSettings
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
@@ -121,7 +121,7 @@ class HandInGrader(
     private fun reasonOf(problem: Throwable): String =
         GradingMessages.of(language).couldNotBeGraded(problem.message ?: problem.toString())
 
-    private fun lineOf(diagnostic: ProgramDiagnostic): String {
+    private fun lineOf(diagnostic: Diagnostic): String {
         val place = diagnostic.range?.let { ":${it.line}:${it.column}" }.orEmpty()
         return if (diagnostic.file.isEmpty()) diagnostic.message else "${diagnostic.file}$place: ${diagnostic.message}"
     }

@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 
 /** Explains constructors that a class does not have, or not for all. */
 internal class ConstructorAdvisor(private val messages: JavaMessages) {
@@ -45,12 +46,12 @@ internal class ConstructorAdvisor(private val messages: JavaMessages) {
     }
 
     /** A sensor that is made of the number of its port. */
-    private fun numberedPort(problem: EcjProblem, source: SourceText, port: String?): JavaFix? {
+    private fun numberedPort(problem: EcjProblem, source: SourceText, port: String?): SourceFix? {
         val found = NUMBERED.find(source.words(problem.start, problem.end)) ?: return null
         if (port == null || !port.startsWith(SENSOR_PORT)) return null
         val number = found.groupValues[1]
         val start = problem.start + found.range.first + found.value.indexOf(number)
-        return JavaFix(source.range(start, start + number.length), SENSOR_PORT + number)
+        return SourceFix(source.range(start, start + number.length), SENSOR_PORT + number)
     }
 
     private companion object {

@@ -1,5 +1,8 @@
 package robotran.javacompiler.diagnose
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceSpan
+
 /**
  * A number with a comma, such as `1,5`, in a source.
  *
@@ -7,9 +10,9 @@ package robotran.javacompiler.diagnose
  */
 internal class DecimalComma(val span: SourceSpan, val pointed: String) {
     /** A fix where a value of the [type] is needed; null where a number with a point does not fit. */
-    fun fixFor(type: String, source: SourceText): JavaFix? = when (type) {
-        "float" -> JavaFix(source.range(span), pointed + "f")
-        "double" -> JavaFix(source.range(span), pointed)
+    fun fixFor(type: String, source: SourceText): SourceFix? = when (type) {
+        "float" -> SourceFix(source.range(span), pointed + "f")
+        "double" -> SourceFix(source.range(span), pointed)
         else -> null
     }
 }

@@ -6,6 +6,10 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
+import robotran.language.source.SourceSpan
 
 /** The max number of characters that a message quotes from the source. */
 private const val MAX_QUOTED_CHARACTERS = 40
@@ -44,7 +48,7 @@ internal class Diagnosis(
     private val limits = LimitAdvisor(messages)
 
     /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */
-    fun diagnostics(): List<JavaDiagnostic> {
+    fun diagnostics(): List<Diagnostic> {
         val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
         val found = if (hasErrors(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
         val succeeded = compilation.completed && compilation.problems.none { it.isError }
@@ -52,7 +56,7 @@ internal class Diagnosis(
     }
 
     /** The diagnostic for a missing main method; null if there is one. */
-    fun missingMain(): JavaDiagnostic? =
+    fun missingMain(): Diagnostic? =
         if (compilation.mainClasses.isEmpty()) MissingMainMethod(messages).missing(sources) else null
 
     /** [problems] of [source] without some that ECJ only guesses, and with what it does not see. */
@@ -69,15 +73,15 @@ internal class Diagnosis(
         byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
     }.toSet()
 
-    private fun told(source: SourceText, problems: List<EcjProblem>): List<JavaDiagnostic> {
+    private fun told(source: SourceText, problems: List<EcjProblem>): List<Diagnostic> {
         val all = problems.map { diagnostic(it, source) }
-        val order = compareBy<JavaDiagnostic> { it.range.line }.thenBy { it.severity }.thenBy { it.range.column }
-        return all.sortedWith(order).distinctBy { it.range.line }
+        val order = compareBy<Diagnostic> { it.range?.line }.thenBy { it.severity }.thenBy { it.range?.column }
+        return all.sortedWith(order).distinctBy { it.range?.line }
     }
 
-    private fun hasErrors(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.ERROR }
+    private fun hasErrors(diagnostics: List<Diagnostic>) = diagnostics.any { it.severity == Severity.ERROR }
 
-    private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
+    private fun diagnostic(problem: EcjProblem, source: SourceText): Diagnostic {
         val advice = structure.advice(problem, source)
             ?: lejos.advice(problem, source)
             ?: brick.advice(problem)
@@ -88,22 +92,20 @@ internal class Diagnosis(
             ?: limits.advice(problem)
             ?: ProblemExplanation(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
         val span = advice.at ?: SourceSpan(problem.start, problem.end)
-        return JavaDiagnostic(
-            path = source.path,
-            severity = if (problem.isError) JavaSeverity.ERROR else JavaSeverity.WARNING,
+        return Diagnostic(
+            file = source.path,
+            severity = if (problem.isError) Severity.ERROR else Severity.WARNING,
             range = source.range(span),
             text = source.words(span.start, span.end),
-            message = advice.message,
-            hint = advice.hint,
+            message = advice.sentences,
             fix = advice.fix,
         )
     }
 
-    private fun compilerFailed() = JavaDiagnostic(
-        path = sources.firstOrNull()?.path.orEmpty(),
-        severity = JavaSeverity.ERROR,
-        range = JavaRange(1, 1, 1),
-        text = "",
+    private fun compilerFailed() = Diagnostic(
+        file = sources.firstOrNull()?.path.orEmpty(),
+        severity = Severity.ERROR,
+        range = SourceRange(1, 1, 1),
         message = messages.compilerFailed(),
     )
 }

@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 import robotran.lejoslibrary.LejosDifference
 
 /** Explains where leJOS on a real brick compiles less than Robotran, or does something else at run time. */
@@ -16,7 +17,7 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
 
         ProblemId.EXCEPTION_NEVER_THROWN -> checkedName(problem)?.let {
             val isType = source.words(problem.start, problem.end) == it
-            val fix = JavaFix(source.range(problem.start, problem.end), EXCEPTION).takeIf { isType }
+            val fix = SourceFix(source.range(problem.start, problem.end), EXCEPTION).takeIf { isType }
             ProblemExplanation(messages.checkedInLejos(it), messages.catchException(), fix)
         }
 
@@ -40,7 +41,7 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
         return ProblemExplanation(
             messages.largeStep(),
             messages.insteadOfStep(sum),
-            JavaFix(source.range(problem.start, problem.end), sum),
+            SourceFix(source.range(problem.start, problem.end), sum),
         )
     }
 

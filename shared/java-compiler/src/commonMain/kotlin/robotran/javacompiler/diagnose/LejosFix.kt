@@ -1,5 +1,6 @@
 package robotran.javacompiler.diagnose
 
+import robotran.language.source.SourceFix
 import robotran.lejoslibrary.LejosRemedy
 
 /**
@@ -8,21 +9,21 @@ import robotran.lejoslibrary.LejosRemedy
  *
  * @param member the name of the member that is lacking; empty for a class.
  */
-internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int, source: SourceText): JavaFix? {
+internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int, source: SourceText): SourceFix? {
     val words = source.words(start, end)
     if (words.length < end - start) return null
     return when (remedy) {
         LejosRemedy.STRING_BUFFER -> {
-            JavaFix(source.range(start, end), "StringBuffer").takeIf { words == "StringBuilder" }
+            SourceFix(source.range(start, end), "StringBuffer").takeIf { words == "StringBuilder" }
         }
 
         LejosRemedy.SENSOR_CONSTANTS -> {
-            JavaFix(source.range(start - SENSOR.length - 1, end), "SensorConstants.$member")
+            SourceFix(source.range(start - SENSOR.length - 1, end), "SensorConstants.$member")
                 .takeIf { source.qualifier(start) == SENSOR }
         }
 
         LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
-            JavaFix(source.range(start, end), "${words.substringBefore('(')}()")
+            SourceFix(source.range(start, end), "${words.substringBefore('(')}()")
                 .takeIf { words.startsWith("new ") && words.endsWith(')') }
         }
 
@@ -33,11 +34,11 @@ internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int,
         }
 
         LejosRemedy.EXCEPTION_WITH_TEXT -> {
-            JavaFix(source.range(start, end), "${words.substringBefore('(')}(\"\")")
+            SourceFix(source.range(start, end), "${words.substringBefore('(')}(\"\")")
                 .takeIf { words.startsWith("new ") && words.endsWith(')') }
         }
 
-        LejosRemedy.SEND_BYTES -> JavaFix(source.range(start, end), "sendBytes").takeIf { words == member }
+        LejosRemedy.SEND_BYTES -> SourceFix(source.range(start, end), "sendBytes").takeIf { words == member }
 
         LejosRemedy.CHECKED_EXCEPTION,
         LejosRemedy.LAST_INDEX_OF,
@@ -56,7 +57,7 @@ internal fun lejosFix(remedy: LejosRemedy, member: String, start: Int, end: Int,
  * Puts the argument of `StringUtils.getCharacters`, whose name begins at [start], between [before] and [after]; null if the
  * call looks otherwise or does not end on its line.
  */
-private fun charactersFix(start: Int, source: SourceText, before: String, after: String): JavaFix? {
+private fun charactersFix(start: Int, source: SourceText, before: String, after: String): SourceFix? {
     if (source.qualifier(start) != STRING_UTILS) return null
     val from = start - STRING_UTILS.length - 1
     val call = source.snippetUntil(from, ';')
@@ -68,7 +69,7 @@ private fun charactersFix(start: Int, source: SourceText, before: String, after:
         depth == 0 && call[index] == ')'
     } ?: return null
     val argument = call.substring(CHARACTERS.length, close)
-    return JavaFix(source.range(from, from + close + 1), before + argument + after)
+    return SourceFix(source.range(from, from + close + 1), before + argument + after)
 }
 
 private const val SENSOR = "Sensor"

@@ -4,6 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.othersOfSeries
+import robotran.language.source.SourceFix
 
 /** Explains problems with methods and fields that a class does not have or that are private. */
 internal class MemberAdvisor(
@@ -98,7 +99,7 @@ internal class MemberAdvisor(
                 val call = "$name($value)"
                 val range = source.range(problem.start, end)
                 val message = messages.valueInBrackets(shortened(name), shortened(call))
-                ProblemExplanation(message, fix = JavaFix(range, call))
+                ProblemExplanation(message, fix = SourceFix(range, call))
             }
 
             "$name(0)" in problem.members -> {
@@ -107,7 +108,7 @@ internal class MemberAdvisor(
                 val call = if (compared == null) "$name()" else "$name() =="
                 ProblemExplanation(
                     messages.callWithBrackets(shortened(name)),
-                    fix = JavaFix(source.range(problem.start, end), call),
+                    fix = SourceFix(source.range(problem.start, end), call),
                 )
             }
 
@@ -125,8 +126,8 @@ internal class MemberAdvisor(
         val foreign = javaEquivalent(name)?.ifEmpty { null }
         val small = keywordInOtherCase(name)
         return when {
-            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = JavaFix(range, foreign))
-            small != null -> ProblemExplanation(messages.wrongCase(small), fix = JavaFix(range, small))
+            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = SourceFix(range, foreign))
+            small != null -> ProblemExplanation(messages.wrongCase(small), fix = SourceFix(range, small))
             else -> null
         }
     }
@@ -185,7 +186,7 @@ internal class MemberAdvisor(
         if (problem.arguments.getOrNull(1) != LENGTH) {
             return ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
         }
-        val fix = words.takeIf { it.endsWith("()") }?.let { JavaFix(source.range(problem.end - 2, problem.end), "") }
+        val fix = words.takeIf { it.endsWith("()") }?.let { SourceFix(source.range(problem.end - 2, problem.end), "") }
         return ProblemExplanation(messages.lengthOfArrayValue(), fix = fix)
     }
 

@@ -4,6 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.othersOfSeries
+import robotran.language.source.SourceFix
 
 /**
  * Explains undeclared classes, imports and variables: names the brick's alternative, the missing import, or the likely
@@ -44,7 +45,7 @@ internal class NameAdvisor(
             ).takeIf { others.isNotEmpty() }
         val full = "$owner.$name"
         val isImported = library.homesOf(owner).any { source.imports(owner, it) }
-        val fix = JavaFix(source.range(problem.start, problem.end), full).takeIf { isImported }
+        val fix = SourceFix(source.range(problem.start, problem.end), full).takeIf { isImported }
         return ProblemExplanation(messages.unknownVariable(name), messages.didYouMean(full), fix)
     }
 
@@ -75,8 +76,8 @@ internal class NameAdvisor(
         val foreign = javaEquivalent(name)?.ifEmpty { null }
         val small = keywordInOtherCase(name)
         return when {
-            small != null -> ProblemExplanation(message, messages.wrongCase(small), JavaFix(range, small))
-            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(message, messages.wrongCase(small), SourceFix(range, small))
+            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = SourceFix(range, foreign))
             else -> null
         }
     }

@@ -2,6 +2,7 @@ package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 
 /**
  * Suggests the names that misspelled names may mean.
@@ -18,7 +19,7 @@ internal class NameSuggestions(private val undeclared: Set<String>, private val 
         val written = source.words(problem.start, problem.end)
         val sameLetters = suggestion.equals(written, ignoreCase = true)
         val hint = if (sameLetters) messages.wrongCase(suggestion) else messages.didYouMean(suggestion)
-        val fix = JavaFix(source.range(problem.start, problem.end), suggestion)
+        val fix = SourceFix(source.range(problem.start, problem.end), suggestion)
         return ProblemExplanation(message, hint, fix.takeIf { likely.size == 1 })
     }
 

@@ -2,6 +2,7 @@ package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 
 /**
  * Explains numbers that are written where they do not fit. None is cut by a fix: 5.5 is not 5.
@@ -16,7 +17,7 @@ internal class NumberAdvisor(private val messages: JavaMessages, private val dec
         return if (isOctal && decimal.length < MAX_INT_DIGITS) {
             ProblemExplanation(
                 messages.noLeadingZero(decimal),
-                fix = JavaFix(source.range(problem.start, problem.end), decimal),
+                fix = SourceFix(source.range(problem.start, problem.end), decimal),
             )
         } else {
             ProblemExplanation(messages.numberTooLarge(shortened(number)))
@@ -44,7 +45,7 @@ internal class NumberAdvisor(private val messages: JavaMessages, private val dec
         if (needed !in WHOLE_NUMBERS || argument == null) return null
         val number = argument.groupValues[1]
         val start = problem.end + argument.value.indexOf(number)
-        val fix = JavaFix(source.range(start, start + number.length), wholePart(number))
+        val fix = SourceFix(source.range(start, start + number.length), wholePart(number))
         return ProblemExplanation(message, messages.writeWhole(wholePart(number)), fix.takeIf { isWhole(number) })
     }
 
@@ -55,7 +56,7 @@ internal class NumberAdvisor(private val messages: JavaMessages, private val dec
         return ProblemExplanation(
             messages.notWhole(number, needed),
             if (variable == null) messages.writeWhole(whole) else messages.writeWholeOrDeclare(whole, declaration),
-            JavaFix(source.range(problem.start, problem.end), whole).takeIf { isWhole(number) },
+            SourceFix(source.range(problem.start, problem.end), whole).takeIf { isWhole(number) },
         )
     }
 

@@ -4,6 +4,9 @@ import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.pasted.PastedCharacter
 import robotran.language.pasted.pastedCharacter
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
 
 /**
  * The characters of [source] that come from a word processor or a web page, outside of its comments and texts.
@@ -32,16 +35,16 @@ internal class PastedCharacters(private val source: JavaSource, linesWithErrors:
     }
 
     /** A mistake for each line, with a fix for the whole line. */
-    fun diagnostics(messages: JavaMessages): List<JavaDiagnostic> = found.map { (_, all) ->
+    fun diagnostics(messages: JavaMessages): List<Diagnostic> = found.map { (_, all) ->
         val first = all.first()
         val span = text.range(first.place, first.place + 1)
-        JavaDiagnostic(
-            path = source.path,
-            severity = JavaSeverity.ERROR,
+        Diagnostic(
+            file = source.path,
+            severity = Severity.ERROR,
             range = span,
             text = first.pasted.character.toString(),
             message = messages.pasted(first.pasted),
-            fix = JavaFix(text.range(first.place, all.last().place + 1), plainPart(all)),
+            fix = SourceFix(text.range(first.place, all.last().place + 1), plainPart(all)),
         )
     }
 

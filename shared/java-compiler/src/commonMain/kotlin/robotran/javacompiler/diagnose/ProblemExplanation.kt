@@ -1,5 +1,8 @@
 package robotran.javacompiler.diagnose
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceSpan
+
 /**
  * The explanation of a problem for the pupil.
  *
@@ -8,9 +11,9 @@ package robotran.javacompiler.diagnose
 internal class ProblemExplanation(
     val message: String,
     val hint: String? = null,
-    val fix: JavaFix? = null,
+    val fix: SourceFix? = null,
     val at: SourceSpan? = null,
-)
-
-/** The part of a source from offset [start], from 0, to before [end]. */
-internal class SourceSpan(val start: Int, val end: Int = start)
+) {
+    /** What is wrong and what to do instead. */
+    val sentences: String get() = listOfNotNull(message, hint).joinToString(" ")
+}

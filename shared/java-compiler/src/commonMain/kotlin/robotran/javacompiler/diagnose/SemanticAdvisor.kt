@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 
 /**
  * Explains semantic errors.
@@ -65,7 +66,7 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
 
         ProblemId.EMPTY_STATEMENT -> {
             val isBeforeBlock = source.codeAt(source.codeFrom(problem.end)) == '{'
-            val fix = JavaFix(source.range(problem.start, problem.end), "")
+            val fix = SourceFix(source.range(problem.start, problem.end), "")
             ProblemExplanation(messages.emptyStatement(), fix = fix.takeIf { isBeforeBlock })
         }
 
@@ -94,7 +95,7 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
         val isPause = name == "wait" && problem.arguments.getOrElse(2) { "" }.isNotEmpty()
         if (!isPause) return ProblemExplanation(message, messages.callOnObject(name))
         val isWord = source.words(problem.start, problem.end) == name
-        val fix = JavaFix(source.range(problem.start, problem.end), SLEEP).takeIf { isWord }
+        val fix = SourceFix(source.range(problem.start, problem.end), SLEEP).takeIf { isWord }
         return ProblemExplanation(message, messages.sleepInstead(), fix)
     }
 
@@ -104,7 +105,7 @@ internal class SemanticAdvisor(private val messages: JavaMessages, private val l
         val end = source.codeFrom(problem.end)
         val statement = source.words(problem.start, end + 1)
         val isWhole = source.codeBefore(problem.start) in STATEMENT_STARTS && statement.endsWith(';')
-        val fix = JavaFix(source.range(problem.start, end + 1), "try { $statement } catch ($exception e) { }")
+        val fix = SourceFix(source.range(problem.start, end + 1), "try { $statement } catch ($exception e) { }")
         return ProblemExplanation(messages.unhandledException(name), messages.handleIt(name), fix.takeIf { isWhole })
     }
 

@@ -1,6 +1,9 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.JavaSource
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
+import robotran.language.source.SourceSpan
 
 /**
  * A source with its lines, which end in `\n`, `\r\n` or `\r`. Offsets may lie outside: ECJ reports some
@@ -19,17 +22,17 @@ internal class SourceText(source: JavaSource) {
     val code: CodeOnly by lazy { CodeOnly(text) }
 
     /** The range from [start] to before [end], but not beyond the end of the line. */
-    fun range(start: Int, end: Int): JavaRange {
+    fun range(start: Int, end: Int): SourceRange {
         val from = start.coerceIn(0, text.length)
         val line = lineOf(from)
         val until = end.coerceIn(from, lineEnd(from))
-        return JavaRange(line + 1, from - lineStarts[line] + 1, until - lineStarts[line] + 1)
+        return SourceRange(line + 1, from - lineStarts[line] + 1, until - lineStarts[line] + 1)
     }
 
     fun range(offset: SourceSpan) = range(offset.start, offset.end)
 
     /** A fix that inserts [words] at [offset]. */
-    fun insertion(offset: Int, words: String) = JavaFix(range(offset, offset), words)
+    fun insertion(offset: Int, words: String) = SourceFix(range(offset, offset), words)
 
     /** The text from [start] to before [end], but not beyond the end of the line. */
     fun words(start: Int, end: Int): String {
@@ -94,7 +97,7 @@ internal class SourceText(source: JavaSource) {
         listOf("*", name).any { Regex("""\bimport\s+${Regex.escape("$home.$it")}\s*;""").containsMatchIn(code.text) }
 
     /** A fix that inserts [line] where imports belong. */
-    fun addLineAtTop(line: String): JavaFix {
+    fun addLineAtTop(line: String): SourceFix {
         val offset = PACKAGE.find(code.text)?.range?.last?.plus(1) ?: 0
         return insertion(offset, if (offset == 0) "$line\n" else "\n$line")
     }

@@ -3,6 +3,8 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceSpan
 
 /** Explains the syntax errors in statements that beginners often make. */
 internal class StatementAdvisor(private val messages: JavaMessages) {
@@ -27,7 +29,7 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         val span = SourceSpan(problem.start - before.length, problem.start + behind.length)
         return ProblemExplanation(
             messages.foreignWord(written, right),
-            fix = JavaFix(source.range(span), right),
+            fix = SourceFix(source.range(span), right),
             at = span,
         )
     }
@@ -49,9 +51,9 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         val foreign = javaEquivalent(word)
         val small = keywordInOtherCase(word)
         return when {
-            foreign == "" -> ProblemExplanation(messages.noSuchWord(word), fix = JavaFix(range, ""))
-            foreign != null -> ProblemExplanation(messages.foreignWord(word, foreign), fix = JavaFix(range, foreign))
-            small != null -> ProblemExplanation(messages.wrongCase(small), fix = JavaFix(range, small))
+            foreign == "" -> ProblemExplanation(messages.noSuchWord(word), fix = SourceFix(range, ""))
+            foreign != null -> ProblemExplanation(messages.foreignWord(word, foreign), fix = SourceFix(range, foreign))
+            small != null -> ProblemExplanation(messages.wrongCase(small), fix = SourceFix(range, small))
             else -> null
         }
     }
@@ -69,13 +71,19 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         }
 
         word == "," && IN_FOR.containsMatchIn(source.lineBefore(problem.start)) -> {
-            ProblemExplanation(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
+            ProblemExplanation(
+                messages.semicolonsInFor(),
+                fix = SourceFix(source.range(problem.start, problem.end), ";"),
+            )
         }
 
         expected != "AssignmentOperator" || problem.number != ProblemId.INVALID_TOKEN -> null
 
         word == "==" -> {
-            ProblemExplanation(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
+            ProblemExplanation(
+                messages.setWithOneSign(),
+                fix = SourceFix(source.range(problem.start, problem.end), "="),
+            )
         }
 
         else -> ProblemExplanation(messages.noStatement())

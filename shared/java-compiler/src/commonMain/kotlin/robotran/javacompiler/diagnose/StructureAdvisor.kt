@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 
 /** Explains the [StructureMistakes] of a source. */
 internal class StructureAdvisor(private val messages: JavaMessages) {
@@ -26,12 +27,12 @@ internal class StructureAdvisor(private val messages: JavaMessages) {
                 messages.moveOutOfMethod(),
             )
 
-            ProblemId.WORD_IN_OTHER_CASE -> ProblemExplanation(messages.wrongCase(word), fix = JavaFix(range, word))
+            ProblemId.WORD_IN_OTHER_CASE -> ProblemExplanation(messages.wrongCase(word), fix = SourceFix(range, word))
 
             ProblemId.NAME_OF_SEVERAL_WORDS -> ProblemExplanation(
                 messages.nameIsOneWord(shortened(word)),
                 // The file has to have the name of the class.
-                fix = JavaFix(range, word).takeIf { word == source.className },
+                fix = SourceFix(range, word).takeIf { word == source.className },
             )
 
             ProblemId.CONDITION_WITHOUT_BRACKETS -> condition(problem, source, word)
@@ -48,7 +49,7 @@ internal class StructureAdvisor(private val messages: JavaMessages) {
         val isInLine = end != null && written.length == end - start
         return ProblemExplanation(
             messages.conditionInBrackets(word),
-            fix = range?.takeIf { isInLine }?.let { JavaFix(it, "($written)") },
+            fix = range?.takeIf { isInLine }?.let { SourceFix(it, "($written)") },
         )
     }
 }

@@ -3,6 +3,8 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceSpan
 
 /** Explains syntax errors. The arguments of ECJ's problems are words of the source and symbols of its grammar. */
 internal class SyntaxAdvisor(private val messages: JavaMessages) {
@@ -62,7 +64,7 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
 
     private fun missing(expected: String, problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val symbol = expected.substringBefore(' ')
-        val behind = SourceSpan(problem.end)
+        val behind = SourceSpan(problem.end, problem.end)
         val insertion = source.insertion(problem.end, symbol)
         return when (symbol) {
             ";" -> ProblemExplanation(messages.missingSemicolon(), fix = insertion, at = behind)
@@ -79,7 +81,11 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         return if (word == "{") {
             ProblemExplanation(message)
         } else {
-            ProblemExplanation(message, fix = source.insertion(problem.end, "\n}"), at = SourceSpan(problem.end))
+            ProblemExplanation(
+                message,
+                fix = source.insertion(problem.end, "\n}"),
+                at = SourceSpan(problem.end, problem.end),
+            )
         }
     }
 
@@ -112,7 +118,7 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         val isText = word.length > 2 && text.length == word.length - 2 && '"' !in text
         return ProblemExplanation(
             messages.wrongCharacter(),
-            fix = if (isText) JavaFix(source.range(problem.start, problem.end), "\"$text\"") else null,
+            fix = if (isText) SourceFix(source.range(problem.start, problem.end), "\"$text\"") else null,
         )
     }
 

@@ -3,6 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
+import robotran.language.source.SourceFix
 
 /** Explains what goes wrong with texts: that they are compared as objects, not by their letters. */
 internal class TextAdvisor(private val messages: JavaMessages) {
@@ -11,7 +12,7 @@ internal class TextAdvisor(private val messages: JavaMessages) {
         val operator = problem.arguments[0]
         val comparison = comparison(problem, source)
         val hint = messages.compareLetters(comparison?.let(::shortened) ?: "${not(operator)}a.equals(b)")
-        val fix = comparison?.let { JavaFix(source.range(problem.start, problem.end), it) }
+        val fix = comparison?.let { SourceFix(source.range(problem.start, problem.end), it) }
         return ProblemExplanation(messages.textsCompared(operator), hint, fix)
     }
 

@@ -4,6 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NewerJava
+import robotran.language.source.SourceFix
 
 /** Explains problems with the types of values. */
 internal class TypeAdvisor(private val messages: JavaMessages, private val boxes: Boolean) {
@@ -32,18 +33,18 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
             needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
                 ProblemExplanation(
                     messages.compareWithTwoSigns(),
-                    fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")),
+                    fix = SourceFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")),
                 )
             }
 
             given == "void" -> ProblemExplanation(messages.givesNothing())
 
             given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
-                ProblemExplanation(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
+                ProblemExplanation(message, messages.writeFloat(text), SourceFix(range, "${text}f"))
             }
 
             given in NUMBERS && needed in NUMBERS -> {
-                ProblemExplanation(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
+                ProblemExplanation(message, messages.castNumber(needed), SourceFix(range, cast(text, needed)))
             }
 
             given in NUMBERS && needed == "boolean" -> ProblemExplanation(message, messages.compareWithZero())
@@ -53,7 +54,11 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
             }
 
             given == "Object" && needed !in SINGLE_VALUES -> {
-                ProblemExplanation(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
+                ProblemExplanation(
+                    message,
+                    messages.castObject(shortened(needed)),
+                    SourceFix(range, cast(text, needed)),
+                )
             }
 
             needed == "String" -> ProblemExplanation(message, messages.makeText())
@@ -111,12 +116,12 @@ internal class TypeAdvisor(private val messages: JavaMessages, private val boxes
     private fun commasIn(types: String) = types.count { it == ',' }
 
     /** Seconds with a part behind the point, as whole milliseconds. */
-    private fun milliseconds(problem: EcjProblem, source: SourceText): JavaFix? {
+    private fun milliseconds(problem: EcjProblem, source: SourceText): SourceFix? {
         val found = SECONDS.find(source.codeBehind(problem.end)) ?: return null
         val (whole, part) = found.destructured
         val number = (whole + part.padEnd(MILLISECOND_DIGITS, '0')).trimStart('0').ifEmpty { "0" }
         val start = problem.end + found.value.indexOf(whole + "." + part)
-        return JavaFix(source.range(start, start + whole.length + 1 + part.length), number)
+        return SourceFix(source.range(start, start + whole.length + 1 + part.length), number)
             .takeIf { part.length <= MILLISECOND_DIGITS && whole.length <= MILLISECOND_DIGITS }
     }
 

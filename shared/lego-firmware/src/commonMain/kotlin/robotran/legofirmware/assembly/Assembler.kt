@@ -50,12 +50,12 @@ internal class Assembler(language: Language, private val target: FirmwareTarget)
         }
     }
 
-    private fun rejected() = AssemblyResult.Rejected(sink.inSourceOrder(isError = true))
+    private fun rejected() = AssemblyResult.Rejected(sink.inSourceOrder(Severity.ERROR))
 
     private fun assembled(chunks: List<Chunk>, placed: List<AssembledChunk>): AssemblyResult {
         val ordered = chunks.sortedWith(compareBy({ it.id.kind == ChunkKind.TASK }, { it.id.number }))
         val image = RcxImage(target, ordered, names.symbols(ordered.map { it.id }))
         val lines = placed.associate { chunk -> chunk.id to chunk.commands.map { CodeLine(it.address, it.word.line) } }
-        return AssemblyResult.Assembled(image, LineTable(lines), sink.inSourceOrder(isError = false))
+        return AssemblyResult.Assembled(image, LineTable(lines), sink.inSourceOrder(Severity.WARNING))
     }
 }

@@ -1,5 +1,6 @@
 package robotran.legofirmware.assembly
 
+import robotran.language.source.Diagnostic
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
 
@@ -11,8 +12,8 @@ sealed interface AssemblyResult {
      * @property lines the line of each command.
      * @property warnings in source order.
      */
-    class Assembled(val image: RcxImage, val lines: LineTable, val warnings: List<AssemblyDiagnostic>) : AssemblyResult
+    class Assembled(val image: RcxImage, val lines: LineTable, val warnings: List<Diagnostic>) : AssemblyResult
 
     /** The text has mistakes; [diagnostics] are the errors in source order, never empty. */
-    data class Rejected(val diagnostics: List<AssemblyDiagnostic>) : AssemblyResult
+    data class Rejected(val diagnostics: List<Diagnostic>) : AssemblyResult
 }

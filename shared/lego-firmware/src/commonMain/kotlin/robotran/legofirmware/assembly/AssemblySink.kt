@@ -1,24 +1,29 @@
 package robotran.legofirmware.assembly
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
+
 /** Collects diagnostics: at most one error and one warning per line, and [AssemblyLimits.DIAGNOSTICS] in all. */
 internal class AssemblySink {
-    private val diagnostics = mutableListOf<AssemblyDiagnostic>()
-    private val lines = mutableSetOf<Pair<Int, Boolean>>()
+    private val diagnostics = mutableListOf<Diagnostic>()
+    private val lines = mutableSetOf<Pair<Int, Severity>>()
 
-    val hasErrors: Boolean get() = diagnostics.any { it.isError }
+    val hasErrors: Boolean get() = diagnostics.any { it.severity == Severity.ERROR }
 
     fun error(code: AssemblyProblem, place: Token, message: String, replacement: String? = null) =
-        add(code, true, place, message, replacement)
+        add(code, Severity.ERROR, place, message, replacement)
 
-    fun warn(code: AssemblyProblem, place: Token, message: String) = add(code, false, place, message, null)
+    fun warn(code: AssemblyProblem, place: Token, message: String) = add(code, Severity.WARNING, place, message, null)
 
-    private fun add(code: AssemblyProblem, isError: Boolean, place: Token, message: String, replacement: String?) {
-        if (diagnostics.size >= AssemblyLimits.DIAGNOSTICS || !lines.add(place.line to isError)) return
-        val end = place.column + place.text.length
-        diagnostics +=
-            AssemblyDiagnostic(code, isError, place.line, place.column, end, place.text, message, replacement)
+    private fun add(code: AssemblyProblem, severity: Severity, place: Token, message: String, replacement: String?) {
+        if (diagnostics.size >= AssemblyLimits.DIAGNOSTICS || !lines.add(place.line to severity)) return
+        val range = SourceRange(place.line, place.column, place.column + place.text.length)
+        val fix = replacement?.let { SourceFix(range, it) }
+        diagnostics += Diagnostic(severity, "", range, message, fix, place.text, code)
     }
 
-    fun inSourceOrder(isError: Boolean): List<AssemblyDiagnostic> =
-        diagnostics.filter { it.isError == isError }.sortedWith(compareBy({ it.line }, { it.column }))
+    fun inSourceOrder(severity: Severity): List<Diagnostic> = diagnostics.filter { it.severity == severity }
+        .sortedWith(compareBy({ it.range?.line }, { it.range?.column }))
 }

@@ -1,6 +1,7 @@
 package robotran.legofirmware.assembly
 
 import robotran.language.Language
+import robotran.language.source.ProblemCode
 import robotran.legofirmware.Vectors
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.CodeBytes
@@ -11,6 +12,7 @@ import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
 
 class AssembleTest {
@@ -176,9 +178,10 @@ class AssembleTest {
         val result = assertIs<AssemblyResult.Rejected>(assemble(source), line)
         val found = result.diagnostics.first()
         assertEquals(code, found.code, line)
-        assertEquals(at to columns, found.line to found.column..found.endColumn, line)
+        val range = assertNotNull(found.range)
+        assertEquals(at to columns, range.line to range.column..range.endColumn, line)
         assertTrue(sentence in found.message, found.message)
-        assertEquals(replacement, found.replacement, line)
+        assertEquals(replacement, found.fix?.replacement, line)
     }
 
     private fun assertNewer(line: String, sentence: String) {
@@ -191,6 +194,6 @@ class AssembleTest {
         assertTrue(sentence in found.message, found.message)
     }
 
-    private fun warnings(line: String, target: FirmwareTarget): List<AssemblyProblem> =
+    private fun warnings(line: String, target: FirmwareTarget): List<ProblemCode?> =
         assertIs<AssemblyResult.Assembled>(assemble("task 0\n$line\nendt", target = target)).warnings.map { it.code }
 }

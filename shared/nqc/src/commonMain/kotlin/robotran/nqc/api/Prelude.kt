@@ -1,10 +1,10 @@
 package robotran.nqc.api
 
 import robotran.language.Language
+import robotran.language.source.Severity
 import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.diagnostic.API_RANGE
 import robotran.nqc.diagnostic.DiagnosticSink
-import robotran.nqc.diagnostic.Severity
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.messages.NqcMessages
 import robotran.nqc.parse.ApiNames
 import robotran.nqc.parse.ProgramParser
@@ -19,7 +19,7 @@ import robotran.nqc.tree.FunctionUnit
  * The API as the compiler sees it: its header, read for one target.
  *
  * @property macros values and constants.
- * @property functions functions, whose places are [SourceRange.API].
+ * @property functions functions, whose places are [API_RANGE].
  */
 internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolean) {
     private val header = ApiHeader(isOld)
@@ -73,7 +73,7 @@ internal class Prelude private constructor(target: FirmwareTarget, isOld: Boolea
         return generateSequence { lexer.next() }.takeWhile { it.kind != TokenKind.END }.map(::ofApi).toList()
     }
 
-    private fun ofApi(token: Token) = token.copy(range = SourceRange.API, macro = null)
+    private fun ofApi(token: Token) = token.copy(range = API_RANGE, macro = null)
 
     companion object {
         /** The function that runs before the main task unless a program says otherwise: full power, forwards. */

@@ -1,9 +1,9 @@
 package robotran.nqc.check
 
+import robotran.language.source.SourceFix
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.parse.ApiNames
 import robotran.nqc.parse.DeclaredUnits
 import robotran.nqc.syntax.onlySimilarName

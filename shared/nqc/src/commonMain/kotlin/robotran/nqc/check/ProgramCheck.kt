@@ -1,10 +1,10 @@
 package robotran.nqc.check
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.parse.DeclaredUnits
 import robotran.nqc.preprocess.InitFunction
 import robotran.nqc.syntax.similarName
@@ -54,7 +54,7 @@ internal class ProgramCheck(
 
     private fun reportMissingMain(end: SourceRange) {
         val similar = program.tasks.find { similarName(MAIN, listOf(it.name)) != null }
-        val range = similar?.range ?: SourceRange(end.file, 1, 1, 1)
+        val range = similar?.range ?: SourceRange(1, 1, 1, end.file)
         val fix = similar?.let { SourceFix(it.range, MAIN) } ?: mainAt(end).takeIf { program.tasks.isEmpty() }
         sink.report(NqcDiagnosticCode.MAIN_MISSING, range, sink.messages.mainMissing(similar?.name), fix)
     }

@@ -1,5 +1,9 @@
 package robotran.nqc.diagnostic
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.nqc.messages.NqcMessages
 
 /**
@@ -7,7 +11,7 @@ import robotran.nqc.messages.NqcMessages
  * from the first.
  */
 internal class DiagnosticSink(val messages: NqcMessages) {
-    private val diagnostics = mutableListOf<NqcDiagnostic>()
+    private val diagnostics = mutableListOf<Diagnostic>()
     private val lines = mutableSetOf<Triple<Severity, String, Int>>()
 
     private val errors = mutableSetOf<NqcDiagnosticCode>()
@@ -25,17 +29,28 @@ internal class DiagnosticSink(val messages: NqcMessages) {
 
     fun report(code: NqcDiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
         if (code.severity == Severity.ERROR) errors += code
-        if (diagnostics.size >= LIMIT || !lines.add(Triple(code.severity, range.file, range.line))) return
-        diagnostics += NqcDiagnostic(code, range, message, fix)
+        // Nothing can be changed in the API, nor in another file than the one of the problem.
+        val applicable = fix?.takeIf { it.range.line > 0 && it.range.file == range.file }
+        val known = range.takeIf { it.line > 0 }
+        keep(Diagnostic(code.severity, range.file, known, message, applicable, code = code))
+    }
+
+    private fun keep(diagnostic: Diagnostic) {
+        if (diagnostics.size >= LIMIT) return
+        val isNew = lines.add(Triple(diagnostic.severity, diagnostic.file, diagnostic.range?.line ?: 0))
+        if (isNew) diagnostics += diagnostic
     }
 
     /** Adds what [other] has collected. */
-    fun add(other: DiagnosticSink) = other.diagnostics.forEach { report(it.code, it.range, it.message, it.fix) }
+    fun add(other: DiagnosticSink) {
+        errors += other.errors
+        other.diagnostics.forEach(::keep)
+    }
 
     /** All of one [severity]: those of the main [file] by line, then those of included files. */
-    fun inSourceOrder(severity: Severity, file: String): List<NqcDiagnostic> = diagnostics
+    fun inSourceOrder(severity: Severity, file: String): List<Diagnostic> = diagnostics
         .filter { it.severity == severity }
-        .sortedWith(compareBy({ it.range.file != file }, { it.range.file }, { it.range.line }, { it.range.column }))
+        .sortedWith(compareBy({ it.file != file }, { it.file }, { it.range?.line }, { it.range?.column }))
 
     private companion object {
         /** More are of no use to anybody. */

@@ -1,11 +1,14 @@
 package robotran.nqc.diagnostic
 
+import robotran.language.source.ProblemCode
+import robotran.language.source.Severity
+
 /**
  * The kinds of problems.
  *
  * @property original what the original compiler says, with `%s` for a word of the program; null if it says nothing.
  */
-enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Severity.ERROR) {
+enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Severity.ERROR) : ProblemCode {
     FILE_NOT_FOUND("could not open file %s"),
     INCLUDE_NEEDS_NAME("#include requires a filename"),
 
@@ -148,8 +151,7 @@ enum class NqcDiagnosticCode(val original: String?, val severity: Severity = Sev
     SENSOR_NOT_SET(null, Severity.WARNING),
     ;
 
-    /** The stable name, such as `missing-semicolon`. */
-    val id: String = name.lowercase().replace('_', '-')
+    override val id: String = name.lowercase().replace('_', '-')
 }
 
 private const val SYNTAX = "syntax error"

@@ -1,10 +1,10 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceRange
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.ValueSource
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Expression.AddressOf
 import robotran.nqc.tree.Expression.Cell

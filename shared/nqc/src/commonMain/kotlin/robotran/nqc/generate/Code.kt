@@ -1,6 +1,6 @@
 package robotran.nqc.generate
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /**
  * The code of a task or subroutine.

@@ -1,7 +1,7 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceRange
 import robotran.legofirmware.instructions.Opcode
-import robotran.nqc.diagnostic.SourceRange
 
 /** A place in code that is being generated. */
 internal class Label {

@@ -1,13 +1,14 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.Relation
 import robotran.legofirmware.instructions.ValueSource
 import robotran.nqc.config.NqcLimits
+import robotran.nqc.diagnostic.API_RANGE
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.tree.Place
 import robotran.nqc.tree.VariableOperation
 
@@ -22,7 +23,7 @@ internal class Emitter(
     val buffer = CodeBuffer()
 
     /** The statement that code is generated for. */
-    var position = SourceRange.API
+    var position = API_RANGE
 
     /** Whether a variable with the number of another one is released where the original compiler forgets to. */
     val releasesAll: Boolean get() = budget.releasesAll

@@ -1,6 +1,6 @@
 package robotran.nqc.generate
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Statement
 import robotran.nqc.tree.Variable

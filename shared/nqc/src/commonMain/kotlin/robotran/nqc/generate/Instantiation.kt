@@ -1,8 +1,8 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceRange
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.tree.BinaryOperator
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Expression.AddressOf

@@ -1,5 +1,6 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
@@ -11,7 +12,6 @@ import robotran.legofirmware.image.SymbolKind
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.Expression.Cell
 import robotran.nqc.tree.ParsedProgram

@@ -1,8 +1,8 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceRange
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.ValueSource
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.tree.Expression
 import robotran.nqc.tree.OperatorKind
 import robotran.nqc.tree.Place

@@ -1,11 +1,11 @@
 package robotran.nqc.generate
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.ValueSource
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.onlySimilarName
 import robotran.nqc.syntax.similarName
 import robotran.nqc.tree.Expression

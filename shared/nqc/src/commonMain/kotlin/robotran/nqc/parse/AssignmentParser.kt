@@ -1,7 +1,7 @@
 package robotran.nqc.parse
 
+import robotran.language.source.SourceRange
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Signs
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.tree.BinaryOperator

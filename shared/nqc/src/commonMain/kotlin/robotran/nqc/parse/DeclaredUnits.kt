@@ -1,7 +1,7 @@
 package robotran.nqc.parse
 
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Token

@@ -1,8 +1,8 @@
 package robotran.nqc.parse
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.Token
 import robotran.nqc.tree.Expression

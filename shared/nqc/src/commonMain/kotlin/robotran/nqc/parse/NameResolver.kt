@@ -1,10 +1,11 @@
 package robotran.nqc.parse
 
 import robotran.language.othersOfSeries
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.diagnostic.API_RANGE
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.KeywordGroup
 import robotran.nqc.syntax.Signs
@@ -34,7 +35,7 @@ internal class NameResolver(
 ) {
     private val sink = reader.sink
     private val sensors = SensorNames(reader, words)
-    private val unknown = Variable("", SourceRange.API)
+    private val unknown = Variable("", API_RANGE)
 
     /** The variable [name]; one that stands for it after a mistake. */
     fun variable(name: Token): Variable {

@@ -1,7 +1,7 @@
 package robotran.nqc.parse
 
+import robotran.language.source.SourceRange
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind

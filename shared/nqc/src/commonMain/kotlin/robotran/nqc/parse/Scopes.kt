@@ -1,6 +1,6 @@
 package robotran.nqc.parse
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.nqc.tree.Variable
 
 /** What names mean at the place where the parser is. */

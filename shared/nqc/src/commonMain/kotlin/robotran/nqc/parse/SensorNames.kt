@@ -1,7 +1,7 @@
 package robotran.nqc.parse
 
+import robotran.language.source.SourceFix
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.syntax.Token
 
 /**

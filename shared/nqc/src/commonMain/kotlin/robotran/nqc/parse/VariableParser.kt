@@ -1,9 +1,9 @@
 package robotran.nqc.parse
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Keyword
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind

@@ -1,6 +1,6 @@
 package robotran.nqc.preprocess
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /** The open `#if`s, the innermost last. */
 internal class Conditions {

@@ -1,8 +1,8 @@
 package robotran.nqc.preprocess
 
+import robotran.language.source.SourceRange
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 

@@ -1,9 +1,9 @@
 package robotran.nqc.preprocess
 
+import robotran.language.source.SourceFix
 import robotran.nqc.config.NqcLimits
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
 import robotran.nqc.syntax.similarName

@@ -1,8 +1,8 @@
 package robotran.nqc.preprocess
 
 import robotran.nqc.config.NqcLimits
+import robotran.nqc.diagnostic.API_RANGE
 import robotran.nqc.diagnostic.DiagnosticSink
-import robotran.nqc.diagnostic.SourceRange
 import robotran.nqc.syntax.Lexer
 import robotran.nqc.syntax.Token
 import robotran.nqc.syntax.TokenKind
@@ -56,7 +56,7 @@ internal class TokenSource(
     fun next(): Token {
         pending.removeFirstOrNull()?.let { return it }
         while (true) {
-            val lexer = lexers.lastOrNull() ?: return last ?: Token(TokenKind.END, "", SourceRange.API)
+            val lexer = lexers.lastOrNull() ?: return last ?: Token(TokenKind.END, "", API_RANGE)
             val token = lexer.next()
             if (token.kind != TokenKind.END) return token
             lexers.removeAt(lexers.lastIndex)

@@ -1,9 +1,9 @@
 package robotran.nqc.syntax
 
 import robotran.language.pasted.plainTextOf
+import robotran.language.source.SourceRange
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceRange
 
 /**
  * Splits the [text] of a [file] into tokens, one after the other. Pasted characters are read as those of a keyboard.
@@ -187,7 +187,7 @@ internal class Lexer(
     private fun token(kind: TokenKind, start: Int, isSeparate: Boolean) =
         Token(kind, text.substring(start, index), range(start, index), isSeparate = isSeparate)
 
-    private fun range(start: Int, end: Int) = SourceRange(file, line, start - lineStart + 1, end - lineStart + 1)
+    private fun range(start: Int, end: Int) = SourceRange(line, start - lineStart + 1, end - lineStart + 1, file)
 
     private companion object {
         /** The directives after which a text for people comes. */

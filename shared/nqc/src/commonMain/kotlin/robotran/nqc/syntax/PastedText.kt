@@ -3,10 +3,10 @@ package robotran.nqc.syntax
 import robotran.language.pasted.PastedCharacter
 import robotran.language.pasted.pastedCharacter
 import robotran.language.pasted.plainTextOf
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.diagnostic.SourceFix
-import robotran.nqc.diagnostic.SourceRange
 
 /** The characters of [text] that come into programs by pasting only, and what they stand for. */
 internal class PastedText(private val text: String, private val sink: DiagnosticSink) {

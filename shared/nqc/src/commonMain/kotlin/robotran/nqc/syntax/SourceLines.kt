@@ -1,6 +1,6 @@
 package robotran.nqc.syntax
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /** The lines of the texts of [files], split when they are asked for. */
 internal class SourceLines(private val files: Map<String, String>) {

@@ -1,6 +1,6 @@
 package robotran.nqc.syntax
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /**
  * A word, number or sign of a program.

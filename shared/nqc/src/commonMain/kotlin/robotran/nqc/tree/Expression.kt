@@ -1,6 +1,6 @@
 package robotran.nqc.tree
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /** An expression. It never changes, so that functions can repeat it. */
 internal sealed class Expression {

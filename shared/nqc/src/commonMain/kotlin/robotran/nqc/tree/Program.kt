@@ -1,7 +1,7 @@
 package robotran.nqc.tree
 
+import robotran.language.source.SourceRange
 import robotran.nqc.config.ParameterLimit
-import robotran.nqc.diagnostic.SourceRange
 
 /** @property range that of the name. */
 internal class TaskUnit(val name: String, val body: Statement, val range: SourceRange)

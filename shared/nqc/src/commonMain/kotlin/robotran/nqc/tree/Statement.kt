@@ -1,6 +1,6 @@
 package robotran.nqc.tree
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.nqc.syntax.Token
 
 /** A statement. */

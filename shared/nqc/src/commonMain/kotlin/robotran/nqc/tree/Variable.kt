@@ -1,6 +1,6 @@
 package robotran.nqc.tree
 
-import robotran.nqc.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /**
  * A variable or a parameter; every declaration is another one.

@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
+import robotran.language.source.SourceFix
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name

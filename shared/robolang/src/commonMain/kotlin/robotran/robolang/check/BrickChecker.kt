@@ -1,9 +1,9 @@
 package robotran.robolang.check
 
 import robotran.brick.kind.BrickKind
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.BrickSetting

@@ -1,8 +1,8 @@
 package robotran.robolang.check
 
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.ParsedProgram

@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.leadingDeclarations
 import robotran.robolang.syntax.shortened

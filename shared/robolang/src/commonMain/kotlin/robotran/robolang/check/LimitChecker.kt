@@ -1,8 +1,8 @@
 package robotran.robolang.check
 
 import robotran.brick.kind.BrickKind
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue

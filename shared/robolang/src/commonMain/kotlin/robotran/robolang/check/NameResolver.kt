@@ -1,8 +1,8 @@
 package robotran.robolang.check
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression

@@ -1,6 +1,6 @@
 package robotran.robolang.check
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.syntax.Routine
 
 /** The kinds of symbols. */

@@ -1,8 +1,8 @@
 package robotran.robolang.check
 
 import robotran.brick.kind.BrickKind
+import robotran.language.source.SourceFix
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression

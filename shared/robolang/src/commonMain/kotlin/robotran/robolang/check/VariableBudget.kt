@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Routine

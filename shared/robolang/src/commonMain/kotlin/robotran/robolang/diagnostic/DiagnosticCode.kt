@@ -1,11 +1,9 @@
 package robotran.robolang.diagnostic
 
-/**
- * All kinds of diagnostics.
- *
- * @property id the stable name used by tools, reports and translations.
- */
-enum class DiagnosticCode(val id: String) {
+import robotran.language.source.ProblemCode
+
+/** All kinds of diagnostics. */
+enum class DiagnosticCode(override val id: String) : ProblemCode {
     /** A line begins with a word that is not a command. */
     UNKNOWN_COMMAND("unknown-command"),
 

@@ -1,13 +1,19 @@
 package robotran.robolang.diagnostic
 
 import robotran.brick.kind.BrickKind
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.messages.RobolangMessages
 
 /**
  * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often
  * follows from the first.
+ *
+ * @param file the name of the source; empty if it has none.
  */
-internal class DiagnosticSink(val messages: RobolangMessages) {
+internal class DiagnosticSink(val messages: RobolangMessages, private val file: String = "") {
     /** The brick that the program is for, as far as the parser's sentences depend on it. */
     var brick: BrickKind = BrickKind.RCX
 
@@ -27,16 +33,27 @@ internal class DiagnosticSink(val messages: RobolangMessages) {
     val lines: Set<Int> get() = mistakenLines
 
     fun report(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
-        if (mistakenLines.add(range.line)) diagnostics += Diagnostic(code, Severity.ERROR, range, text, message, fix)
+        if (mistakenLines.add(range.line)) add(Severity.ERROR, code, range, text, message, fix)
     }
 
     fun warn(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
-        if (doubtfulLines.add(range.line)) diagnostics += Diagnostic(code, Severity.WARNING, range, text, message, fix)
+        if (doubtfulLines.add(range.line)) add(Severity.WARNING, code, range, text, message, fix)
+    }
+
+    private fun add(
+        severity: Severity,
+        code: DiagnosticCode,
+        range: SourceRange,
+        text: String,
+        message: String,
+        fix: SourceFix?,
+    ) {
+        diagnostics += Diagnostic(severity, file, range, message, fix, text, code)
     }
 
     /** Drops the errors on [lines], which follow from others, and ignores further ones there. */
     fun forgive(lines: Set<Int>) {
-        diagnostics.removeAll { it.range.line in lines }
+        diagnostics.removeAll { it.range?.line in lines }
     }
 
     /** The errors; the warnings if there are no errors. */
@@ -45,5 +62,5 @@ internal class DiagnosticSink(val messages: RobolangMessages) {
     fun warningsInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.WARNING)
 
     private fun inSourceOrder(severity: Severity): List<Diagnostic> =
-        diagnostics.filter { it.severity == severity }.sortedWith(compareBy({ it.range.line }, { it.range.column }))
+        diagnostics.filter { it.severity == severity }.sortedWith(compareBy({ it.range?.line }, { it.range?.column }))
 }

@@ -1,6 +1,6 @@
 package robotran.robolang.format
 
-import robotran.robolang.diagnostic.Diagnostic
+import robotran.language.source.Diagnostic
 
 /** The result of formatting a Robolang source. */
 sealed interface FormatResult {

@@ -1,9 +1,9 @@
 package robotran.robolang.format
 
 import robotran.language.Language
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits

@@ -1,6 +1,6 @@
 package robotran.robolang.format
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token

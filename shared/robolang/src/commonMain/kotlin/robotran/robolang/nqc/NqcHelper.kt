@@ -8,7 +8,7 @@ import robotran.robolang.template.sectionsOf
 import robotran.robolang.template.templates
 
 /**
- * Something that a translation contains only if it is used; `src/templates/nqc` has its NQC.
+ * Something that a translation contains only if it is used; `src/brick/nqc` has its NQC.
  *
  * @property called its name.
  * @property needs what it uses, which is above it.

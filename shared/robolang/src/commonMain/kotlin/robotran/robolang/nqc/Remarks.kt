@@ -1,6 +1,6 @@
 package robotran.robolang.nqc
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.messages.NqcTranslationMessages
 
 /** Collects what does not go over. */

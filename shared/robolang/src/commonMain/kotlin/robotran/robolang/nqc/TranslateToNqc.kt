@@ -2,8 +2,8 @@ package robotran.robolang.nqc
 
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.language.source.SourceRange
 import robotran.robolang.RobolangProgram
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.JavaWriter

@@ -1,12 +1,12 @@
 package robotran.robolang.outline
 
+import robotran.language.source.SourceRange
 import robotran.robolang.check.CheckContext
 import robotran.robolang.check.NameResolver
 import robotran.robolang.check.SymbolKind
 import robotran.robolang.check.UnresolvedSymbol
 import robotran.robolang.check.ValueType
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.words.ValueKind
 

@@ -1,6 +1,7 @@
 package robotran.robolang.outline
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
+import robotran.language.source.SourceSpan
 import robotran.robolang.syntax.BYTE_ORDER_MARK
 import robotran.robolang.syntax.ScannedLine
 

@@ -1,6 +1,6 @@
 package robotran.robolang.outline
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.syntax.Branch
 import robotran.robolang.syntax.BrickSetting
 import robotran.robolang.syntax.Command

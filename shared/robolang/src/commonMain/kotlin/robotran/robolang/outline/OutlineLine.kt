@@ -1,6 +1,7 @@
 package robotran.robolang.outline
 
-import robotran.robolang.diagnostic.Diagnostic
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceSpan
 import robotran.robolang.words.LineForm
 
 /** What a line does to the blocks around it. */

@@ -2,10 +2,11 @@ package robotran.robolang.outline
 
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
-import robotran.robolang.diagnostic.Diagnostic
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceRange
+import robotran.language.source.SourceSpan
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.Parser
@@ -55,7 +56,7 @@ private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline
 private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: DiagnosticSink): List<OutlineLine> {
     val places = BlockStructure(parsed.lines, parsed.edges, parsed.lackingEnds).places()
     val phrases = LinePhrases(parsed.tree)
-    val mistakes: Map<Int, Diagnostic> = diagnostics.mistakesInSourceOrder().associateBy { it.range.line }
+    val mistakes: Map<Int?, Diagnostic> = diagnostics.mistakesInSourceOrder().associateBy { it.range?.line }
     return parsed.lines.mapIndexed { index, line ->
         val place = places[index]
         val mistake = mistakes[line.number]

@@ -1,5 +1,6 @@
 package robotran.robolang.outline
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
 

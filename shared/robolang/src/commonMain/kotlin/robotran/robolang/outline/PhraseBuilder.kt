@@ -1,5 +1,6 @@
 package robotran.robolang.outline
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression

@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
 

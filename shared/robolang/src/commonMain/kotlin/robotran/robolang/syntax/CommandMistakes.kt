@@ -1,9 +1,9 @@
 package robotran.robolang.syntax
 
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.words.KINDS
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.OPENERS

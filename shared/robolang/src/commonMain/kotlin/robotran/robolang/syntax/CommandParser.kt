@@ -2,10 +2,10 @@ package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.words.DIRECTIONS
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.MOTOR_COMMANDS

@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
+import robotran.language.source.SourceFix
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.words.Keyword
 
 /** Parses declarations, assignments, calls, and statements that leave a block. */

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /** An expression. No two expressions of a program have the same [range]. */
 internal sealed interface Expression {

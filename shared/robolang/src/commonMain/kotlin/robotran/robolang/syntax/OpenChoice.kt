@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /** An `if` that is being parsed, branch by branch. */
 internal class OpenChoice(private var range: SourceRange, condition: Expression) {

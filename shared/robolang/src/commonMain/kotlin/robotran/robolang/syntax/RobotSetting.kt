@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.brick.kind.BrickKind
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.words.Keyword
 
 /** A line of the header. */

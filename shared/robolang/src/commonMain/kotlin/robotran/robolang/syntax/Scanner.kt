@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
 import robotran.language.pasted.pastedCharacter
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.words.Keyword
 
 internal const val BYTE_ORDER_MARK = "\uFEFF"

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 
 /**
  * A statement: a [Command], or one of those below, which hold data or decide what runs next. A block's [range] is its

@@ -3,10 +3,10 @@ package robotran.robolang.syntax
 import robotran.language.pasted.PastedCharacter
 import robotran.language.pasted.pastedCharacter
 import robotran.language.pasted.plainTextOf
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.words.Keyword
 
 /** Characters of other languages, with their spelling in Robolang. */

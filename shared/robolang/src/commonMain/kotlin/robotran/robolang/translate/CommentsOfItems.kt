@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree

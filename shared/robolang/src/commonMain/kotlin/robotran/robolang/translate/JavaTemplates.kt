@@ -5,7 +5,7 @@ import robotran.robolang.template.sectionsOf
 import robotran.robolang.template.templates
 
 /**
- * The Java that translations do not make themselves (`src/templates/java`): helpers, figures and classes. A brick has a
+ * The Java that translations do not make themselves (`src/brick/java`): helpers, figures and classes. A brick has a
  * folder with what is different on it; a section such as `STOP_AT, reacting` is for programs with behaviours.
  */
 internal object JavaTemplates {

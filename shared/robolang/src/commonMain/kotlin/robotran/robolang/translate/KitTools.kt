@@ -5,7 +5,7 @@ import robotran.robolang.template.fillIn
 import robotran.robolang.template.templates
 
 /**
- * The files of a kit around the program (`src/templates/kit`): instructions, an Ant build file and scripts. The scripts
+ * The files of a kit around the program (`src/brick/kit`): instructions, an Ant build file and scripts. The scripts
  * compile [sources] with the tools of leJOS, then link [mainClass] and send it to the brick. leJOS 2.1 has `lejosc` and
  * `lejosjc`, leJOS 3.0 only `lejosjc`; both have `lejos` (folder `bin` of leJOS's repository at its releases).
  *

@@ -20,7 +20,7 @@ class TranslateToNqcTest {
         val failures = translatablePrograms.mapNotNull { (path, program) ->
             val translation = translateToNqc(program)
             val result = compileNqc(translation.fileName, translation.nqc) as? NqcResult.HasErrors
-            val isTooLarge = result?.diagnostics?.all { it.code.id in TOO_LARGE } ?: true
+            val isTooLarge = result?.diagnostics?.all { it.code?.id in TOO_LARGE } ?: true
             if (isTooLarge) null else "$path: ${result?.diagnostics}\n${translation.nqc}"
         }
         assertTrue(failures.isEmpty(), failures.take(5).joinToString("\n\n"))

@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
 import robotran.language.Language
+import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.Keyword
 import kotlin.test.Test
@@ -43,7 +43,7 @@ class ScannerTest {
         val diagnostics = DiagnosticSink(RobolangMessages.of(Language.ENGLISH))
         val tree = Parser(scan("// one\nbeep // two\n\n//", diagnostics), diagnostics).program().tree
         assertEquals(listOf("// one", "// two", "//"), tree.comments.map { it.text })
-        assertEquals(listOf(1, 2, 4), tree.comments.map { it.range.line })
+        assertEquals(listOf(1, 2, 4), tree.comments.map { it.range?.line })
     }
 
     private fun scan(source: String): List<ScannedLine> =

@@ -1,6 +1,8 @@
 package robotran.robolang.fuzz
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceRange
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.program.Rom
@@ -9,8 +11,6 @@ import robotran.rcxrom.sensors.SensorRequest
 import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.diagnostic.Diagnostic
-import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.robot.RobotTarget
@@ -56,14 +56,10 @@ fun runFor(program: RobolangRcxProgram, steps: Int): Pair<ProgramStatus, List<St
 
 private fun checkDiagnostics(diagnostics: List<Diagnostic>, lines: List<String>) {
     check(diagnostics.isNotEmpty()) { "Something must be wrong." }
-    check(
-        diagnostics.zipWithNext().all { (first, second) ->
-            first.range.line < second.range.line
-        },
-    ) { "One a line, in their order." }
-    for (diagnostic in diagnostics) {
-        checkRange(diagnostic.range, lines)
-        val range = diagnostic.range
+    val ranges = diagnostics.map { checkNotNull(it.range) }
+    check(ranges.zipWithNext().all { (first, second) -> first.line < second.line }) { "One a line, in their order." }
+    for ((diagnostic, range) in diagnostics.zip(ranges)) {
+        checkRange(range, lines)
         check(diagnostic.text == lines[range.line - 1].substring(range.column - 1, range.endColumn - 1)) {
             "$diagnostic has another text."
         }

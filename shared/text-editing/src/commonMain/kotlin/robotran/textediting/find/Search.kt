@@ -1,8 +1,8 @@
 package robotran.textediting.find
 
+import robotran.language.source.SourceSpan
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.TextSpan
 import robotran.textediting.text.isWordCharacter
 
 /**
@@ -14,12 +14,12 @@ import robotran.textediting.text.isWordCharacter
  */
 data class Search(val text: String, val matchCase: Boolean = false, val wholeWords: Boolean = false) {
     /** The matches in [source], in order and without overlaps, at most [MAX_MATCHES]. */
-    fun matchesIn(source: String): List<TextSpan> {
+    fun matchesIn(source: String): List<SourceSpan> {
         if (text.isEmpty()) return emptyList()
-        val found = mutableListOf<TextSpan>()
+        val found = mutableListOf<SourceSpan>()
         var position = source.indexOf(text, 0, ignoreCase = !matchCase)
         while (position >= 0 && found.size < MAX_MATCHES) {
-            val span = TextSpan(position, position + text.length)
+            val span = SourceSpan(position, position + text.length)
             val counts = !wholeWords || isWhole(source, span)
             if (counts) found += span
             position = source.indexOf(text, if (counts) span.end else position + 1, ignoreCase = !matchCase)
@@ -27,7 +27,7 @@ data class Search(val text: String, val matchCase: Boolean = false, val wholeWor
         return found
     }
 
-    private fun isWhole(source: String, span: TextSpan): Boolean {
+    private fun isWhole(source: String, span: SourceSpan): Boolean {
         val before = source.getOrNull(span.start - 1)
         val behind = source.getOrNull(span.end)
         return (before == null || !isWordCharacter(before)) && (behind == null || !isWordCharacter(behind))
@@ -42,7 +42,7 @@ data class Search(val text: String, val matchCase: Boolean = false, val wholeWor
  * The index in [matches] of the next match after the selection, or 0 if there is none after it; -1 if [matches] is
  * empty.
  */
-fun Draft.nextMatch(matches: List<TextSpan>): Int {
+fun Draft.nextMatch(matches: List<SourceSpan>): Int {
     if (matches.isEmpty()) return -1
     val isAtMatch = matches.any { it.start == selection.start && it.end == selection.end }
     val from = if (isAtMatch) selection.end else selection.start
@@ -50,17 +50,17 @@ fun Draft.nextMatch(matches: List<TextSpan>): Int {
 }
 
 /** The index in [matches] of the last match before the selection, or else the last index; -1 if it is empty. */
-fun Draft.previousMatch(matches: List<TextSpan>): Int {
+fun Draft.previousMatch(matches: List<SourceSpan>): Int {
     if (matches.isEmpty()) return -1
     val before = matches.indexOfLast { it.end <= selection.start }
     return if (before >= 0) before else matches.lastIndex
 }
 
-fun Draft.withSelected(match: TextSpan): Draft =
+fun Draft.withSelected(match: SourceSpan): Draft =
     copy(selection = TextSelection(match.start, match.end).within(text.length))
 
 /** This text with each of [matches], which are in order, replaced by [replacement]. */
-fun Draft.withAllReplaced(matches: List<TextSpan>, replacement: String): Draft {
+fun Draft.withAllReplaced(matches: List<SourceSpan>, replacement: String): Draft {
     val result = StringBuilder()
     var done = 0
     for (match in matches) {

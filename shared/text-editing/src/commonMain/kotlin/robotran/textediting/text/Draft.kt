@@ -35,8 +35,3 @@ data class TextSelection(val anchor: Int, val caret: Int = anchor) {
     /** This selection, limited to a text of [length] characters. */
     fun within(length: Int): TextSelection = TextSelection(anchor.coerceIn(0, length), caret.coerceIn(0, length))
 }
-
-/** The part of a text from offset [start] to before [end]. */
-data class TextSpan(val start: Int, val end: Int) {
-    val length: Int get() = end - start
-}

@@ -35,7 +35,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.messages.BlockMessages
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.ui.language.LocalLanguage
 import robotran.ui.program.blocks.AddBar
 import robotran.ui.program.blocks.AddRail
@@ -92,7 +92,7 @@ internal fun BlocksPane(
     tutorialStep: Int?,
     focus: FocusRequester?,
     onEvent: (ProgramEvent) -> Unit,
-    onFix: (ProgramDiagnostic) -> Unit,
+    onFix: (Diagnostic) -> Unit,
     onHelp: (word: String) -> Unit,
     found: FoundLines,
     onZoom: (Float) -> Unit,

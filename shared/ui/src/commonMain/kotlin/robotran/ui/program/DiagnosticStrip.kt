@@ -19,7 +19,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.ui.program.editor.FixButton
 import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
@@ -38,12 +38,12 @@ import robotran.workshop.state.PupilProgram
 @Composable
 internal fun DiagnosticStrip(
     program: PupilProgram,
-    diagnostics: List<ProgramDiagnostic>,
+    diagnostics: List<Diagnostic>,
     file: String,
     max: Int,
     pointedOut: Boolean,
     onNext: () -> Unit,
-    onFix: (ProgramDiagnostic) -> Unit,
+    onFix: (Diagnostic) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
@@ -83,7 +83,7 @@ internal fun DiagnosticStrip(
 }
 
 @Composable
-private fun Elsewhere(diagnostic: ProgramDiagnostic, program: PupilProgram, onFix: (ProgramDiagnostic) -> Unit) {
+private fun Elsewhere(diagnostic: Diagnostic, program: PupilProgram, onFix: (Diagnostic) -> Unit) {
     val line = diagnostic.range?.line
     val words = when {
         diagnostic.file.isEmpty() -> diagnostic.message

@@ -38,8 +38,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.source.SourceSpan
 import robotran.textediting.find.Search
-import robotran.textediting.text.TextSpan
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
@@ -76,7 +76,7 @@ internal class FindState {
     }
 
     /** The matches in [text]; empty while the search is closed. */
-    fun matchesIn(text: String): List<TextSpan> = if (isOpen) search.matchesIn(text) else emptyList()
+    fun matchesIn(text: String): List<SourceSpan> = if (isOpen) search.matchesIn(text) else emptyList()
 }
 
 /** Actions on the matches. */

@@ -1,14 +1,14 @@
 package robotran.ui.program
 
 import androidx.compose.ui.focus.FocusRequester
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceSpan
 import robotran.textediting.EditKind
 import robotran.textediting.find.nextMatch
 import robotran.textediting.find.previousMatch
 import robotran.textediting.find.withAllReplaced
 import robotran.textediting.find.withSelected
 import robotran.textediting.text.Draft
-import robotran.textediting.text.TextSpan
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
 import robotran.workshop.event.LearningEvent
@@ -31,7 +31,7 @@ internal class PaneActions(
     private val onEvent: (WorkshopEvent) -> Unit,
     private val onRename: () -> Unit,
 ) : FindActions {
-    var matches: List<TextSpan> = emptyList()
+    var matches: List<SourceSpan> = emptyList()
     private var size = 0f
 
     fun perform(command: EditorCommand.Plain) {
@@ -71,7 +71,7 @@ internal class PaneActions(
      * Applies the fix of [diagnostic]. The pressed button disappears, so the focus returns to the text, but no
      * on-screen keyboard opens.
      */
-    fun fix(diagnostic: ProgramDiagnostic) {
+    fun fix(diagnostic: Diagnostic) {
         onEvent(ProgramEvent.FixApplied(diagnostic))
         if (control.hadFocus || !control.isPressedByFinger) focus.requestFocus()
     }

@@ -2,7 +2,7 @@ package robotran.ui.send
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.tower.TransferProgress
 import robotran.ui.resources.*
 import robotran.ui.runbar.oneDecimal
@@ -12,7 +12,7 @@ internal fun voltsOf(millivolts: Int): String = oneDecimal(millivolts / 1_000.0)
 
 /** The message of [diagnostic] with its file and line. */
 @Composable
-internal fun mistakeText(diagnostic: ProgramDiagnostic): String {
+internal fun mistakeText(diagnostic: Diagnostic): String {
     val line = diagnostic.range?.line
     return when {
         diagnostic.file.isEmpty() -> diagnostic.message

@@ -1,8 +1,9 @@
 package robotran.ui.send
 
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
 import robotran.legofirmware.device.DatalogEntry
-import robotran.programs.ProgramDiagnostic
-import robotran.robolang.diagnostic.SourceRange
 import robotran.tower.RcxVersion
 import robotran.tower.ReceivedMessage
 import robotran.tower.Remains
@@ -48,7 +49,7 @@ private val DATALOG = listOf(0x40, 0x20, 0x1F, 0x80, 0x99).map { DatalogEntry(it
 /** One step of each kind, and each error, by a name for its picture. */
 internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("building", SendStep.Building)
-    put("mistake", SendStep.HasErrors(ProgramDiagnostic("Square.java", SourceRange(12, 5, 9), TOO_LARGE)))
+    put("mistake", SendStep.HasErrors(Diagnostic(Severity.ERROR, "Square.java", SourceRange(12, 5, 9), TOO_LARGE)))
     put("no-compiler", SendStep.NoCompiler)
     put("compiler-failed", SendStep.CompilerFailed)
     put("error-full", SendStep.Failed(SendError.OfTower(TowerError.TooLarge(9_000, null))))

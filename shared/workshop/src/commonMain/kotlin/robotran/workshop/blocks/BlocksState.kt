@@ -9,7 +9,7 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.BlockRun
 import robotran.blockediting.palette.PaletteBlock
 import robotran.language.Language
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.SourceSpan
 import robotran.robolang.words.BlockGroup
 
 /**

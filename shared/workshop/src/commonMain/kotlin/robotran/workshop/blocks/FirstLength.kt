@@ -1,7 +1,7 @@
 package robotran.workshop.blocks
 
 import robotran.blockediting.BlockProgram
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.SourceSpan
 import robotran.robolang.words.BlockGroup
 
 /** The value at [span], in the line of [cursor]. */

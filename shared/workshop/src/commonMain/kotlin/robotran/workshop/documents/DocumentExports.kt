@@ -113,7 +113,7 @@ internal class DocumentExports(
         val text = program.files.single().text
         when (val result = compileRobolang(program.name, text, targetOf(program))) {
             is RobolangResult.HasErrors -> {
-                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
+                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
             }
 
             is RobolangResult.Ready -> saveKit(program, kitFiles(translateRobolang(result.program), program.name, text))

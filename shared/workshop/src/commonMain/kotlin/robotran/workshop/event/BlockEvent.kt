@@ -3,8 +3,8 @@ package robotran.workshop.event
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockId
 import robotran.blockediting.palette.PaletteBlock
+import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
-import robotran.robolang.outline.SourceSpan
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad

@@ -1,7 +1,7 @@
 package robotran.workshop.event
 
 import robotran.language.ProgramLanguage
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.state.PupilProgram
@@ -33,7 +33,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class BreakpointToggled(val line: Int) : ProgramEvent
 
     /** Applies the fix of [diagnostic]. */
-    data class FixApplied(val diagnostic: ProgramDiagnostic) : ProgramEvent
+    data class FixApplied(val diagnostic: Diagnostic) : ProgramEvent
 
     /** Shows or hides the current program as another text; of several, [kind], or the one shown last for null. */
     data class TranslationShown(val shown: Boolean, val kind: TranslationKind? = null) : ProgramEvent

@@ -9,8 +9,8 @@ import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.textAt
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState

@@ -11,9 +11,9 @@ import robotran.blockediting.describe.describe
 import robotran.blockediting.describe.describeChange
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
+import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection

@@ -1,8 +1,8 @@
 package robotran.workshop.programs
 
 import robotran.language.Language
+import robotran.language.source.Diagnostic
 import robotran.legofirmware.FirmwareProgram
-import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.projects.ProgramView
 import robotran.robolang.RobolangProgram
@@ -42,7 +42,7 @@ internal class ProgramBuffer private constructor(
     /** How the program is shown. */
     val view: ProgramView get() = memories.first().view
 
-    val diagnostics: List<ProgramDiagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
+    val diagnostics: List<Diagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 
     /**
      * This program as another text, with remarks in [language]; translates only on demand. With errors, the last valid

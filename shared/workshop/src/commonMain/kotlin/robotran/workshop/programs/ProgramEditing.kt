@@ -2,8 +2,8 @@ package robotran.workshop.programs
 
 import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
+import robotran.language.source.Diagnostic
 import robotran.nqc.edit.formatNqc
-import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
@@ -79,7 +79,7 @@ internal class ProgramEditing(
     }
 
     /** Shows [diagnostic] in the shown program of [robot]. */
-    fun pointOut(robot: RobotPrograms, diagnostic: ProgramDiagnostic?) {
+    fun pointOut(robot: RobotPrograms, diagnostic: Diagnostic?) {
         val index = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
         if (index >= 0) robot.shownFile = index
         diagnostic?.range?.let { range ->

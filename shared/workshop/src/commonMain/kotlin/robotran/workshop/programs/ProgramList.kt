@@ -4,9 +4,9 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.brick.program.BrickProgram
 import robotran.language.ProgramLanguage
+import robotran.language.source.Diagnostic
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
 import robotran.projects.ProgramView
@@ -44,7 +44,7 @@ internal class ProgramList(
     val slots: List<BrickProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 
     /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
-    fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics
+    fun diagnostics(slot: Int): List<Diagnostic> = entries[slot].diagnostics
 
     fun isCompiled(slot: Int): Boolean = entries[slot].result != null
 

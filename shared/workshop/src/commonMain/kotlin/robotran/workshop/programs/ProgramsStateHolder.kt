@@ -7,11 +7,13 @@ import robotran.brick.kind.BrickKind
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
 import robotran.nxt.storage.NxtFile
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -19,7 +21,6 @@ import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.projects.charactersInFile
 import robotran.projects.target
-import robotran.robolang.diagnostic.SourceRange
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.blocks.BlockLoad
@@ -192,7 +193,7 @@ class ProgramsStateHolder(
     }
 
     /** Moves the caret of the shown program to [diagnostic]. */
-    fun showMistake(diagnostic: ProgramDiagnostic) {
+    fun showMistake(diagnostic: Diagnostic) {
         editing.pointOut(shown, diagnostic)
         refresh()
     }
@@ -201,7 +202,7 @@ class ProgramsStateHolder(
     internal fun showLine(index: Int, line: Int) {
         handle(ProgramEvent.RobotChosen(robots.first().placement.name))
         handle(ProgramEvent.ProgramChosen(index))
-        showMistake(ProgramDiagnostic("", SourceRange(line, 1, 0), ""))
+        showMistake(Diagnostic(Severity.ERROR, "", SourceRange(line, 1, 0), ""))
     }
 
     /** Opens the first length of the shown program if it is shown in blocks, so that a finger changes it at once. */

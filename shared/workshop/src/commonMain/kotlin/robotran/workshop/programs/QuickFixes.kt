@@ -1,18 +1,18 @@
 package robotran.workshop.programs
 
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.programs.withFix
 import robotran.workshop.state.InlineDiagnostic
 
 /** Applies quick fixes. If the text has changed since it was compiled, a fix waits for the next compilation. */
 internal class QuickFixes {
     /** The diagnostic whose fix waits for the compiler. */
-    private var waiting: ProgramDiagnostic? = null
+    private var waiting: Diagnostic? = null
 
     val waitsForCompiler: Boolean get() = waiting != null
 
     /** Applies the fix of [diagnostic] in the current program of [robot]. */
-    fun apply(robot: RobotPrograms, diagnostic: ProgramDiagnostic): QuickFixResult {
+    fun apply(robot: RobotPrograms, diagnostic: Diagnostic): QuickFixResult {
         if (diagnostic.fix == null) return QuickFixResult.Nothing
         val notes = robot.entry.notes
         // The program may have been compiled since the button was drawn.

@@ -1,7 +1,7 @@
 package robotran.workshop.send
 
+import robotran.language.source.Diagnostic
 import robotran.legofirmware.image.RcxImage
-import robotran.programs.ProgramDiagnostic
 import robotran.workshop.state.PupilProgram
 
 /** Makes of a pupil's program what the firmware of a real brick runs. */
@@ -24,7 +24,7 @@ sealed interface ProgramImageResult {
     data class Ready(val program: BuiltProgram) : ProgramImageResult
 
     /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
-    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramImageResult
+    data class HasErrors(val diagnostics: List<Diagnostic>) : ProgramImageResult
 
     /** The Java compiler could not be loaded. */
     data object NoCompiler : ProgramImageResult

@@ -1,6 +1,6 @@
 package robotran.workshop.service
 
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.workshop.state.PupilProgram
 
 /** The tabs with the programs of the current robot. */
@@ -24,5 +24,5 @@ interface ProgramTabs {
     fun removePrograms(isMeant: (PupilProgram) -> Boolean)
 
     /** Moves the caret of the shown program to [diagnostic]. */
-    fun showMistake(diagnostic: ProgramDiagnostic)
+    fun showMistake(diagnostic: Diagnostic)
 }

@@ -1,10 +1,11 @@
 package robotran.workshop.state
 
 import robotran.brick.program.ProgramFailure
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.programs.ProgramResult
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import robotran.textediting.TextEdit
 import robotran.textediting.movedWith
 import robotran.textediting.text.TextLines
@@ -14,7 +15,7 @@ import robotran.textediting.text.TextLines
  *
  * @property isFixStale whether the text that the fix would change has changed since the program was compiled.
  */
-data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKind, val isFixStale: Boolean = false) {
+data class InlineDiagnostic(val diagnostic: Diagnostic, val kind: NoteKind, val isFixStale: Boolean = false) {
     /** Whether it is only a warning. */
     val isWarning: Boolean get() = kind == NoteKind.DOUBT
 
@@ -22,7 +23,7 @@ data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKin
     val line: Int? get() = diagnostic.range?.line
 
     /** Whether [other] is the same diagnostic after a new compilation: at the same line, with the same fix. */
-    internal fun hasSameFixAs(other: ProgramDiagnostic): Boolean =
+    internal fun hasSameFixAs(other: Diagnostic): Boolean =
         diagnostic.fix != null && diagnostic.fix?.replacement == other.fix?.replacement &&
             diagnostic.file == other.file &&
             line == other.range?.line
@@ -55,7 +56,7 @@ private fun SourceFix.movedWith(edit: TextEdit, before: TextLines, after: TextLi
     }
     val line = after.lineOf(moved)
     val column = moved - after.start(line) + 1
-    return copy(range = SourceRange(line + 1, column, column + to - from))
+    return copy(range = SourceRange(line + 1, column, column + to - from, range.file))
 }
 
 /** The kind of an inline diagnostic. */
@@ -73,7 +74,7 @@ enum class NoteKind {
 /** The runtime failure of a program in [file] as a diagnostic at its line. */
 fun noteOf(failure: ProgramFailure, file: String): InlineDiagnostic {
     val start = SourceRange(failure.sourceLine, 1, 1)
-    return InlineDiagnostic(ProgramDiagnostic(file, start, failure.message), NoteKind.FAILURE)
+    return InlineDiagnostic(Diagnostic(Severity.ERROR, file, start, failure.message), NoteKind.FAILURE)
 }
 
 /** The diagnostics of a compile result, up to a max number, since every keystroke moves them. */

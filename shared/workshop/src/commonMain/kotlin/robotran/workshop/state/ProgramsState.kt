@@ -3,7 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.projects.ProgramView
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
@@ -54,7 +54,7 @@ data class ProgramsState(
     val closed: String?,
     val closedMessageShown: Boolean,
     val canReopen: Boolean,
-    val diagnostics: List<ProgramDiagnostic>,
+    val diagnostics: List<Diagnostic>,
     val notes: List<InlineDiagnostic>,
     val compileStatus: CompileStatus,
     val errorPointedOut: Boolean,

@@ -1,8 +1,8 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.language.source.Diagnostic
 import robotran.legofirmware.device.DatalogEntry
-import robotran.programs.ProgramDiagnostic
 import robotran.tower.LegoLimits
 import robotran.tower.ReceivedMessage
 import robotran.tower.Remains
@@ -38,7 +38,7 @@ sealed interface SendStep {
      *
      * @property first the first diagnostic.
      */
-    data class HasErrors(val first: ProgramDiagnostic) : SendStep
+    data class HasErrors(val first: Diagnostic) : SendStep
 
     /** The Java compiler could not be loaded. */
     data object NoCompiler : SendStep

@@ -3,7 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
 import robotran.workshop.blocks.SheetPreview
@@ -60,7 +60,7 @@ data class WorkshopState(
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file
-    val diagnostics: List<ProgramDiagnostic> get() = programs.diagnostics
+    val diagnostics: List<Diagnostic> get() = programs.diagnostics
 
     val programName: String get() = program.name
 

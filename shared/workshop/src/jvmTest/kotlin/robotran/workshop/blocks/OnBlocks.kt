@@ -4,8 +4,8 @@ import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
-import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.Workshop

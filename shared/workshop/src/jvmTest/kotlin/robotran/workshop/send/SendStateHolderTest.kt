@@ -3,13 +3,14 @@ package robotran.workshop.send
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.CodeBytes
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.RcxImage
-import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
 import robotran.tower.RcxVersion
@@ -48,7 +49,7 @@ class SendStateHolderTest {
     private val clock = FixedClock()
     private val robot = ScriptedRobot()
     private val images = TextImages()
-    private val shown = mutableListOf<ProgramDiagnostic>()
+    private val shown = mutableListOf<Diagnostic>()
     private val holder = SendStateHolder(
         MemoryPlatform(files = files, clock = clock, towers = towers),
         CoroutineScope(Dispatchers.Unconfined),
@@ -113,7 +114,7 @@ class SendStateHolderTest {
 
     @Test
     fun `a program with a mistake is not sent, and its mistake can be shown`() {
-        val mistake = ProgramDiagnostic("square.robo", null, "This is too long for a brick.")
+        val mistake = Diagnostic(Severity.ERROR, "square.robo", null, "This is too long for a brick.")
         images.result = ProgramImageResult.HasErrors(listOf(mistake))
         request()
         assertEquals(SendStep.HasErrors(mistake), step)
@@ -420,7 +421,7 @@ class SendStateHolderTest {
         override val session: SessionState get() = error("Sending needs only the program.")
     }
 
-    private class RememberingTabs(private val mistakes: MutableList<ProgramDiagnostic>) : ProgramTabs {
+    private class RememberingTabs(private val mistakes: MutableList<Diagnostic>) : ProgramTabs {
         override fun addProgram(program: PupilProgram, replacing: Boolean) = error("Sending adds no program.")
 
         override fun chooseProgram(index: Int) = error("Sending chooses no program.")
@@ -433,7 +434,7 @@ class SendStateHolderTest {
 
         override fun showLine(index: Int, line: Int) = error("Sending shows no line.")
 
-        override fun showMistake(diagnostic: ProgramDiagnostic) {
+        override fun showMistake(diagnostic: Diagnostic) {
             mistakes += diagnostic
         }
     }

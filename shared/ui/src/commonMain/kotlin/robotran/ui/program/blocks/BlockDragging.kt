@@ -11,7 +11,7 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.SourceSpan
 import robotran.robolang.words.ValueForm
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad

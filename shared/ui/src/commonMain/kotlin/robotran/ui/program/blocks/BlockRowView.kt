@@ -16,7 +16,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.blockediting.Block
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.ui.program.editor.LineNote
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.state.InlineDiagnostic
@@ -55,7 +55,7 @@ internal fun BlockRowView(
     marks: RowMarks,
     onBreakpoint: (Int) -> Unit,
     lineOfFix: (InlineDiagnostic) -> String,
-    onFix: (ProgramDiagnostic) -> Unit,
+    onFix: (Diagnostic) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val bars = row.around.map { scope.looks.of(it).edge }

@@ -9,9 +9,9 @@ import robotran.blockediting.freeName
 import robotran.blockediting.messages.BlockMessages
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.ui.theme.Corners
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlocksState

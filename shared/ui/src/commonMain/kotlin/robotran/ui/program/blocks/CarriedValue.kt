@@ -5,8 +5,8 @@ import robotran.blockediting.fits
 import robotran.blockediting.kindOf
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.valueKind
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.SourceSpan
 import robotran.robolang.words.ValueKind
 
 /**

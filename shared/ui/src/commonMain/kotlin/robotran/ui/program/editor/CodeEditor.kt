@@ -24,13 +24,13 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceSpan
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.TextSpan
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.InlineDiagnostic
 
@@ -59,7 +59,7 @@ internal fun CodeEditor(
     onCommand: (EditorCommand) -> Unit,
     onBreakpoint: (Int) -> Unit,
     onZoom: (Float) -> Unit,
-    onFix: (ProgramDiagnostic) -> Unit,
+    onFix: (Diagnostic) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     control.follow(draft)
@@ -68,7 +68,7 @@ internal fun CodeEditor(
     val layouts = rememberLineLayouts(control.language, brick, codeSize)
     val pieces = remember(draft.lines, control.language, brick) { CodeTokens(draft.lines, control.language, brick) }
     val hasFocus = control.hasFocus
-    var composing by remember { mutableStateOf<TextSpan?>(null) }
+    var composing by remember { mutableStateOf<SourceSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
     val paint =
         remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }

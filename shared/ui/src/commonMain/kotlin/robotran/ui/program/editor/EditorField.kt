@@ -18,9 +18,9 @@ import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.Constraints
+import robotran.language.source.SourceSpan
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.TextSpan
 
 /**
  * The hidden input field. It holds the part of [draft] around the caret and lies at the caret, so that input methods
@@ -34,7 +34,7 @@ internal fun EditorField(
     control: EditorControl,
     view: EditorView,
     layouts: LineLayouts,
-    onComposing: (TextSpan?) -> Unit,
+    onComposing: (SourceSpan?) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val field = control.link.fieldFor(draft)
@@ -49,7 +49,7 @@ internal fun EditorField(
             control.received(written, isComposing = it.composition != null)
             onComposing(
                 it.composition?.let { span ->
-                    TextSpan(
+                    SourceSpan(
                         control.link.start + span.min,
                         control.link.start + span.max,
                     )

@@ -1,9 +1,9 @@
 package robotran.ui.program.editor
 
 import androidx.compose.runtime.Immutable
-import robotran.robolang.diagnostic.SourceRange
+import robotran.language.source.SourceRange
+import robotran.language.source.SourceSpan
 import robotran.textediting.text.Draft
-import robotran.textediting.text.TextSpan
 
 /**
  * The markings of a text. Lines start at 1.
@@ -23,10 +23,10 @@ internal data class EditorMarks(
     val diagnostics: List<SourceRange> = emptyList(),
     val doubts: List<SourceRange> = emptyList(),
     val breakpoints: Set<Int> = emptySet(),
-    val matches: List<TextSpan> = emptyList(),
+    val matches: List<SourceSpan> = emptyList(),
     val partners: Set<Int> = emptySet(),
     val runningPartners: Set<Int> = emptySet(),
-    val composing: TextSpan? = null,
+    val composing: SourceSpan? = null,
 )
 
 /** Everything to draw of a text. */

@@ -9,7 +9,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.ui.resources.*
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -22,7 +22,7 @@ import robotran.ui.theme.focusRing
  * @param line the text of the line to change.
  */
 @Composable
-internal fun FixButton(diagnostic: ProgramDiagnostic, line: String, onFix: (ProgramDiagnostic) -> Unit) {
+internal fun FixButton(diagnostic: Diagnostic, line: String, onFix: (Diagnostic) -> Unit) {
     val fix = diagnostic.fix ?: return
     TextButton(
         onClick = { onFix(diagnostic) },

@@ -1,7 +1,7 @@
 package robotran.ui.program.editor
 
-import robotran.programs.ProgramDiagnostic
-import robotran.robolang.diagnostic.SourceFix
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceFix
 
 /** The change by a fix, as described on its button. */
 internal sealed interface FixLabel {
@@ -29,7 +29,7 @@ internal sealed interface FixLabel {
  *
  * @param line the current text of the line to change.
  */
-internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String): FixLabel {
+internal fun fixLabelOf(diagnostic: Diagnostic, fix: SourceFix, line: String): FixLabel {
     val from = (fix.range.column - 1).coerceIn(0, line.length)
     val to = (fix.range.endColumn - 1).coerceIn(from, line.length)
     val removed = line.substring(from, to).trim()
@@ -45,7 +45,7 @@ internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Str
 }
 
 /** The text at the diagnostic's range after the fix. */
-private fun fixedText(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String, from: Int, to: Int): String {
+private fun fixedText(diagnostic: Diagnostic, fix: SourceFix, line: String, from: Int, to: Int): String {
     val about = diagnostic.range?.takeIf { it.line == fix.range.line } ?: fix.range
     val start = (about.column - 1).coerceIn(0, from)
     val end = (about.endColumn - 1).coerceIn(to, line.length)

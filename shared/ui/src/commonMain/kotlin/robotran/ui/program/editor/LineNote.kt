@@ -20,7 +20,7 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
 import robotran.ui.resources.*
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -35,7 +35,7 @@ import robotran.workshop.state.InlineDiagnostic
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (ProgramDiagnostic) -> Unit) {
+internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (Diagnostic) -> Unit) {
     val colours = LocalRobotranColours.current
     val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.diagnostic.message)
     val frame = Modifier

@@ -1,8 +1,8 @@
 package robotran.ui.program.blocks
 
+import robotran.language.source.SourceSpan
 import robotran.textediting.find.withSelected
 import robotran.textediting.text.Draft
-import robotran.textediting.text.TextSpan
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -11,7 +11,7 @@ class FoundLinesTest {
     @Test
     fun `lines with matches are marked, and the one with the selected match more so`() {
         val draft = Draft("beep\nforward 2\nbeep\n")
-        val matches = listOf(TextSpan(0, 4), TextSpan(15, 19))
+        val matches = listOf(SourceSpan(0, 4), SourceSpan(15, 19))
         assertEquals(FoundLines(setOf(1, 3), now = 0), FoundLines.of(draft, matches))
         val selected = draft.withSelected(matches[1])
         assertEquals(FoundLines(setOf(1, 3), now = 3), FoundLines.of(selected, matches))

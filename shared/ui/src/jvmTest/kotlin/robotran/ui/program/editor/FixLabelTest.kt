@@ -1,11 +1,12 @@
 package robotran.ui.program.editor
 
-import robotran.programs.ProgramDiagnostic
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceFix
+import robotran.language.source.SourceRange
 import robotran.projects.PENBOT_TARGET
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import robotran.robolang.diagnostic.SourceFix
-import robotran.robolang.diagnostic.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -18,7 +19,7 @@ class FixLabelTest {
         ).diagnostics.first()
         val fix = assertNotNull(diagnostic.fix, source)
         return fixLabelOf(
-            ProgramDiagnostic("a.robo", diagnostic.range, diagnostic.message, fix),
+            diagnostic,
             fix,
             source.lines()[
                 fix.range.line -
@@ -47,7 +48,7 @@ class FixLabelTest {
         )) {
             val from = line.indexOf(replaced) + 1
             val fix = SourceFix(SourceRange(1, from, from + replaced.length), replacement)
-            val diagnostic = ProgramDiagnostic("a.nqc", fix.range, "", fix)
+            val diagnostic = Diagnostic(Severity.ERROR, "a.nqc", fix.range, "", fix)
             assertEquals(FixLabel.NormalSpaces, fixLabelOf(diagnostic, fix, line), line)
         }
     }
@@ -55,14 +56,14 @@ class FixLabelTest {
     @Test
     fun `several lines are added in one`() {
         val fix = SourceFix(SourceRange(1, 1, 1), "task main()\n{\n    \n}\n")
-        val diagnostic = ProgramDiagnostic("a.nqc", SourceRange(1, 1, 1), "", fix)
+        val diagnostic = Diagnostic(Severity.ERROR, "a.nqc", SourceRange(1, 1, 1), "", fix)
         assertEquals(FixLabel.Add("task main() { }"), fixLabelOf(diagnostic, fix, ""))
     }
 
     @Test
     fun `a semicolon is added, whatever the line is meanwhile`() {
         val fix = SourceFix(SourceRange(1, 6, 6), ";")
-        val diagnostic = ProgramDiagnostic("A.java", SourceRange(1, 6, 6), "", fix)
+        val diagnostic = Diagnostic(Severity.ERROR, "A.java", SourceRange(1, 6, 6), "", fix)
         assertEquals(FixLabel.Add(";"), fixLabelOf(diagnostic, fix, "i = 5"))
         assertEquals(FixLabel.Add(";"), fixLabelOf(diagnostic, fix, ""))
     }

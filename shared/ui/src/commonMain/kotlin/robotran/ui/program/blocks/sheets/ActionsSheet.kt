@@ -17,7 +17,7 @@ import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockId
 import robotran.blockediting.apply
 import robotran.blockediting.formsFor
-import robotran.robolang.outline.SourceSpan
+import robotran.language.source.SourceSpan
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
 import robotran.ui.parts.ClipboardReader

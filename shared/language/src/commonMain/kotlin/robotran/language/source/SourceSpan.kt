@@ -1,4 +1,4 @@
-package robotran.robolang.outline
+package robotran.language.source
 
 /**
  * A part of a source text.

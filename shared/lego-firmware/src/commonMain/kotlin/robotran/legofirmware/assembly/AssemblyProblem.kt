@@ -1,30 +1,9 @@
 package robotran.legofirmware.assembly
 
-/**
- * An error or a warning about an assembly text.
- *
- * @property code the kind of problem; stable, for tests and tools.
- * @property isError whether it prevents the program from running; otherwise it is a warning.
- * @property line from 1.
- * @property column from 1, in UTF-16 characters; a tab counts as one.
- * @property endColumn the column after the last character.
- * @property text the source text from [column] to [endColumn].
- * @property message one or two sentences in a learner's words.
- * @property replacement what very likely fixes it, in place of [text]; null if nothing does.
- */
-data class AssemblyDiagnostic(
-    val code: AssemblyProblem,
-    val isError: Boolean,
-    val line: Int,
-    val column: Int,
-    val endColumn: Int,
-    val text: String,
-    val message: String,
-    val replacement: String? = null,
-)
+import robotran.language.source.ProblemCode
 
-/** @property id the stable name used by tools and reports. */
-enum class AssemblyProblem(val id: String) {
+/** The kinds of problems of an assembly text. */
+enum class AssemblyProblem(override val id: String) : ProblemCode {
     SOURCE_TOO_LONG("source-too-long"),
     UNKNOWN_CHARACTER("unknown-character"),
     UNKNOWN_COMMAND("unknown-command"),
