@@ -79,7 +79,7 @@ class RootPlugin : Plugin<Project> {
         it.include(pattern)
         it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
         // Java code for the brick, not for the computer.
-        it.exclude("**/src/brick/**", "**/src/templates/**", "**/src/*/resources/**")
+        it.exclude("**/src/brick/**", "**/src/*/resources/**")
     }
 
     private companion object {

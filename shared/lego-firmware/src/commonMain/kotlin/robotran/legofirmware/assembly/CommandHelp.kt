@@ -1,12 +1,9 @@
 package robotran.legofirmware.assembly
 
 import robotran.language.Language
-import robotran.language.choose
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.OpcodeUse
-import robotran.legofirmware.messages.COMMAND_HELP_ENGLISH
-import robotran.legofirmware.messages.COMMAND_HELP_GERMAN
-import robotran.legofirmware.messages.COMMAND_HELP_SPANISH
+import robotran.legofirmware.messages.CommandHelpMessages
 
 /**
  * What a command of assembly text does.
@@ -24,8 +21,7 @@ data class CommandHelp(val mnemonic: String, val forms: List<String>, val senten
         /** The help in [language] on the command [word]; null if there is no such command in programs. */
         fun of(word: String, language: Language): CommandHelp? {
             val mnemonic = word.lowercase()
-            val sentences = language.choose(COMMAND_HELP_ENGLISH, COMMAND_HELP_SPANISH, COMMAND_HELP_GERMAN)
-            val sentence = sentences[mnemonic] ?: return null
+            val sentence = CommandHelpMessages.of(language).sentence(mnemonic).ifEmpty { return null }
             val forms = Opcode.named(mnemonic).filter { it.use != OpcodeUse.REQUEST }.map { CommandForm(it).toString() }
             return CommandHelp(mnemonic, forms, sentence)
         }
