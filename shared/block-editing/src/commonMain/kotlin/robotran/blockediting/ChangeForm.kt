@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang

@@ -11,6 +11,8 @@ import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
 import robotran.lejoslibrary.LejosDifference
 
 /**

@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.language.source.Diagnostic
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals

@@ -5,6 +5,7 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.language.source.Diagnostic
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.Test
 import kotlin.test.assertContains

@@ -1,6 +1,7 @@
 package robotran.legofirmware.assembly
 
 import robotran.language.Language
+import robotran.language.source.Severity
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
