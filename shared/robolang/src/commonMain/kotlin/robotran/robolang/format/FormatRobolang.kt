@@ -1,5 +1,6 @@
 package robotran.robolang.format
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
@@ -31,7 +32,7 @@ fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangM
         return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
     val lines = scan(source, diagnostics)
-    brickIn(lines)?.let { diagnostics.brick = it }
+    diagnostics.brick = brickIn(lines) ?: BrickKind.RCX
     val parsed = Parser(lines, diagnostics).program()
     return if (diagnostics.isEmpty) {
         FormatResult.Formatted(layout(parsed))

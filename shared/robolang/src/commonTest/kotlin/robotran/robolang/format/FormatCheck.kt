@@ -1,9 +1,11 @@
 package robotran.robolang.format
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.brickIn
 import robotran.robolang.syntax.scan
 import kotlin.test.assertEquals
 
@@ -16,7 +18,9 @@ internal fun checkFormatting(source: String) {
 
 internal fun treeOf(source: String): SyntaxTree {
     val diagnostics = DiagnosticSink(EnglishRobolangMessages)
-    return Parser(scan(source, diagnostics), diagnostics).program().tree
+    val lines = scan(source, diagnostics)
+    diagnostics.brick = brickIn(lines) ?: BrickKind.RCX
+    return Parser(lines, diagnostics).program().tree
 }
 
 /** The tree as text, without source ranges and with names in lower case. */
