@@ -6,6 +6,7 @@ import kotlinx.coroutines.yield
 import robotran.documents.StoreResult
 import robotran.documents.files.writeSafely
 import robotran.documents.projectFile
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
@@ -55,7 +56,7 @@ internal class RunPersistence(private val file: File) {
     private fun Project.withoutRun() = copy(robots = robots.map { it.copy(firstProgram = 0) }, inputs = emptyList())
 
     private fun read(): Project? = try {
-        (readProject(file.readBytes()) as? ProjectFileResult.Loaded)?.project
+        (readProject(file.readBytes(), Language.ENGLISH) as? ProjectFileResult.Loaded)?.project
     } catch (_: IOException) {
         null
     }

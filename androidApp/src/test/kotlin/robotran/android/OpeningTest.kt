@@ -13,6 +13,7 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
+import robotran.language.Language
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
@@ -66,7 +67,7 @@ class OpeningTest {
     @Test
     fun `a link that is sent opens its world`() {
         val maze = BuiltInWorlds.plain.copy(title = "Our maze")
-        val link = runBlocking { linkOf(Project(maze)) } as LinkCreation.Made
+        val link = runBlocking { linkOf(Project(maze), Language.ENGLISH) } as LinkCreation.Made
         app.open()
         app.receive(
             Intent(

@@ -21,6 +21,7 @@ import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.shadows.ShadowActivity
+import robotran.language.Language
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
@@ -63,7 +64,7 @@ class PhotosTest {
         openHandIns()
         assertTrue(app.isThere("hand-ins-scan"))
         assertTrue(app.isThere("hand-ins-scan-pictures"))
-        val link = runBlocking { linkOf(Project(BuiltInWorlds.plain)) } as LinkCreation.Made
+        val link = runBlocking { linkOf(Project(BuiltInWorlds.plain), Language.ENGLISH) } as LinkCreation.Made
         answer(Activity.RESULT_OK) {
             write(it, pictureOf(checkNotNull(QrCode.of("https://a.example/${link.fragment}"))))
         }

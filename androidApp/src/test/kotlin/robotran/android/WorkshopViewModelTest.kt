@@ -12,6 +12,7 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
@@ -85,7 +86,7 @@ class WorkshopViewModelTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
         endTheProcess()
-        assertTrue(readProject(file.readBytes()) is ProjectFileResult.Loaded)
+        assertTrue(readProject(file.readBytes(), Language.ENGLISH) is ProjectFileResult.Loaded)
         assertEquals("the run before", before.readText())
     }
 

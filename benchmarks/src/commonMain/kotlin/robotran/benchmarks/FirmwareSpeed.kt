@@ -1,6 +1,7 @@
 package robotran.benchmarks
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -32,17 +33,26 @@ internal suspend fun firmwareCommandSpeed(): Figure {
 
 /** The speed relative to real time of a session in which a program in NQC follows a line. */
 internal suspend fun nqcLineFollowerSpeed(): Figure {
-    val world = (readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json")) as WorldFileResult.Loaded).world
+    val world = (
+        readWorld(
+            BuiltInWorlds.texts.getValue("line-loop.world.json"),
+            Language.ENGLISH,
+        ) as WorldFileResult.Loaded
+    ).world
     val program = nqcProgramOf(LINE_FOLLOWER_NQC, nqcPrograms.getValue(LINE_FOLLOWER_NQC))
     return realTime(running(program, world, loadPhysicsEngine()))
 }
 
 /** The valid program [source] in NQC, compiled. */
-private suspend fun nqcProgramOf(name: String, source: String): RcxProgram =
-    when (val result = ProgramCompiler(ANY_TARGET).read(ProgramSource.Nqc(name, listOf(SourceFile(name, source))))) {
-        is ProgramResult.Ready -> result.program as RcxProgram
-        is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
-    }
+private suspend fun nqcProgramOf(name: String, source: String): RcxProgram = when (
+    val result = ProgramCompiler(
+        ANY_TARGET,
+        language = Language.ENGLISH,
+    ).read(ProgramSource.Nqc(name, listOf(SourceFile(name, source))))
+) {
+    is ProgramResult.Ready -> result.program as RcxProgram
+    is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
+}
 
 private val MIXED_NQC =
     """

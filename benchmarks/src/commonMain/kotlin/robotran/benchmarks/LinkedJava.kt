@@ -1,5 +1,6 @@
 package robotran.benchmarks
 
+import robotran.language.Language
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -13,6 +14,7 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
         val result = ProgramCompiler(
             ANY_TARGET,
             settings,
+            language = Language.ENGLISH,
         ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
     ) {
         is ProgramResult.Ready -> result.program as RcxProgram

@@ -1,6 +1,7 @@
 package robotran.benchmarks
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.nxt.FakeNxt
 import robotran.nxt.program.NxtProgram
 import robotran.programs.JavaSettings
@@ -28,7 +29,12 @@ internal suspend fun nxjObjectSpeed(): Figure = nxjSpeed("Objects", OBJECTS)
 
 /** The speed relative to real time of a session in which a Java program on an NXT follows a line. */
 internal suspend fun nxjLineFollowerSpeed(): Figure {
-    val world = (readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json")) as WorldFileResult.Loaded).world
+    val world = (
+        readWorld(
+            BuiltInWorlds.texts.getValue("line-loop.world.json"),
+            Language.ENGLISH,
+        ) as WorldFileResult.Loaded
+    ).world
     val robots = world.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) }
     val program = nxjProgramOf("LineFollower", LINE_FOLLOWER_NXJ)
     return realTime(running(program, world.copy(robots = robots), loadPhysicsEngine()))
@@ -57,7 +63,7 @@ private suspend fun nxjSpeed(name: String, source: String): Figure {
 private suspend fun nxjProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): NxtProgram {
     val target = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
     val program = ProgramSource.Java("$name.java", listOf(SourceFile("$name.java", source)))
-    return when (val result = ProgramCompiler(target, settings).read(program)) {
+    return when (val result = ProgramCompiler(target, settings, Language.ENGLISH).read(program)) {
         is ProgramResult.Ready -> result.program as NxtProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
     }

@@ -1,6 +1,7 @@
 package robotran.benchmarks
 
 import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -84,7 +85,7 @@ internal fun running(program: BrickProgram, world: World, physics: PhysicsEngine
 private fun driveOnce(world: World, physics: PhysicsEngine) = runOnce(drivingProgram(), world, physics)
 
 private fun runOnce(program: BrickProgram, world: World, physics: PhysicsEngine) {
-    val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics)
+    val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics, Language.ENGLISH)
     session.pressRun()
     session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
     session.close()

@@ -4,6 +4,7 @@ import robotran.animatedpicture.AnimationStep
 import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.animatedGif
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -26,9 +27,14 @@ import kotlin.time.TimeSource
  */
 internal suspend fun movingPictureTime(faster: Int): Figure {
     val source = ProgramSource.Robolang("flowers.robo", FLOWERS)
-    val program = (ProgramCompiler(PENBOT_TARGET).read(source) as ProgramResult.Ready).program
+    val program = (
+        ProgramCompiler(
+            PENBOT_TARGET,
+            language = Language.ENGLISH,
+        ).read(source) as ProgramResult.Ready
+    ).program
     val world = BuiltInWorlds.plain
-    val player = RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine()))
+    val player = RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
     player.apply(SessionInput.Press(BrickButton.RUN, 0))
     player.apply(SessionInput.Release(BrickButton.RUN, 0))
     player.pass(MINUTE)

@@ -2,6 +2,7 @@ package robotran.cli
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
@@ -23,7 +24,7 @@ class LinkCommandTest : CommandTest() {
 
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
 
-    private fun opened(): LinkResult = runBlocking { openLink(console.said.last()) }
+    private fun opened(): LinkResult = runBlocking { openLink(console.said.last(), Language.ENGLISH) }
 
     private fun file(name: String, text: String): String = folder.resolve(name).apply { writeText(text) }.toString()
 

@@ -5,6 +5,7 @@ package robotran.web
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -58,7 +59,7 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String, bric
         }
 
         is RobotLoads.Ready -> {
-            val session = Session(world, result.loads, loadPhysicsEngine())
+            val session = Session(world, result.loads, loadPhysicsEngine(), Language.ENGLISH)
             session.runUnattended(milliseconds)
             session.close()
             runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
@@ -66,28 +67,34 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String, bric
     }
 }
 
-private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? = when (val file = readProject(text)) {
-    is ProjectFileResult.Rejected -> refusal(file.message)
-    is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
-}
-
-private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
-    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, project.settings.java))) {
-        is RobotLoads.HasErrors -> refusal(robots.diagnostics.first().message)
-
-        is RobotLoads.Ready -> {
-            val session = Session.replay(
-                project.worldToRun,
-                robots.loads,
-                loadPhysicsEngine(),
-                project.inputs,
-                milliseconds.toLong(),
-            )
-            session.finish()
-            session.close()
-            runResult(session.report().toJson(), romLog = "")
-        }
+private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? =
+    when (val file = readProject(text, Language.ENGLISH)) {
+        is ProjectFileResult.Rejected -> refusal(file.message)
+        is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
     }
+
+private suspend fun runOf(project: Project, milliseconds: Int): JsAny = when (
+    val robots = readRobotLoads(
+        project,
+        ProgramCompiler(PENBOT_TARGET, project.settings.java, Language.ENGLISH),
+    )
+) {
+    is RobotLoads.HasErrors -> refusal(robots.diagnostics.first().message)
+
+    is RobotLoads.Ready -> {
+        val session = Session.replay(
+            project.worldToRun,
+            robots.loads,
+            loadPhysicsEngine(),
+            project.inputs,
+            milliseconds.toLong(),
+            Language.ENGLISH,
+        )
+        session.finish()
+        session.close()
+        runResult(session.report().toJson(), romLog = "")
+    }
+}
 
 /** A promise rejected with an error that scripts can read. To them a Kotlin exception is an opaque object. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
@@ -104,4 +111,4 @@ private fun publish(
 )
 
 /** Shared by all runs, so that the Java compiler is loaded once. */
-private val reader = ProgramCompiler(PENBOT_TARGET)
+private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)

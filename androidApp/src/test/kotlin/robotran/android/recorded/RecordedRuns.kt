@@ -1,6 +1,7 @@
 package robotran.android.recorded
 
 import robotran.brick.log.toLogText
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -33,7 +34,7 @@ internal class RecordedRuns(private val tree: File) {
     /** Repeats all sessions and returns those whose report or ROM log differs from the record. */
     suspend fun differences(): Outcome {
         val physics = loadPhysicsEngine()
-        val reader = ProgramCompiler(target)
+        val reader = ProgramCompiler(target, language = Language.ENGLISH)
         val robolang = files("examples", ".robo").map { file ->
             compare(
                 example(reader, ProgramSource.Robolang(file.name, file.readText()), physics),
@@ -55,18 +56,27 @@ internal class RecordedRuns(private val tree: File) {
         val result = reader.read(source)
         check(result is ProgramResult.Ready) { "$source has mistakes: $result" }
         val load = RobotLoad(listOf(result.program), lightFacing = lightFacingOf(result.program))
-        return Session(BuiltInWorlds.plain, listOf(load), physics).apply { runUnattended(EXAMPLE_MILLISECONDS) }
+        return Session(BuiltInWorlds.plain, listOf(load), physics, Language.ENGLISH).apply {
+            runUnattended(EXAMPLE_MILLISECONDS)
+        }
     }
 
     private suspend fun project(text: String, physics: PhysicsEngine): Session {
-        val project = (readProject(text) as ProjectFileResult.Loaded).project
+        val project = (readProject(text, Language.ENGLISH) as ProjectFileResult.Loaded).project
         val loads = (
             readRobotLoads(
                 project,
-                ProgramCompiler(target, project.settings.java),
+                ProgramCompiler(target, project.settings.java, Language.ENGLISH),
             ) as RobotLoads.Ready
         ).loads
-        return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply {
+        return Session.replay(
+            project.worldToRun,
+            loads,
+            physics,
+            project.inputs,
+            EXAMPLE_MILLISECONDS.toLong(),
+            Language.ENGLISH,
+        ).apply {
             finish()
         }
     }

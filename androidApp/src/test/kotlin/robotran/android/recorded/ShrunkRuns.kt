@@ -1,6 +1,7 @@
 package robotran.android.recorded
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -25,7 +26,11 @@ fun main(arguments: Array<String>) = runBlocking {
 }
 
 private suspend fun mistakeFaults(): List<String> {
-    val reader = ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    val reader =
+        ProgramCompiler(
+            RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+            language = Language.ENGLISH,
+        )
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
     val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()

@@ -28,7 +28,8 @@ class CourseCommandTest : CommandTest() {
     private fun course(vararg arguments: String) =
         commandLine.execute(listOf("course", "-o", written.toString()) + arguments)
 
-    private fun read(): Course = assertIs<CourseFileResult.Loaded>(readCourse(written.readBytes())).course
+    private fun read(): Course =
+        assertIs<CourseFileResult.Loaded>(readCourse(written.readBytes(), Language.ENGLISH)).course
 
     @Test
     fun `a strand is written as a course in the language that is asked for`() {
@@ -93,7 +94,7 @@ class CourseCommandTest : CommandTest() {
         val small = drive.copy(assignments = drive.assignments.take(2))
         assertEquals(0, commandLine.execute(listOf("link", program(writeCourse(small), "a.course.json"))))
         val link = console.said.single()
-        assertEquals<LinkResult>(LinkResult.OfCourse(small), runBlocking { openLink(link) })
+        assertEquals<LinkResult>(LinkResult.OfCourse(small), runBlocking { openLink(link, Language.ENGLISH) })
         assertEquals(2, commandLine.execute(listOf("run", link)))
         assertContains(console.complaints.single(), "is a whole course")
     }

@@ -3,6 +3,7 @@ package robotran.cli.packaging
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.cli.CommandTest
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment
@@ -75,7 +76,7 @@ class PackageCommandTest : CommandTest() {
             zip.getInputStream(zip.getEntry("assignments.js")).readBytes().decodeToString()
         }
         val link = script.substringAfter('"').substringBefore('"')
-        val opened = assertIs<LinkResult.OfProject>(runBlocking { openLink(link) }).project
+        val opened = assertIs<LinkResult.OfProject>(runBlocking { openLink(link, Language.ENGLISH) }).project
         assertEquals(project.world, opened.world)
         assertEquals(project.robots, opened.robots)
         assertEquals(listOf("turned"), opened.assignment?.words)

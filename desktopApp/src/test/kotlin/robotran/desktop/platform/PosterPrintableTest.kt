@@ -47,7 +47,8 @@ class PosterPrintableTest {
         rows.sumOf { y -> (0..<width).count { x -> getRGB(x, y) and 0xFF00 < 0x7000 } }
 
     private fun posterOf(text: String): Poster {
-        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), runBlocking { loadPhysicsEngine() })
+        val session =
+            Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), runBlocking { loadPhysicsEngine() }, Language.ENGLISH)
         val state = session.state
         session.close()
         val program = PupilProgram("line.robo", text)

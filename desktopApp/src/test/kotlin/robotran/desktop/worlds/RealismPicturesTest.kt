@@ -1,6 +1,7 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.Language
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
@@ -35,7 +36,7 @@ class RealismPicturesTest {
 
     private fun track(realism: Double, seed: Int): RobotTrack {
         val noisy = world.copy(realism = realism, seed = seed)
-        val session = Session(noisy, ShippedWorlds.loads(noisy, square), physics)
+        val session = Session(noisy, ShippedWorlds.loads(noisy, square), physics, Language.ENGLISH)
         session.runUnattended(MILLISECONDS)
         val state = session.state
         session.close()

@@ -1,6 +1,7 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -18,7 +19,7 @@ import java.io.File
 /** The worlds of the folder `worlds` in the tree, and their solutions. */
 internal object ShippedWorlds {
     private val tree = File(System.getProperty("robotran.tree"))
-    private val reader = ProgramCompiler(PENBOT_TARGET)
+    private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
 
     /** All worlds by name, such as `line-loop`. */
     val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter {
@@ -49,7 +50,7 @@ internal object ShippedWorlds {
         return ProgramSource.of(language, file.name, listOf(SourceFile(file.name, file.readText())))
     }
 
-    private fun loaded(file: File): World = when (val result = readWorld(file.readText())) {
+    private fun loaded(file: File): World = when (val result = readWorld(file.readText(), Language.ENGLISH)) {
         is WorldFileResult.Loaded -> result.world
         is WorldFileResult.Rejected -> error("${file.name}: ${result.message}")
     }

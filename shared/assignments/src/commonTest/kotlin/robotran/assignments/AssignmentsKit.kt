@@ -4,6 +4,7 @@ import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.doing.sealedHandIn
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment
@@ -61,4 +62,4 @@ internal fun file(path: String, text: String) = CollectedFile(path, text.encodeT
 internal fun file(path: String, project: Project) = file(path, writeProject(project))
 
 internal suspend fun collect(vararg files: CollectedFile, assignment: Project = ASSIGNMENT): List<Submission> =
-    collectHandIns(files.toList(), assignment).submissions
+    collectHandIns(files.toList(), assignment, Language.ENGLISH).submissions

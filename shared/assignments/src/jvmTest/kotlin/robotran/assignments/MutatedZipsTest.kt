@@ -5,6 +5,7 @@ import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectingLimits
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.collectHandIns
+import robotran.language.Language
 import java.io.ByteArrayOutputStream
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
@@ -31,7 +32,8 @@ class MutatedZipsTest {
 
     private val beep = "beep\n".encodeToByteArray()
 
-    private suspend fun collect(vararg files: CollectedFile) = collectHandIns(files.toList(), ASSIGNMENT).submissions
+    private suspend fun collect(vararg files: CollectedFile) =
+        collectHandIns(files.toList(), ASSIGNMENT, Language.ENGLISH).submissions
 
     @Test
     fun `deflated files come out`() = runTest {

@@ -1,6 +1,7 @@
 package robotran.blockediting
 
 import robotran.blockediting.palette.Palette
+import robotran.brick.kind.BrickKind
 import robotran.robolang.words.BlockGroup
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -113,7 +114,7 @@ class TrialTest {
             tried.map { it.group }.toSet(),
         )
         assertEquals(
-            Palette.blocksOf(BlockGroup.SHOW_AND_SOUND),
+            Palette.blocksOf(BlockGroup.SHOW_AND_SOUND, brick = BrickKind.RCX),
             tried.filter { it.group == BlockGroup.SHOW_AND_SOUND },
         )
         for (block in tried) {

@@ -80,7 +80,7 @@ sealed interface OpenFilesError {
  *
  * @param language the language of error messages.
  */
-suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.ENGLISH): OpenFilesResult {
+suspend fun openFiles(files: List<IncomingFile>, language: Language): OpenFilesResult {
     val given = files.map(::GivenFile)
     // The files of a course's folder are parts of the course.
     val courses = given.mapNotNull { it.text }.filter(::isCourseFile)
@@ -124,7 +124,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
 }
 
 /** Opens the content of [link], see [robotran.projects.openLink]. A project from a link is named after its world. */
-suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): OpenFilesResult =
+suspend fun openLinkText(link: String, language: Language): OpenFilesResult =
     when (val result = openLink(link, language)) {
         is LinkResult.OfProject -> OpenFilesResult.Opened(
             listOf(OpenedProject(titleOf(result.project.world), result.project, null)),

@@ -1,6 +1,7 @@
 package robotran.documents
 
 import robotran.documents.messages.DocumentMessages
+import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.projects.writeProject
@@ -48,7 +49,7 @@ class ProjectRepository(private val store: KeyValueStore) {
     suspend fun save(work: SavedProject): SaveResult {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
         val project = writeProject(work.project)
-        if (readProject(project) is ProjectFileResult.Rejected) return SaveResult.TooLong
+        if (readProject(project, Language.ENGLISH) is ProjectFileResult.Rejected) return SaveResult.TooLong
         if (work.id !in
             newest
         ) {

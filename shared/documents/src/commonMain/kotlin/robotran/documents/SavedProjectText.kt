@@ -5,6 +5,7 @@ import robotran.json.JsonReading
 import robotran.json.jsonObject
 import robotran.json.readJson
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.projects.writeProject
@@ -39,7 +40,7 @@ internal object SavedProjectText {
         if (sealed.substringBefore('\n') != "$FORMAT$VERSION") return SavedProjectCopy.Newer
         val head = sealed.substringAfter('\n').substringBefore('\n')
         val project = sealed.substringAfter('\n').substringAfter('\n')
-        return when (val reading = readJson(head) { headIn(it, id, project) }) {
+        return when (val reading = readJson(head, Language.ENGLISH) { headIn(it, id, project) }) {
             is JsonReading.Read -> reading.value
             is JsonReading.Rejected -> null
         }
@@ -106,7 +107,7 @@ internal sealed interface SavedProjectCopy {
         val project: String,
         private val breakpoints: List<SavedBreakpoint>,
     ) : SavedProjectCopy {
-        fun read(): SavedProjectResult = when (val result = readProject(project)) {
+        fun read(): SavedProjectResult = when (val result = readProject(project, Language.ENGLISH)) {
             is ProjectFileResult.Loaded -> {
                 SavedProjectResult.Found(
                     SavedProject(

@@ -1,6 +1,7 @@
 package robotran.documents
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
@@ -123,12 +124,17 @@ class OpenFilesTest {
 
     @Test
     fun `a text with a link in it opens what is behind the link`() = runTest {
-        val fragment = assertIs<LinkCreation.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
+        val fragment = assertIs<LinkCreation.Made>(
+            linkOf(projectOf("beep").copy(world = world), Language.ENGLISH),
+        ).fragment
         assertEquals(
             "Town",
             opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name,
         )
-        assertEquals("Town", assertIs<OpenFilesResult.Opened>(openLinkText(fragment)).projects.single().name)
+        assertEquals(
+            "Town",
+            assertIs<OpenFilesResult.Opened>(openLinkText(fragment, Language.ENGLISH)).projects.single().name,
+        )
     }
 
     @Test
@@ -182,7 +188,9 @@ class OpenFilesTest {
         val worlds = Array(2) { file("$it.world.json", writeWorld(world)) }
         assertEquals(OpenFilesError.SeveralWorlds, refused(*worlds))
         assertEquals(OpenFilesError.TooManyPrograms(5), refused(*Array(6) { file("a$it.robo", "beep") }))
-        assertIs<OpenFilesError.InLink>(assertIs<OpenFilesResult.Rejected>(openLinkText("#p=a???")).error)
+        assertIs<OpenFilesError.InLink>(
+            assertIs<OpenFilesResult.Rejected>(openLinkText("#p=a???", Language.ENGLISH)).error,
+        )
     }
 
     @Test
@@ -211,10 +219,11 @@ class OpenFilesTest {
 
     private fun file(name: String, text: String) = IncomingFile(name, text.encodeToByteArray())
 
-    private suspend fun opened(vararg files: IncomingFile) = assertIs<OpenFilesResult.Opened>(openFiles(files.toList()))
+    private suspend fun opened(vararg files: IncomingFile) =
+        assertIs<OpenFilesResult.Opened>(openFiles(files.toList(), Language.ENGLISH))
 
     private suspend fun refused(vararg files: IncomingFile) =
-        assertIs<OpenFilesResult.Rejected>(openFiles(files.toList())).error
+        assertIs<OpenFilesResult.Rejected>(openFiles(files.toList(), Language.ENGLISH)).error
 
     private companion object {
         /** Quotation marks and the euro in Windows-1252. */

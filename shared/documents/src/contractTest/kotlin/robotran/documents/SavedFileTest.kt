@@ -1,6 +1,7 @@
 package robotran.documents
 
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
@@ -19,7 +20,7 @@ class SavedFileTest {
         val inputs = listOf(RecordedInput(5, SessionInput.Press(BrickButton.RUN)), RecordedInput(9, SessionInput.Stop))
         val replay = projectOf("beep").copy(inputs = inputs)
         val file = assertNotNull(projectFile(replay))
-        assertEquals(ProjectFileResult.Loaded(replay), readProject(file))
+        assertEquals(ProjectFileResult.Loaded(replay), readProject(file, Language.ENGLISH))
     }
 
     @Test

@@ -37,7 +37,7 @@ data class JsonWarning(val message: String, val line: Int? = null, val path: Str
  *
  * @param language the language of error messages.
  */
-fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
+fun <T> readJson(text: String, language: Language, read: (JsonCursor) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
     return try {
         val doubled = JsonSyntax(json).check()
@@ -52,7 +52,7 @@ fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (Jso
 }
 
 /** The same for the bytes of a file, in any encoding that [decodeText] knows. */
-fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
+fun <T> readJson(bytes: ByteArray, language: Language, read: (JsonCursor) -> T): JsonReading<T> {
     val messages = JsonMessages.of(language)
     if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
         return JsonReading.Rejected(messages.fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")

@@ -2,16 +2,17 @@ package robotran.json
 
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class ReadJsonTest {
     private fun <T> read(text: String, read: (JsonCursor) -> T): T =
-        assertIs<JsonReading.Read<T>>(readJson(text, read = read)).value
+        assertIs<JsonReading.Read<T>>(readJson(text, read = read, language = Language.ENGLISH)).value
 
     private fun refusal(text: String, read: (JsonCursor) -> Any?): JsonReading.Rejected =
-        assertIs<JsonReading.Rejected>(readJson(text, read = read))
+        assertIs<JsonReading.Rejected>(readJson(text, read = read, language = Language.ENGLISH))
 
     @Test
     fun `the line is that of the name, wherever its value begins`() {

@@ -30,7 +30,7 @@ data class LessonText(
             val parts = sections(sections(file).single().body, "## ")
             val harder = parts.filter { it.heading.startsWith(HARDER) }[index]
             val (task, nudge, part, solution) = toldFor(inBlocks, paragraphs(harder.body))
-            return of(file, inBlocks).copy(
+            return of(file, inBlocks, BrickKind.RCX).copy(
                 title = harder.heading.removePrefix(HARDER),
                 task = task,
                 nudge = nudge,
@@ -43,7 +43,7 @@ data class LessonText(
          * The text in [file] for a pupil who sees programs in blocks, or as text, and whose robot has a [brick]. Fails if
          * the file is invalid.
          */
-        fun of(file: String, inBlocks: Boolean, brick: BrickKind = BrickKind.RCX): LessonText {
+        fun of(file: String, inBlocks: Boolean, brick: BrickKind): LessonText {
             val whole = sections(file).single()
             val parts = sections(whole.body, "## ").associate { it.heading to it.body }
             val told = { body: String -> toldFor(inBlocks, toldOn(brick, paragraphs(body))) }

@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.world.World
 import robotran.world.file.WorldFileResult
@@ -71,7 +72,7 @@ internal fun isProgram(file: String): Boolean = ProgramLanguage.ofFile(file) != 
 internal const val SOLUTION = "solution."
 
 /** Reads a world that comes with the app. Fails if the file is invalid. */
-internal fun worldOf(text: String): World = when (val result = readWorld(text)) {
+internal fun worldOf(text: String): World = when (val result = readWorld(text, Language.ENGLISH)) {
     is WorldFileResult.Loaded -> result.world
     is WorldFileResult.Rejected -> error(result.message)
 }

@@ -26,16 +26,15 @@ data class WordHelp(
          * Returns the help in [language] on a [word] of [code] for a [brick], such as `forward` or `Motor.forward`;
          * null if there is none.
          */
-        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind = BrickKind.RCX): WordHelp? =
-            when (code) {
-                ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
-                ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
-                ProgramLanguage.NQC -> nqcHelp(word, language)
-                ProgramLanguage.LASM -> lasmHelp(word, language)
-            }
+        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind): WordHelp? = when (code) {
+            ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
+            ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
+            ProgramLanguage.NQC -> nqcHelp(word, language)
+            ProgramLanguage.LASM -> lasmHelp(word, language)
+        }
 
         /** The words of a programming language that have an entry, in the order of their file. */
-        fun words(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<String> = when (code) {
+        fun words(code: ProgramLanguage, brick: BrickKind): List<String> = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.words
             ProgramLanguage.JAVA -> javaWords(brick).words
             ProgramLanguage.NQC -> nqcWords
@@ -52,17 +51,11 @@ data class WordHelp(
  * @param code the language of the program.
  * @param brick the robot's brick; the imports of a Java program may name another.
  */
-fun helpOn(
-    language: Language,
-    code: ProgramLanguage,
-    text: String,
-    offset: Int,
-    brick: BrickKind = BrickKind.RCX,
-): WordHelp? {
+fun helpOn(language: Language, code: ProgramLanguage, text: String, offset: Int, brick: BrickKind): WordHelp? {
     val range = wordRange(text, offset) ?: return null
     return when (code) {
         ProgramLanguage.ROBOLANG, ProgramLanguage.NQC, ProgramLanguage.LASM -> {
-            WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+            WordHelp.of(language, code, text.substring(range.first, range.last + 1), brick)
         }
 
         ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)

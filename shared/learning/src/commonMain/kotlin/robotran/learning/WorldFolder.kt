@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
@@ -34,7 +35,7 @@ internal class WorldFolder(
             { plainWorld ->
                 start?.let {
                     lesson("world/$name", it, SOLUTION, plainWorld) { language, inBlocks ->
-                        LessonText.of(textIn(language), inBlocks)
+                        LessonText.of(textIn(language), inBlocks, BrickKind.RCX)
                     }
                 }
             },

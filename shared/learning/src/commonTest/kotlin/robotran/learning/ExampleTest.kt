@@ -45,7 +45,7 @@ class ExampleTest {
     @Test
     fun `every example in Java runs to its end on the plain sheet`() = runTest {
         for (help in examples(ProgramLanguage.JAVA)) {
-            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty()))
+            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty(), brick = BrickKind.RCX))
             runs(help.word, ProgramSource.Java(file.name, listOf(file)))
         }
     }
@@ -70,7 +70,8 @@ class ExampleTest {
         val result = (if (brick == BrickKind.NXT) nxtReader else reader).read(source)
         val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
         assertEquals(emptyList<Diagnostic>(), ready.warnings, word)
-        val session = Session(BuiltInWorlds.plainFor(brick), listOf(ready.program), loadPhysicsEngine())
+        val session =
+            Session(BuiltInWorlds.plainFor(brick), listOf(ready.program), loadPhysicsEngine(), Language.ENGLISH)
         session.pressRun()
         session.advance(LONG_ENOUGH)
         assertEquals(RunState.Ended(stopped = false), session.state.brick.run, "$word does not end")
@@ -79,8 +80,11 @@ class ExampleTest {
 
     private companion object {
         val reader =
-            ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
-        val nxtReader = ProgramCompiler(RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4))
+            ProgramCompiler(
+                RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+                language = Language.ENGLISH,
+            )
+        val nxtReader = ProgramCompiler(RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4), language = Language.ENGLISH)
         const val LONG_ENOUGH = 30_000
     }
 }

@@ -17,7 +17,7 @@ import robotran.world.GoalCondition
 import robotran.world.HasParts
 import kotlin.test.assertIs
 
-private val compiler = ProgramCompiler(PENBOT_TARGET)
+private val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
 
 /** The tasks of the gallery's worlds and their harder variations. */
 internal val worldTasks: List<Lesson> by lazy {
@@ -69,6 +69,7 @@ private suspend fun sessionOf(lesson: Lesson, program: SourceFile, seed: Int): S
         project.worldToRun.copy(seed = seed),
         assertIs<RobotLoads.Ready>(loads, "${lesson.name}: $loads\n${program.text}").loads,
         loadPhysicsEngine(),
+        language = Language.ENGLISH,
     )
 }
 

@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
@@ -88,7 +89,9 @@ class LessonsTest {
         val words = Lessons.all.filter { it.code == ProgramLanguage.ROBOLANG }.map { lesson ->
             lesson.program.text.lines().first { it.isNotBlank() && !it.startsWith("//") }
         }
-        for (line in words) assertTrue(helpOn(Language.SPANISH, ProgramLanguage.ROBOLANG, line, 0) != null, line)
+        for (line in words) {
+            assertTrue(helpOn(Language.SPANISH, ProgramLanguage.ROBOLANG, line, 0, brick = BrickKind.RCX) != null, line)
+        }
     }
 
     @Test

@@ -14,7 +14,7 @@ import kotlin.test.assertTrue
 
 class WordHelpTest {
     private fun english(code: ProgramLanguage, text: String): WordHelp? =
-        helpOn(Language.ENGLISH, code, text.replace("|", ""), text.indexOf('|'))
+        helpOn(Language.ENGLISH, code, text.replace("|", ""), text.indexOf('|'), brick = BrickKind.RCX)
 
     private fun wordIn(code: ProgramLanguage, text: String): String? = english(code, text)?.word
 
@@ -28,7 +28,8 @@ class WordHelpTest {
         assertTrue(words.size > 60 && functions.size > 12, "found $words and $functions")
         for (word in words + functions) {
             for (language in Language.entries) {
-                val help = assertNotNull(WordHelp.of(language, ProgramLanguage.ROBOLANG, word), word)
+                val help =
+                    assertNotNull(WordHelp.of(language, ProgramLanguage.ROBOLANG, word, brick = BrickKind.RCX), word)
                 assertEquals(language, help.sentenceLanguage, word)
                 assertTrue(
                     help.forms.all {
@@ -56,8 +57,8 @@ class WordHelpTest {
 
     @Test
     fun `usual functions of NQC have an example, which has no mistakes`() {
-        val examples = WordHelp.words(ProgramLanguage.NQC)
-            .associateWith { WordHelp.of(Language.ENGLISH, ProgramLanguage.NQC, it)?.example }
+        val examples = WordHelp.words(ProgramLanguage.NQC, brick = BrickKind.RCX)
+            .associateWith { WordHelp.of(Language.ENGLISH, ProgramLanguage.NQC, it, brick = BrickKind.RCX)?.example }
         assertTrue("    SetSensor(SENSOR_1, SENSOR_TOUCH);\n" in assertNotNull(examples["SetSensor"]))
         for (word in listOf("OnFwd", "Off", "Wait", "SetPower", "PlaySound", "PlayTone", "OnFor", "SendMessage")) {
             assertNotNull(examples[word], word)
@@ -112,10 +113,11 @@ class WordHelpTest {
 
     @Test
     fun `what nobody has translated is in English and says so`() {
-        val help = assertNotNull(helpOn(Language.GERMAN, ProgramLanguage.JAVA, "Servo", 2))
+        val help = assertNotNull(helpOn(Language.GERMAN, ProgramLanguage.JAVA, "Servo", 2, brick = BrickKind.RCX))
         assertEquals(Language.ENGLISH, help.sentenceLanguage)
         assertTrue(help.sentence.endsWith("."), help.sentence)
-        val motor = assertNotNull(helpOn(Language.GERMAN, ProgramLanguage.JAVA, "Motor.A.stop()", 9))
+        val motor =
+            assertNotNull(helpOn(Language.GERMAN, ProgramLanguage.JAVA, "Motor.A.stop()", 9, brick = BrickKind.RCX))
         assertEquals("Bremst den Motor.", motor.sentence)
         assertEquals(Language.GERMAN, motor.sentenceLanguage)
     }
@@ -132,7 +134,7 @@ class WordHelpTest {
         )) {
             val (owner, member) = word.split('.')
             assertEquals(
-                WordHelp.of(Language.ENGLISH, ProgramLanguage.JAVA, word)?.sentence,
+                WordHelp.of(Language.ENGLISH, ProgramLanguage.JAVA, word, brick = BrickKind.RCX)?.sentence,
                 lejosMember(owner, member, BrickKind.RCX)?.second?.sentence,
             )
         }

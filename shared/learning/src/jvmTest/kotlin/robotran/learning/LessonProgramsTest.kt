@@ -28,7 +28,7 @@ class LessonProgramsTest {
 
     @Test
     fun `no solution gets a warning`() = runTest {
-        val compiler = ProgramCompiler(PENBOT_TARGET)
+        val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
         for (lesson in tasks) {
             for (solution in lesson.solutions) {
                 val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(solution)), compiler)

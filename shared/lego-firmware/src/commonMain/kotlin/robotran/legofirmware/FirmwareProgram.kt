@@ -24,7 +24,7 @@ class FirmwareProgram(
     override val name: String,
     val image: RcxImage,
     val lines: LineTable = LineTable.NONE,
-    private val language: Language = Language.ENGLISH,
+    private val language: Language,
     val variables: VariableTable? = null,
 ) : RcxProgram {
     override val firmware: RcxFirmware get() = LegoFirmware(language)

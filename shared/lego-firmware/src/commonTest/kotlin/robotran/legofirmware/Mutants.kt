@@ -2,6 +2,7 @@ package robotran.legofirmware
 
 import robotran.brick.controls.BrickButton
 import robotran.language.source.Severity
+import robotran.language.Language
 import robotran.legofirmware.assembly.AssemblyLimits
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
@@ -33,7 +34,8 @@ internal fun tryImage(bytes: ByteArray): Boolean {
 
 /** A program runs as long as it likes, and with every sensor pressed after a while; what it leaves behind is limited. */
 private fun runOnBrick(image: RcxImage) {
-    val brick = RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines)))
+    val brick =
+        RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines, language = Language.ENGLISH)))
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     repeat(RUN_MILLISECONDS) { brick.tick() }
@@ -51,7 +53,7 @@ private fun checkForms(image: RcxImage, bytes: Int) {
     assertTrue(image.plainListing().length < LISTING_CHARACTERS * (bytes + 1))
     val listing = image.assemblyListing()
     assertTrue(listing.text.length < LISTING_CHARACTERS * (bytes + 1))
-    val result = assemble(listing.text)
+    val result = assemble(listing.text, Language.ENGLISH)
     assertTrue(result is AssemblyResult.Assembled, listing.text)
     assertEquals(image.chunks.sortedBy { it.id }, result.image.chunks.sortedBy { it.id })
     assertEquals(image, (readRcxImage(image.toBytes()) as RcxImageResult.Read).image)
@@ -75,7 +77,7 @@ private fun mutated(original: ByteArray, random: Random): ByteArray {
 internal fun tryMutatedText(random: Random): Boolean = tryText(mutated(texts.random(random), random))
 
 /** Assembles [text]. Returns whether it was right. */
-internal fun tryText(text: String): Boolean = when (val result = assemble(text)) {
+internal fun tryText(text: String): Boolean = when (val result = assemble(text, Language.ENGLISH)) {
     is AssemblyResult.Assembled -> {
         assertTrue(result.image.chunks.all { it.code.size <= FirmwareLimits.CHUNK_BYTES })
         assertTrue(result.image.codeSize <= text.length)

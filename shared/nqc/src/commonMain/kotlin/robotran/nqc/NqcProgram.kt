@@ -39,6 +39,5 @@ class NqcProgram internal constructor(
      *
      * @param language of the remarks about a run.
      */
-    fun forBrick(language: Language = Language.ENGLISH): FirmwareProgram =
-        FirmwareProgram(name, image, lineTable, language, variables)
+    fun forBrick(language: Language): FirmwareProgram = FirmwareProgram(name, image, lineTable, language, variables)
 }

@@ -35,7 +35,7 @@ class ProgramCompiler private constructor(
     constructor(
         target: RobotTarget,
         java: JavaSettings = JavaSettings(),
-        language: Language = Language.ENGLISH,
+        language: Language,
         firmware: FirmwareSettings = FirmwareSettings(),
     ) : this(target, java, firmware, language, LoadedJava())
 

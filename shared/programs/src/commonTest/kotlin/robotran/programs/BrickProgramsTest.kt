@@ -2,6 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.source.Diagnostic
+import robotran.language.Language
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -16,7 +17,7 @@ import kotlin.test.assertTrue
 
 /** The programs in `resources/brick` are told and do what their comments say; the README there explains the comments. */
 class BrickProgramsTest {
-    private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings)
+    private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings, language = Language.ENGLISH)
 
     private suspend fun ProgramCompiler.compile(name: String, text: String): ProgramResult =
         read(ProgramSource.Java(name, listOf(SourceFile(name, text))))
@@ -94,7 +95,7 @@ class BrickProgramsTest {
 
     private suspend fun displayAfter(mode: TinyVmMode, name: String, text: String): String {
         val program = assertIs<ProgramResult.Ready>(compilerFor(JavaSettings(mode)).compile(name, text), name).program
-        val session = Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine())
+        val session = Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine(), Language.ENGLISH)
         session.pressRun()
         session.advance(MILLISECONDS)
         return session.report().lcd.also { session.close() }

@@ -17,7 +17,7 @@ import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
 class FirmwareProgramsTest {
-    private val compiler = ProgramCompiler(testTarget)
+    private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     private fun nqc(vararg files: Pair<String, String>) =
         ProgramSource.Nqc(files.first().first, files.map { (name, text) -> SourceFile(name, text) })

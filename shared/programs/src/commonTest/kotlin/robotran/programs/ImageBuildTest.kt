@@ -12,7 +12,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class ImageBuildTest {
-    private val compiler = ProgramCompiler(testTarget)
+    private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     @Test
     fun `a Java program becomes an image that begins with CA F6`() = runTest {

@@ -3,6 +3,7 @@ package robotran.programs
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.log.CallOrigin
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
@@ -23,7 +24,8 @@ import kotlin.math.hypot
  * of a robot in a world. Both must make the same calls one after the other and leave the robot at the same place.
  */
 internal class NxtComparison {
-    private val reader = ProgramCompiler(nxtTestTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+    private val reader =
+        ProgramCompiler(nxtTestTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
 
     /** How they differ, a line for each program that does. */
     val differences = mutableListOf<String>()
@@ -61,7 +63,7 @@ internal class NxtComparison {
     }
 
     private fun drive(program: BrickProgram, physics: PhysicsEngine, milliseconds: Int): Drive {
-        val session = Session(BuiltInWorlds.plainFor(BrickKind.NXT), listOf(program), physics)
+        val session = Session(BuiltInWorlds.plainFor(BrickKind.NXT), listOf(program), physics, Language.ENGLISH)
         session.pressRun()
         while (session.milliseconds < milliseconds && session.romLog.entries.size < ENOUGH_CALLS) {
             session.advance(PART)

@@ -12,7 +12,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class NxtProgramsTest {
-    private val rcx = ProgramCompiler(testTarget)
+    private val rcx = ProgramCompiler(testTarget, language = Language.ENGLISH)
     private val nxt = rcx.forTarget(nxtTestTarget)
 
     private fun java(name: String, text: String) = ProgramSource.Java(name, listOf(SourceFile(name, text)))

@@ -3,6 +3,7 @@ package robotran.programs
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -16,7 +17,7 @@ import kotlin.test.assertTrue
 
 /** On a robot with an NXT, too, a Robolang program and its translation leave the robot at the same place. */
 internal class NxtTranslatedPoses {
-    private val reader = ProgramCompiler(nxtTestTarget)
+    private val reader = ProgramCompiler(nxtTestTarget, language = Language.ENGLISH)
 
     /** Drives the programs with [texts] by path. At least [min] of them end by themselves and can be compared. */
     suspend fun compare(texts: Map<String, String>, min: Int) {
@@ -41,7 +42,7 @@ internal class NxtTranslatedPoses {
     }
 
     private fun drive(program: BrickProgram, physics: PhysicsEngine): Drive {
-        val session = Session(BuiltInWorlds.plainFor(BrickKind.NXT), listOf(program), physics)
+        val session = Session(BuiltInWorlds.plainFor(BrickKind.NXT), listOf(program), physics, Language.ENGLISH)
         session.runUnattended(MILLISECONDS)
         session.close()
         return Drive(session.state.robot.pose, session.state.brick.run)

@@ -5,6 +5,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.program.BrickProgram
 import robotran.brick.sensors.SensorKind
+import robotran.language.Language
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -27,7 +28,10 @@ import kotlin.time.Duration.Companion.minutes
 /** An NXT steers an RCX with LEGO's firmware. */
 class RcxLinkTest {
     private suspend fun compiled(source: ProgramSource, target: RobotTarget): BrickProgram =
-        assertIs<ProgramResult.Ready>(ProgramCompiler(target).read(source), "$source").program
+        assertIs<ProgramResult.Ready>(
+            ProgramCompiler(target, language = Language.ENGLISH).read(source),
+            "$source",
+        ).program
 
     private val world = World(
         "Two bricks",
@@ -61,7 +65,8 @@ class RcxLinkTest {
         val steer = compiled(ProgramSource.Java("Steer.java", listOf(SourceFile("Steer.java", java))), nxtTestTarget)
         val nqc = "task main() { while (true) { if (Message() == 7) OnFwd(OUT_A); Wait(5); } }"
         val waits = compiled(ProgramSource.Nqc("waits.nqc", listOf(SourceFile("waits.nqc", nqc))), testTarget)
-        val session = Session(world, listOf(steer, waits).map { RobotLoad(listOf(it)) }, loadPhysicsEngine())
+        val session =
+            Session(world, listOf(steer, waits).map { RobotLoad(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         session.apply(SessionInput.Press(BrickButton.ENTER, 0))
         session.apply(SessionInput.Press(BrickButton.RUN, 1))
         session.advance(200)

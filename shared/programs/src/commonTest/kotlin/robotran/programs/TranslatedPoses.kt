@@ -2,6 +2,7 @@ package robotran.programs
 
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -19,7 +20,8 @@ import kotlin.test.assertTrue
  * here: a real brick starts its wheels about a millisecond apart.
  */
 internal class TranslatedPoses {
-    private val reader = ProgramCompiler(testTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+    private val reader =
+        ProgramCompiler(testTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
 
     /** Drives the programs with [texts] by path. At least [min] of them end by themselves and can be compared. */
     suspend fun compare(texts: Map<String, String>, min: Int) {
@@ -42,7 +44,7 @@ internal class TranslatedPoses {
     }
 
     private fun drive(program: BrickProgram, physics: PhysicsEngine): Drive {
-        val session = Session(BuiltInWorlds.plain, listOf(program), physics)
+        val session = Session(BuiltInWorlds.plain, listOf(program), physics, Language.ENGLISH)
         session.runUnattended(MILLISECONDS)
         session.close()
         return Drive(session.state.robot.pose, ended = session.state.brick.run is RunState.Ended)

@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.language.Language
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangRcxProgram
 import robotran.tinyvm.config.TinyVmMode
@@ -8,8 +9,9 @@ import kotlin.test.assertTrue
 
 /** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
 internal class TranslationDifferences {
-    private val brickCompiler = ProgramCompiler(testTarget)
-    private val forgivingCompiler = ProgramCompiler(testTarget, JavaSettings(TinyVmMode.FORGIVING))
+    private val brickCompiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
+    private val forgivingCompiler =
+        ProgramCompiler(testTarget, JavaSettings(TinyVmMode.FORGIVING), language = Language.ENGLISH)
 
     /** Compares each [share]-th program, at least [min] of them. */
     suspend fun compareCalls(share: Int, min: Int) {

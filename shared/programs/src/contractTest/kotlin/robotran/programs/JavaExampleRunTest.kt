@@ -3,6 +3,7 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.toLogText
+import robotran.language.Language
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -25,7 +26,10 @@ import kotlin.time.Duration.Companion.minutes
  */
 class JavaExampleRunTest {
     private val reader =
-        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(
+            RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+            language = Language.ENGLISH,
+        )
 
     private suspend fun run(
         name: String,
@@ -37,7 +41,7 @@ class JavaExampleRunTest {
         val result = compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, text))))
         assertIs<ProgramResult.Ready>(result, name)
         assertEquals(emptyList(), result.warnings, name)
-        return Session(BuiltInWorlds.plainFor(brick), listOf(result.program), physics).apply {
+        return Session(BuiltInWorlds.plainFor(brick), listOf(result.program), physics, Language.ENGLISH).apply {
             runUnattended(60_000)
             close()
         }

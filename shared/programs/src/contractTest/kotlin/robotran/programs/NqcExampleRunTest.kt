@@ -2,6 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.log.toLogText
+import robotran.language.Language
 import robotran.legofirmware.image.toBytes
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -20,12 +21,12 @@ import kotlin.time.Duration.Companion.minutes
  * target; see [JavaExampleRunTest]. `record-runs.sh` records them again.
  */
 class NqcExampleRunTest {
-    private val compiler = ProgramCompiler(testTarget)
+    private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     private suspend fun run(source: ProgramSource): Session {
         val result = assertIs<ProgramResult.Ready>(compiler.read(source), source.name)
         assertEquals(emptyList(), result.warnings, source.name)
-        return Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine()).apply {
+        return Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine(), Language.ENGLISH).apply {
             runUnattended(MILLISECONDS)
             close()
         }

@@ -3,12 +3,13 @@ package robotran.programs
 import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
 /** Who waits for Java to be compiled can go on meanwhile, for as long as it takes. */
 class CompilingBesideTest {
-    private val compiler = ProgramCompiler(testTarget)
+    private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
     private val robolang = ProgramSource.Robolang("square.robo", "forward 10\n")
     private val java = ProgramSource.Java(
         "Hello.java",

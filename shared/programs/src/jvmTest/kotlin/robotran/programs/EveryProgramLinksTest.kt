@@ -1,6 +1,7 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.lejoslinker.LejosImage
 import robotran.tinyvm.config.LejosVersion
 import kotlin.test.Test
@@ -11,7 +12,7 @@ import kotlin.time.Duration.Companion.minutes
 
 /** All programs of the tree fit a real brick. */
 class EveryProgramLinksTest {
-    private val compiler = ProgramCompiler(testTarget)
+    private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     @Test
     fun `every example and every solution becomes an image for both versions of leJOS`() =

@@ -15,7 +15,7 @@ import kotlin.test.assertTrue
 
 /** A fix that is offered leaves a program with fewer mistakes, and with none that is new. */
 class HelpfulFixesFuzzTest {
-    private val compiler = ProgramCompiler(testTarget)
+    private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     @Test
     fun `a fix of Robolang helps`() = assertHelpful(robolangPrograms + robolangExamples) { name, text ->

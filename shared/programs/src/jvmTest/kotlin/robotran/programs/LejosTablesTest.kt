@@ -1,6 +1,7 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosDifferences
 import robotran.lejoslibrary.LejosRemedy
@@ -108,7 +109,7 @@ class LejosTablesTest {
     private suspend fun diagnosticsOf(programs: Map<String, String>, withWarnings: Boolean = true): String =
         LejosVersion.entries.flatMap { version ->
             val compiler = compilers.getOrPut(version) {
-                ProgramCompiler(testTarget, JavaSettings(version = version))
+                ProgramCompiler(testTarget, JavaSettings(version = version), language = Language.ENGLISH)
             }
             programs.flatMap { (name, text) ->
                 val told = when (val result = compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, text))))) {

@@ -6,6 +6,7 @@ import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
@@ -17,7 +18,7 @@ import kotlin.test.assertTrue
 /** True to the brick, a program for an NXT uses only what leJOS NXJ has; if forgiving, it may use more. */
 class NxjModesTest {
     private val compilers = TinyVmMode.entries.associateWith {
-        ProgramCompiler(testTarget, JavaSettings(it)).forTarget(nxtTestTarget)
+        ProgramCompiler(testTarget, JavaSettings(it), language = Language.ENGLISH).forTarget(nxtTestTarget)
     }
 
     private val modern = """

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
 import robotran.simulation.Session
@@ -21,7 +22,7 @@ import robotran.world.file.BuiltInWorlds
  * times, counts and programs with sensors are left to the test with a brick alone.
  */
 internal class NxjSessions {
-    private val compiler = ProgramCompiler(nxtTestTarget)
+    private val compiler = ProgramCompiler(nxtTestTarget, language = Language.ENGLISH)
     private val forgivingCompiler = compiler.withJava(JavaSettings(TinyVmMode.FORGIVING))
     private val physics = runBlocking { loadPhysicsEngine() }
 
@@ -40,7 +41,7 @@ internal class NxjSessions {
         val result = runBlocking { reader.read(ProgramSource.Java(name, listOf(SourceFile(name, source)))) }
         if (result !is ProgramResult.Ready) return listOf("$path: $result")
         val expected = NxjExpectations(source)
-        val session = Session(world, listOf(result.program), physics)
+        val session = Session(world, listOf(result.program), physics, Language.ENGLISH)
         val failure = run(session, expected)
         val printed = session.romLog.entries.filterIsInstance<NxtLogEntry>()
             .filter { it.call.native == NxtNative.CONSOLE_LINE }.map { it.call.text.orEmpty() }

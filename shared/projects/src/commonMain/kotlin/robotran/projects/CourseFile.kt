@@ -38,18 +38,15 @@ sealed interface CourseFileResult {
  * @param language the language of error messages.
  * @param beside the bytes of the project file with this name, which lies beside the course file; null if there is none.
  */
-fun readCourse(
-    text: String,
-    language: Language = Language.ENGLISH,
-    beside: (name: String) -> ByteArray? = { null },
-): CourseFileResult = FilesBeside(language, beside).let { files ->
-    resultOf(readJson(text, language) { courseIn(it, files) }, files)
-}
+fun readCourse(text: String, language: Language, beside: (name: String) -> ByteArray? = { null }): CourseFileResult =
+    FilesBeside(language, beside).let { files ->
+        resultOf(readJson(text, language) { courseIn(it, files) }, files)
+    }
 
 /** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
 fun readCourse(
     bytes: ByteArray,
-    language: Language = Language.ENGLISH,
+    language: Language,
     beside: (name: String) -> ByteArray? = { null },
 ): CourseFileResult = FilesBeside(language, beside).let { files ->
     resultOf(readJson(bytes, language) { courseIn(it, files) }, files)
@@ -60,7 +57,7 @@ fun writeCourse(course: Course): String = writeJson(elementOf(course), MULTILINE
 
 /** The names of the files that the course file [text] mentions; empty if it is invalid. */
 fun assignmentFilesOf(text: String): List<String> {
-    val reading = readJson(text) { file ->
+    val reading = readJson(text, Language.ENGLISH) { file ->
         file.optional(ASSIGNMENTS)?.items(0..Course.MAXIMUM_ASSIGNMENTS).orEmpty().mapNotNull { it.textOrNull() }
     }
     return (reading as? JsonReading.Read)?.value.orEmpty()

@@ -41,18 +41,18 @@ sealed interface LinkResult {
  *
  * @param language the language of the message if it is too long.
  */
-suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCreation =
+suspend fun linkOf(world: World, language: Language): LinkCreation =
     linkOf(LinkKind.WORLD, elementOf(world), language) { it::worldTooLong }
 
 /** The same for [project], without its [files][ProjectRobot.files]. The message tells if its pictures make it too long. */
-suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
+suspend fun linkOf(project: Project, language: Language): LinkCreation =
     linkOf(LinkKind.PROJECT, elementOf(project.withoutFiles()), language) {
         val isByPictures = fits(fragmentOf(LinkKind.PROJECT, elementOf(withoutPictures(project.withoutFiles()))))
         if (isByPictures) it::projectPicturesTooLong else it::projectTooLong
     }
 
 /** The same for [course], with all its assignments. */
-suspend fun linkOf(course: Course, language: Language = Language.ENGLISH): LinkCreation =
+suspend fun linkOf(course: Course, language: Language): LinkCreation =
     linkOf(LinkKind.COURSE, elementOf(course), language) {
         val bare = course.copy(assignments = course.assignments.map(::withoutPictures))
         val isByPictures = fits(fragmentOf(LinkKind.COURSE, elementOf(bare)))
@@ -66,7 +66,7 @@ private fun withoutPictures(project: Project): Project =
  * The short link to [handIn], for a QR code: without the assignment's world, see [writeCompactHandIn]. Only
  * [openHandInLink] opens it.
  */
-suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH): LinkCreation =
+suspend fun handInLinkOf(handIn: Project, language: Language): LinkCreation =
     linkOf(LinkKind.HAND_IN, handInElementOf(handIn.withoutFiles()), language) { it::projectTooLong }
 
 /**
@@ -76,15 +76,14 @@ suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH)
  * for any text.
  * @param language the language of error messages.
  */
-suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult = openLink(link, null, language)
+suspend fun openLink(link: String, language: Language): LinkResult = openLink(link, null, language)
 
 /**
  * The same for any link that a pupil hands in, also one from [handInLinkOf].
  *
  * @param world of the assignment, for a link without a world.
  */
-suspend fun openHandInLink(link: String, world: World, language: Language = Language.ENGLISH): LinkResult =
-    openLink(link, world, language)
+suspend fun openHandInLink(link: String, world: World, language: Language): LinkResult = openLink(link, world, language)
 
 private suspend fun openLink(link: String, given: World?, language: Language): LinkResult {
     val messages = ProjectMessages.of(language)

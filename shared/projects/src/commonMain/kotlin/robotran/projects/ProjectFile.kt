@@ -29,11 +29,11 @@ sealed interface ProjectFileResult {
  *
  * @param language the language of error messages.
  */
-fun readProject(text: String, language: Language = Language.ENGLISH): ProjectFileResult =
+fun readProject(text: String, language: Language): ProjectFileResult =
     resultOf(readJson(text, language) { projectIn(it) })
 
 /** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
-fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): ProjectFileResult =
+fun readProject(bytes: ByteArray, language: Language): ProjectFileResult =
     resultOf(readJson(bytes, language) { projectIn(it) })
 
 /**

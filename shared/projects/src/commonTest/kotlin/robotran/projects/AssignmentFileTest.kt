@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.world.file.BuiltInWorlds
 import kotlin.random.Random
@@ -9,7 +10,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class AssignmentFileTest {
-    private fun rejected(text: String): ProjectFileResult.Rejected = assertIs(readProject(text), text)
+    private fun rejected(text: String): ProjectFileResult.Rejected = assertIs(readProject(text, Language.ENGLISH), text)
 
     private val random = Random(2026)
 

@@ -33,7 +33,7 @@ class CourseFileTest {
         if (random.nextBoolean()) UnknownFields.NONE else UnknownFields(mapOf("_new" to JsonPrimitive(words(0))))
 
     private fun course(text: String, beside: (String) -> ByteArray? = { null }): Course =
-        when (val result = readCourse(text, beside = beside)) {
+        when (val result = readCourse(text, beside = beside, language = Language.ENGLISH)) {
             is CourseFileResult.Loaded -> result.course
             is CourseFileResult.Rejected -> throw AssertionError(result.message)
         }
@@ -55,9 +55,9 @@ class CourseFileTest {
     fun `any course survives a link`() = runTest {
         repeat(30) {
             val course = course()
-            val link = assertIs<LinkCreation.Made>(linkOf(course)).fragment
+            val link = assertIs<LinkCreation.Made>(linkOf(course, Language.ENGLISH)).fragment
             assertTrue(link.startsWith("#c=a"), link)
-            assertEquals<LinkResult>(LinkResult.OfCourse(course), openLink(link))
+            assertEquals<LinkResult>(LinkResult.OfCourse(course), openLink(link, Language.ENGLISH))
         }
     }
 
@@ -70,6 +70,7 @@ class CourseFileTest {
             when (
                 val result = readCourse(
                     text.replaceRange(from, minOf(text.length, from + random.nextInt(9)), with),
+                    language = Language.ENGLISH,
                 )
             ) {
                 is CourseFileResult.Loaded -> assertEquals(result.course, course(writeCourse(result.course)))
@@ -86,7 +87,7 @@ class CourseFileTest {
         assertEquals(files.keys.toList(), assignmentFilesOf(text))
         assertTrue("needs the file \"1.robotran\"" in refusal(text))
         assertTrue("braucht die Datei \"1.robotran\"" in refusal(text, Language.GERMAN))
-        val broken = readCourse(text, beside = { "{".encodeToByteArray() })
+        val broken = readCourse(text, beside = { "{".encodeToByteArray() }, language = Language.ENGLISH)
         assertTrue("1.robotran: " in assertIs<CourseFileResult.Rejected>(broken).message)
     }
 

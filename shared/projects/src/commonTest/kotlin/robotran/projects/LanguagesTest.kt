@@ -28,7 +28,10 @@ import kotlin.test.assertIs
 class LanguagesTest {
     private val toldIn = listOf(Language.ENGLISH, Language.SPANISH, Language.GERMAN)
     private val reader =
-        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(
+            RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+            language = Language.ENGLISH,
+        )
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),

@@ -11,7 +11,8 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class LinksInTextTest {
-    private suspend fun fragment(): String = assertIs<LinkCreation.Made>(linkOf(FULL_PROJECT)).fragment
+    private suspend fun fragment(): String =
+        assertIs<LinkCreation.Made>(linkOf(FULL_PROJECT, Language.ENGLISH)).fragment
 
     private suspend fun address(): String = "https://school.example/robotran/" + fragment()
 
@@ -161,7 +162,7 @@ class LinksInTextTest {
             for (found in linksIn(text)) {
                 assertTrue(Regex("#[wpch]=[A-Za-z0-9_-]+").matches(found.link), found.link)
                 assertTrue(found.line in 1..text.count { it == '\n' } + 1, "$found in $text")
-                openLink(found.link)
+                openLink(found.link, Language.ENGLISH)
             }
         }
         assertEquals(ProjectLimits.MAXIMUM_LINKS, linksIn("#w=a ".repeat(100_000)).size)

@@ -2,6 +2,7 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -14,7 +15,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class NxtLoadsTest {
-    private val reader = ProgramCompiler(PENBOT_TARGET)
+    private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
             RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),

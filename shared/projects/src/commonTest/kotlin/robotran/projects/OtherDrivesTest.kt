@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -52,7 +53,7 @@ class OtherDrivesTest {
     private suspend fun run(robot: RobotDescription, program: BrickProgram, text: String): RobotState {
         val plain = BuiltInWorlds.plainFor(robot.brick)
         val world = plain.copy(robots = plain.robots.map { it.copy(description = robot) })
-        val session = Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine())
+        val session = Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), Language.ENGLISH)
         session.runUnattended(60_000)
         session.close()
         val state = session.state.robot
@@ -73,7 +74,8 @@ class OtherDrivesTest {
         val text = "pen down\nforward 10 cm\npower 4\nforward for 0.5 seconds\nstart forward\nwait 0.5 seconds\n" +
             "stop\npen up\npower 3\nturn left 90"
         for (robot in robots(ReadyRobots.defaultOf(brick))) {
-            val compiler = ProgramCompiler(robot.target, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+            val compiler =
+                ProgramCompiler(robot.target, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
             val source = ProgramSource.Robolang("drive.robo", text)
             val program = assertIs<ProgramResult.Ready>(compiler.read(source)).program
             val one = run(robot, program, "run")

@@ -1,6 +1,7 @@
 package robotran.projects
 
 import robotran.brick.program.ProgramRun
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
@@ -140,7 +141,9 @@ class ProjectFileTest {
 
     @Test
     fun `what is no project is refused`() {
-        val refusal = { text: String -> assertIs<ProjectFileResult.Rejected>(readProject(text)).message }
+        val refusal = { text: String ->
+            assertIs<ProjectFileResult.Rejected>(readProject(text, Language.ENGLISH)).message
+        }
         assertEquals(
             "This is not a Robotran project: a project file says \"format\": \"robotran-project\".",
             refusal("{}"),
@@ -152,7 +155,7 @@ class ProjectFileTest {
         )
         assertEquals(
             "The file is not a text.",
-            assertIs<ProjectFileResult.Rejected>(readProject(byteArrayOf(0, -1, 3))).message,
+            assertIs<ProjectFileResult.Rejected>(readProject(byteArrayOf(0, -1, 3), Language.ENGLISH)).message,
         )
     }
 
@@ -166,7 +169,7 @@ class ProjectFileTest {
                 line,
                 "world.walls[0].thickness",
             ),
-            readProject(text),
+            readProject(text, Language.ENGLISH),
         )
     }
 
@@ -216,11 +219,13 @@ class ProjectFileTest {
         repeat(2000) {
             val changed = file.copyOf()
             repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
-            when (val result = readProject(changed)) {
+            when (val result = readProject(changed, Language.ENGLISH)) {
                 // Warnings are about the bytes as they were.
                 is ProjectFileResult.Loaded -> assertEquals(
                     result.project,
-                    assertIs<ProjectFileResult.Loaded>(readProject(writeProject(result.project))).project,
+                    assertIs<ProjectFileResult.Loaded>(
+                        readProject(writeProject(result.project), Language.ENGLISH),
+                    ).project,
                 )
 
                 is ProjectFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
@@ -229,7 +234,7 @@ class ProjectFileTest {
         for (length in 0..<file.indexOfLast {
             it == '}'.code.toByte()
         }) {
-            assertIs<ProjectFileResult.Rejected>(readProject(file.copyOf(length)))
+            assertIs<ProjectFileResult.Rejected>(readProject(file.copyOf(length), Language.ENGLISH))
         }
     }
 

@@ -1,6 +1,7 @@
 package robotran.projects
 
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
@@ -90,7 +91,7 @@ internal val FIRMWARE_PROJECT = Project(
     ),
 )
 
-internal fun loaded(text: String): Project = when (val result = readProject(text)) {
+internal fun loaded(text: String): Project = when (val result = readProject(text, Language.ENGLISH)) {
     is ProjectFileResult.Loaded -> result.project
     is ProjectFileResult.Rejected -> throw AssertionError(result.message)
 }
@@ -99,5 +100,7 @@ internal fun loaded(text: String): Project = when (val result = readProject(text
 internal fun refusalWith(old: String, new: String): String {
     val text = writeProject(FULL_PROJECT)
     assertTrue(old in text, "$old is in\n$text")
-    return assertIs<ProjectFileResult.Rejected>(readProject(text.replaceFirst(old, new))).message.substringAfter(": ")
+    return assertIs<ProjectFileResult.Rejected>(
+        readProject(text.replaceFirst(old, new), Language.ENGLISH),
+    ).message.substringAfter(": ")
 }

@@ -20,7 +20,10 @@ import kotlin.test.assertTrue
 
 class RobotLoadsTest {
     private val reader =
-        ProgramCompiler(RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        ProgramCompiler(
+            RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+            language = Language.ENGLISH,
+        )
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
             RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),

@@ -1,6 +1,7 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -96,8 +97,8 @@ class TalkingRobotsTest {
             "robolang" to listOf(ProgramSource.Robolang("drive.robo", "forward 10")),
             "other nqc" to listOf(listening),
         )
-        val result = readRobotLoads(world, ProgramCompiler(PENBOT_TARGET), programs)
-        val session = Session(world, assertIs<RobotLoads.Ready>(result).loads, loadPhysicsEngine())
+        val result = readRobotLoads(world, ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH), programs)
+        val session = Session(world, assertIs<RobotLoads.Ready>(result).loads, loadPhysicsEngine(), Language.ENGLISH)
         session.runUnattended(MILLISECONDS)
         val robots = session.state.robots
         assertEquals(5, assertIs<RcxState>(robots[1].brick).glass.text.trim().substringBefore(' ').toInt())

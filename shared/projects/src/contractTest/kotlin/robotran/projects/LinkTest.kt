@@ -20,33 +20,40 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class LinkTest {
-    private suspend fun refusal(link: String): String = assertIs<LinkResult.Rejected>(openLink(link)).message
+    private suspend fun refusal(link: String): String =
+        assertIs<LinkResult.Rejected>(openLink(link, Language.ENGLISH)).message
 
-    private suspend fun linkTo(project: Project): String = assertIs<LinkCreation.Made>(linkOf(project)).fragment
+    private suspend fun linkTo(project: Project): String =
+        assertIs<LinkCreation.Made>(linkOf(project, Language.ENGLISH)).fragment
 
     private val broken = "The link is broken or not whole; perhaps a part of it was lost when it was copied."
 
     @Test
     fun `links hold worlds and projects`() = runTest {
-        val world = assertIs<LinkCreation.Made>(linkOf(BuiltInWorlds.plain)).fragment
+        val world = assertIs<LinkCreation.Made>(linkOf(BuiltInWorlds.plain, Language.ENGLISH)).fragment
         assertTrue(Regex("#w=a[A-Za-z0-9_-]+").matches(world), world)
         assertTrue(world.length < 400, "$world has ${world.length} characters")
-        assertEquals<LinkResult>(LinkResult.OfWorld(BuiltInWorlds.plain), openLink(world))
-        assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(linkTo(FULL_PROJECT)))
+        assertEquals<LinkResult>(LinkResult.OfWorld(BuiltInWorlds.plain), openLink(world, Language.ENGLISH))
+        assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(linkTo(FULL_PROJECT), Language.ENGLISH))
     }
 
     @Test
     fun `a link may be a whole address with blanks around it`() = runTest {
         val link = linkTo(FULL_PROJECT)
         listOf("https://school.example/robotran/$link", "  $link\n", link.drop(1)).forEach {
-            assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(it))
+            assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(it, Language.ENGLISH))
         }
     }
 
     @Test
     fun `links of other platforms can be read`() = runTest {
         assertNotEquals(RECORDED.first(), RECORDED.last())
-        for (link in RECORDED) assertEquals<LinkResult>(LinkResult.OfProject(RECORDED_PROJECT), openLink(link))
+        for (link in RECORDED) {
+            assertEquals<LinkResult>(
+                LinkResult.OfProject(RECORDED_PROJECT),
+                openLink(link, Language.ENGLISH),
+            )
+        }
     }
 
     @Test
@@ -71,7 +78,10 @@ class LinkTest {
     fun `a link with more of its own letters behind it is refused, what else follows is not part of it`() = runTest {
         listOf("A", "AAAA").forEach { assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it)) }
         listOf("=", ".", " x", "ä", "%20").forEach {
-            assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(linkTo(FULL_PROJECT) + it))
+            assertEquals<LinkResult>(
+                LinkResult.OfProject(FULL_PROJECT),
+                openLink(linkTo(FULL_PROJECT) + it, Language.ENGLISH),
+            )
         }
     }
 
@@ -82,8 +92,11 @@ class LinkTest {
         repeat(500) {
             val place = random.nextInt(4, link.length)
             val letter = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_".random(random)
-            when (val result = openLink(link.replaceRange(place, place + 1, letter.toString()))) {
-                is LinkResult.OfProject -> assertEquals<LinkResult>(result, openLink(linkTo(result.project)))
+            when (val result = openLink(link.replaceRange(place, place + 1, letter.toString()), Language.ENGLISH)) {
+                is LinkResult.OfProject -> assertEquals<LinkResult>(
+                    result,
+                    openLink(linkTo(result.project), Language.ENGLISH),
+                )
                 is LinkResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
                 else -> throw AssertionError("a project became $result")
             }
@@ -118,7 +131,7 @@ class LinkTest {
         val random = Random(1)
         val rows = List(500) { List(400) { "0123456789abcdef".random(random) }.joinToString("") }
         val world = BuiltInWorlds.plain.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(0.0, 0.0), 0.1, rows))))
-        val message = assertIs<LinkCreation.TooLong>(linkOf(world)).message
+        val message = assertIs<LinkCreation.TooLong>(linkOf(world, Language.ENGLISH)).message
         assertEquals(
             "This world is too long for a link: it would take N characters, and 100,000 are the most. Share its file " +
                 "instead.",

@@ -5,6 +5,7 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.brick.controls.BrickButton
 import robotran.json.nearestDecimal
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
@@ -34,8 +35,8 @@ class ProjectRoundTripTest {
     fun `any project survives a link`() = runTest {
         repeat(100) {
             val project = project()
-            val link = assertIs<LinkCreation.Made>(linkOf(project)).fragment
-            assertEquals<LinkResult>(LinkResult.OfProject(project), openLink(link))
+            val link = assertIs<LinkCreation.Made>(linkOf(project, Language.ENGLISH)).fragment
+            assertEquals<LinkResult>(LinkResult.OfProject(project), openLink(link, Language.ENGLISH))
         }
     }
 

@@ -1,6 +1,7 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
@@ -25,14 +26,22 @@ class ProjectRunTest {
     fun `ten projects full of things make their recorded runs`() = runTest(timeout = 10.minutes) {
         assertEquals(10, projects.size)
         for ((name, text) in projects) {
-            val project = assertIs<ProjectFileResult.Loaded>(readProject(text)).project
+            val project = assertIs<ProjectFileResult.Loaded>(readProject(text, Language.ENGLISH)).project
             val reader =
                 ProgramCompiler(
                     RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
                     project.settings.java,
+                    language = Language.ENGLISH,
                 )
             val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads
-            val session = Session.replay(project.worldToRun, loads, loadPhysicsEngine(), project.inputs, MILLISECONDS)
+            val session = Session.replay(
+                project.worldToRun,
+                loads,
+                loadPhysicsEngine(),
+                project.inputs,
+                MILLISECONDS,
+                Language.ENGLISH,
+            )
             session.finish()
             session.close()
             assertEquals(

@@ -6,6 +6,7 @@ import robotran.json.JsonWarning
 import robotran.json.schema.Misspelling
 import robotran.json.schema.misspellingsOf
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -14,15 +15,17 @@ import kotlin.test.assertTrue
 class MisspeltProjectFieldTest {
     private class Read(val warnings: List<JsonWarning>, val refusal: String?)
 
-    private fun project(file: JsonElement): Read = when (val result = readProject(writeCompactJson(file))) {
-        is ProjectFileResult.Loaded -> Read(result.warnings, null)
-        is ProjectFileResult.Rejected -> Read(emptyList(), result.message)
-    }
+    private fun project(file: JsonElement): Read =
+        when (val result = readProject(writeCompactJson(file), Language.ENGLISH)) {
+            is ProjectFileResult.Loaded -> Read(result.warnings, null)
+            is ProjectFileResult.Rejected -> Read(emptyList(), result.message)
+        }
 
-    private fun course(file: JsonElement): Read = when (val result = readCourse(writeCompactJson(file))) {
-        is CourseFileResult.Loaded -> Read(result.warnings, null)
-        is CourseFileResult.Rejected -> Read(emptyList(), result.message)
-    }
+    private fun course(file: JsonElement): Read =
+        when (val result = readCourse(writeCompactJson(file), Language.ENGLISH)) {
+            is CourseFileResult.Loaded -> Read(result.warnings, null)
+            is CourseFileResult.Rejected -> Read(emptyList(), result.message)
+        }
 
     private fun silent(file: JsonElement, read: (JsonElement) -> Read): List<String> =
         misspellingsOf(file).filterNot { slip ->
@@ -60,7 +63,8 @@ class MisspeltProjectFieldTest {
     fun `the files beside a course are read with their warnings`() {
         val written = writeProject(EVERY_ASSIGNMENT).replaceFirst("\"mayChangeWorld\"", "\"mayChangWorld\"")
         val course = """{"format": "robotran-course", "version": 1, "title": "C", "assignments": ["a.robotran"]}"""
-        val loaded = assertIs<CourseFileResult.Loaded>(readCourse(course) { written.encodeToByteArray() })
+        val loaded =
+            assertIs<CourseFileResult.Loaded>(readCourse(course, Language.ENGLISH) { written.encodeToByteArray() })
         assertTrue(loaded.warnings.single().message.startsWith("a.robotran: Line "), "${loaded.warnings}")
         assertTrue("mayChangeWorld" in loaded.warnings.single().message, "${loaded.warnings}")
     }

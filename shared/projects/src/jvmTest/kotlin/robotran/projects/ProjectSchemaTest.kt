@@ -8,6 +8,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.schema.SchemaFile
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -47,7 +48,7 @@ class ProjectSchemaTest {
             for (changed in changes(project)) {
                 if (PROJECT_SCHEMA.accepts(changed)) continue
                 refused++
-                if (readProject(writeCompactJson(changed)) is ProjectFileResult.Rejected) continue
+                if (readProject(writeCompactJson(changed), Language.ENGLISH) is ProjectFileResult.Rejected) continue
                 fail("${PROJECT_SCHEMA.mistakesIn(changed)}\n${writeCompactJson(changed)}")
             }
         }
@@ -61,7 +62,10 @@ class ProjectSchemaTest {
             if (COURSE_SCHEMA.accepts(changed)) continue
             refused++
             val text = writeCompactJson(changed)
-            assertIs<CourseFileResult.Rejected>(readCourse(text), "${COURSE_SCHEMA.mistakesIn(changed)}\n$text")
+            assertIs<CourseFileResult.Rejected>(
+                readCourse(text, Language.ENGLISH),
+                "${COURSE_SCHEMA.mistakesIn(changed)}\n$text",
+            )
         }
         assertTrue(refused > 100, "$refused were refused")
     }

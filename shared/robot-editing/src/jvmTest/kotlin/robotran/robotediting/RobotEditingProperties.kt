@@ -8,6 +8,7 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import robotran.language.Language
 import robotran.world.Paper
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -53,7 +54,7 @@ class RobotEditingProperties :
         "a possible robot is read as it was written, and an impossible one stays a draft of its world" {
             checkAll(400, robots, edits) { robot, list ->
                 val editing = edited(robot, list).after(RobotEdit.Drop)
-                val result = readRobot(writeRobot(editing.robot))
+                val result = readRobot(writeRobot(editing.robot), Language.ENGLISH)
                 if (editing.isPossible) {
                     result shouldBe RobotFileResult.Loaded(editing.robot)
                 } else {
@@ -61,7 +62,7 @@ class RobotEditingProperties :
                 }
                 val place = RobotPlacement(Pose(60.0, 45.0, 0.0), draft = editing.robot)
                 val world = World("World", Paper(120.0, 90.0), listOf(place))
-                readWorld(writeWorld(world)) shouldBe WorldFileResult.Loaded(world)
+                readWorld(writeWorld(world), Language.ENGLISH) shouldBe WorldFileResult.Loaded(world)
             }
         }
 

@@ -12,12 +12,7 @@ import robotran.world.World
  * @property loads the configurations of the robots, in the world's order.
  * @property language the language of the run's texts; it does not affect the simulation.
  */
-class RunSetup(
-    val world: World,
-    val loads: List<RobotLoad>,
-    val physics: PhysicsEngine,
-    val language: Language = Language.ENGLISH,
-) {
+class RunSetup(val world: World, val loads: List<RobotLoad>, val physics: PhysicsEngine, val language: Language) {
     /** The same setup in [language], with [loads] that contain the same programs in that language. */
     internal fun telling(language: Language, loads: List<RobotLoad>) = RunSetup(world, loads, physics, language)
 

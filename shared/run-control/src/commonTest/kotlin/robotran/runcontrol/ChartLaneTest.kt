@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.MeasuringUnit
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -84,7 +85,8 @@ class ChartLaneTest {
         val drive = ReadyRobots.NXT_PENBOT.drive
         val target = RobotTarget.Nxt(drive.wheelDiameter, drive.track)
         val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
-        val player = RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine()))
+        val player =
+            RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
         player.apply(SessionInput.RunNow(program, 0))
         player.pass(2_000)
         return player

@@ -3,6 +3,7 @@ package robotran.runcontrol
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -21,7 +22,7 @@ internal fun robolang(source: String): BrickProgram {
 }
 
 internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =
-    RunSetup(world, world.robots.map { RobotLoad(listOf(robolang(source))) }, loadPhysicsEngine())
+    RunSetup(world, world.robots.map { RobotLoad(listOf(robolang(source))) }, loadPhysicsEngine(), Language.ENGLISH)
 
 /** A run of [source] in which Run was pressed on all robots at the start. */
 internal suspend fun started(source: String, world: World = BuiltInWorlds.plain): RunPlayer =
@@ -37,7 +38,7 @@ internal fun RunPlayer.pressRun(world: World = BuiltInWorlds.plain) {
 /** The run of [player] at [time], computed separately from the start. */
 internal suspend fun RunPlayer.again(source: String, time: Long, world: World = BuiltInWorlds.plain): Session {
     val setup = setupOf(source, world)
-    return Session.replay(setup.world, setup.loads, setup.physics, inputs, time)
+    return Session.replay(setup.world, setup.loads, setup.physics, inputs, time, Language.ENGLISH)
 }
 
 /** The program's current line; 0 if none runs. */

@@ -12,6 +12,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import robotran.brick.program.StepKind
+import robotran.language.Language
 import robotran.simulation.Breakpoint
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
@@ -48,7 +49,14 @@ class RunPlayerProperties :
                 for (time in listOf(length, length / 2, length / 3, length)) {
                     player.seek(time)
                     player.finishSeeking()
-                    val straight = Session.replay(setup.world, setup.loads, setup.physics, player.inputs, time)
+                    val straight = Session.replay(
+                        setup.world,
+                        setup.loads,
+                        setup.physics,
+                        player.inputs,
+                        time,
+                        Language.ENGLISH,
+                    )
                     player.session.traceHash shouldBe straight.traceHash
                     player.state.robots shouldBe straight.state.robots
                     player.romCalls.entries shouldBe straight.romLog.entries

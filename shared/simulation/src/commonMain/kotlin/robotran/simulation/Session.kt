@@ -33,18 +33,18 @@ import robotran.world.World
  * @param loads the configurations of the robots, in the world's order; robots without one get no program.
  * @param language the language of goals, bricks and [explain]; it does not affect the simulation.
  */
-class Session(
-    val world: World,
-    loads: List<RobotLoad>,
-    physics: PhysicsEngine,
-    val language: Language = Language.ENGLISH,
-) {
+class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, val language: Language) {
     /**
      * A session in which only the first robot has programs: [programs] are its brick's slots, Run starts the one in
      * [firstSlot].
      */
-    constructor(world: World, programs: List<BrickProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
-        this(world, listOf(RobotLoad(programs, firstSlot)), physics)
+    constructor(
+        world: World,
+        programs: List<BrickProgram?>,
+        physics: PhysicsEngine,
+        language: Language,
+        firstSlot: Int = 0,
+    ) : this(world, listOf(RobotLoad(programs, firstSlot)), physics, language)
 
     private val running = SessionEngine(world, loads, physics, language)
     private val brick: Brick get() = running.robots[watched].brick
@@ -214,7 +214,7 @@ class Session(
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,
-            language: Language = Language.ENGLISH,
+            language: Language,
         ): Session {
             val session = Session(world, loads, physics, language)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->

@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.world.Barrier
@@ -67,7 +68,8 @@ class BlockTest {
         assertEquals(Pose(0.0, 0.0, 0.0), drivenInto(box(mass = 0.1, y = 70.0)).blocks.single())
     }
 
-    private suspend fun session(world: World) = Session(world, emptyList<RobotLoad>(), loadPhysicsEngine())
+    private suspend fun session(world: World) =
+        Session(world, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
 
     @Test
     fun `a block is put down with its middle where it is put, turned and at rest`() = runTest {
@@ -121,6 +123,7 @@ class BlockTest {
             loadPhysicsEngine(),
             session.inputs,
             session.state.milliseconds,
+            language = Language.ENGLISH,
         )
         assertEquals(session.traceHash, again.traceHash)
         assertEquals(session.state.blocks, again.state.blocks)

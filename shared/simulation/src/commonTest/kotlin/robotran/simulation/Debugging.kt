@@ -3,6 +3,7 @@ package robotran.simulation
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.StepKind
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -17,7 +18,7 @@ import kotlin.test.assertIs
 internal suspend fun startedForDebugging(source: String, world: World = BuiltInWorlds.plain): Session {
     val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
     val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
-    return Session(world, listOf(program), loadPhysicsEngine()).apply {
+    return Session(world, listOf(program), loadPhysicsEngine(), Language.ENGLISH).apply {
         apply(SessionInput.Press(BrickButton.RUN))
         apply(SessionInput.Release(BrickButton.RUN))
     }

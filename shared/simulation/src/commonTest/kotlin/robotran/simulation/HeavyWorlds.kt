@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.noise.NoiseStream
 import robotran.simulation.physics.loadPhysicsEngine
@@ -113,7 +114,7 @@ internal object HeavyWorlds {
     suspend fun session(number: Int): Session = sessions[number] ?: run(number).also { sessions[number] = it }
 
     private suspend fun run(number: Int): Session {
-        val session = Session(world(number), loads(number), loadPhysicsEngine())
+        val session = Session(world(number), loads(number), loadPhysicsEngine(), Language.ENGLISH)
         for (robot in 0..2) {
             session.apply(SessionInput.Press(BrickButton.RUN, robot))
             session.advance(7)

@@ -3,6 +3,7 @@ package robotran.simulation
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
+import robotran.language.Language
 import robotran.rcxrom.state.RcxState
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -48,7 +49,7 @@ class OtherRobotsTest {
         val figures = RobotFigures.of(world.robots.first().description)
         val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
         val ready = compileRobolang("test", program, target) as RobolangResult.Ready
-        return Session(world, listOf(RobotLoad(listOf(ready.program))), loadPhysicsEngine()).apply {
+        return Session(world, listOf(RobotLoad(listOf(ready.program))), loadPhysicsEngine(), Language.ENGLISH).apply {
             runUnattended(30_000)
         }
     }
@@ -137,7 +138,7 @@ class OtherRobotsTest {
             activate(port = 2)
             pause(500)
         }
-        val session = Session(world, listOf(program), loadPhysicsEngine())
+        val session = Session(world, listOf(program), loadPhysicsEngine(), Language.ENGLISH)
         session.pressRun()
         session.advance(300)
         val values = (session.state.brick as RcxState).sensors.map { it.raw }
@@ -150,7 +151,7 @@ class OtherRobotsTest {
             val eye = SensorPart(2, SensorKind.LIGHT, Point(0.0, 0.0), 12.0, Facing.Ahead(direction))
             val world = plain.withStart(at).with(penbot.copy(parts = listOf(eye)))
                 .copy(lamps = listOf(Lamp(Point(60.0, 70.0), brightness = 4.0)))
-            val session = Session(world, listOf(ScriptedProgram { pause(500) }), loadPhysicsEngine())
+            val session = Session(world, listOf(ScriptedProgram { pause(500) }), loadPhysicsEngine(), Language.ENGLISH)
             session.pressRun()
             session.advance(300)
             (session.state.brick as RcxState).sensors[1].raw
@@ -189,9 +190,11 @@ class OtherRobotsTest {
     fun `all of a robot is its own footprint`() = runTest {
         val region = Shape.Rectangle(Point(plain.start.x + 3.0, plain.start.y), 22.0, 20.0)
         val stay = plain.copy(goals = listOf(Goal(StayIn(region, whole = true))))
-        val small = Session(stay, emptyList<RobotLoad>(), loadPhysicsEngine()).apply { finish() }
+        val small = Session(stay, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH).apply { finish() }
         val wide = racer.copy(drive = racer.drive.copy(track = 19.0))
-        val large = Session(stay.with(wide), emptyList<RobotLoad>(), loadPhysicsEngine()).apply { finish() }
+        val large = Session(stay.with(wide), emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH).apply {
+            finish()
+        }
         assertTrue(small.state.goals.single().status == GoalStatus.MET)
         assertFalse(large.state.goals.single().status == GoalStatus.MET)
     }

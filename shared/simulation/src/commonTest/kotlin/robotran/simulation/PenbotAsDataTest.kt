@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -31,7 +32,12 @@ class PenbotAsDataTest {
         val ready = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
         val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val session =
-            Session(world, listOf(RobotLoad(listOf(ready.program), lightFacing = facing)), loadPhysicsEngine())
+            Session(
+                world,
+                listOf(RobotLoad(listOf(ready.program), lightFacing = facing)),
+                loadPhysicsEngine(),
+                Language.ENGLISH,
+            )
         session.runUnattended(60_000)
         session.close()
         return session.traceHash
@@ -49,7 +55,7 @@ class PenbotAsDataTest {
     fun `so are runs with deviations in worlds with obstacles`() = runTest(timeout = 5.minutes) {
         for (name in listOf("maze", "obstacle-course", "line-loop", "sumo")) {
             val text = BuiltInWorlds.texts.getValue("$name.world.json")
-            val world = assertIs<WorldFileResult.Loaded>(readWorld(text)).world.copy(realism = 1.0)
+            val world = assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH)).world.copy(realism = 1.0)
             for (program in listOf("wall-bouncer.robo", "line-follower.robo")) {
                 val penbot = hash(program, world.driving(ReadyRobots.RCX_PENBOT))
                 assertEquals(penbot, hash(program, world.driving(baseless)), "$program in $name")

@@ -2,6 +2,7 @@ package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -73,6 +74,7 @@ class ReplayTest {
             loadPhysicsEngine(),
             session.inputs,
             session.state.milliseconds,
+            language = Language.ENGLISH,
         )
 
         assertEquals(session.traceHash, again.traceHash)
@@ -98,7 +100,14 @@ class ReplayTest {
             }
         }
         val loads = listOf(RobotLoad(listOf(ScriptedProgram.square)))
-        val other = Session.replay(session.world, loads, loadPhysicsEngine(), later, session.state.milliseconds)
+        val other = Session.replay(
+            session.world,
+            loads,
+            loadPhysicsEngine(),
+            later,
+            session.state.milliseconds,
+            Language.ENGLISH,
+        )
         assertNotEquals(session.traceHash, other.traceHash)
     }
 }

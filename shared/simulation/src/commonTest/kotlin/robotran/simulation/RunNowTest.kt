@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.log.romCalls
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -26,7 +27,7 @@ class RunNowTest {
         (compileRobolang("now.robo", text, RobotTarget.Rcx(50.0, 5.0)) as RobolangResult.Ready).program
 
     private suspend fun session(text: String = "beep") =
-        Session(BuiltInWorlds.plain, listOf(program(text)), loadPhysicsEngine())
+        Session(BuiltInWorlds.plain, listOf(program(text)), loadPhysicsEngine(), Language.ENGLISH)
 
     private fun Session.callsFrom(call: Int) = romLog.entries.drop(call).romCalls().map { it.call }
 
@@ -62,7 +63,14 @@ class RunNowTest {
         session.apply(SessionInput.RunNow(program("backward 4")))
         session.advance(2_000)
         val loads = listOf(RobotLoad(listOf(program("repeat forever\n  forward 5\nend"))))
-        val again = Session.replay(session.world, loads, loadPhysicsEngine(), session.inputs, session.milliseconds)
+        val again = Session.replay(
+            session.world,
+            loads,
+            loadPhysicsEngine(),
+            session.inputs,
+            session.milliseconds,
+            Language.ENGLISH,
+        )
         assertEquals(session.traceHash, again.traceHash)
     }
 
@@ -133,7 +141,7 @@ class RunNowTest {
     @Test
     fun `it counts for no goal`() = runTest {
         val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(GoalCondition.InkLength(10.0, null))))
-        val session = Session(world, emptyList<BrickProgram>(), loadPhysicsEngine())
+        val session = Session(world, emptyList<BrickProgram>(), loadPhysicsEngine(), Language.ENGLISH)
         val before = session.state.goals
         session.apply(SessionInput.RunNow(program("pen down\nforward 30\nturn left 90\nforward 30")))
         session.advance(20_000)
@@ -151,7 +159,7 @@ class RunNowTest {
                 place.copy(start = Pose(30.0, 60.0, 0.0), name = "other"),
             ),
         )
-        val session = Session(world, emptyList<RobotLoad>(), loadPhysicsEngine())
+        val session = Session(world, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
         session.apply(SessionInput.RunNow(program("forward 10"), robot = 1))
         session.advance(2_000)
         val (first, second) = session.state.robots

@@ -3,6 +3,7 @@ package robotran.simulation
 import robotran.brick.controls.startButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
@@ -20,7 +21,7 @@ suspend fun runToEnd(program: BrickProgram, world: World = BuiltInWorlds.plain):
 
 /** A session in which Run has just been pressed and released. */
 suspend fun startRun(program: BrickProgram, world: World = BuiltInWorlds.plain): Session {
-    val session = Session(world, listOf(program), loadPhysicsEngine())
+    val session = Session(world, listOf(program), loadPhysicsEngine(), Language.ENGLISH)
     val button = session.state.brick.kind.startButton
     session.apply(SessionInput.Press(button))
     session.advance(100)

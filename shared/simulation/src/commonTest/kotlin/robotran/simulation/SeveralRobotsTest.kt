@@ -3,6 +3,7 @@ package robotran.simulation
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.state.RcxState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
@@ -36,7 +37,8 @@ class SeveralRobotsTest {
     }
 
     private suspend fun session(world: World, vararg programs: ScriptedProgram?): Session {
-        val session = Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine())
+        val session =
+            Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         for (robot in programs.indices) {
             session.apply(SessionInput.Press(BrickButton.RUN, robot))
             session.apply(SessionInput.Release(BrickButton.RUN, robot))
@@ -98,7 +100,12 @@ class SeveralRobotsTest {
             val receiver = MessageProgram(sends = emptyList())
             val wide = world(Pose(10.0, 40.0, 0.0), Pose(10.0 + distance, 40.0, 0.0)).copy(paper = Paper(300.0, 80.0))
             val session =
-                Session(wide, listOf(RobotLoad(listOf(sender)), RobotLoad(listOf(receiver))), loadPhysicsEngine())
+                Session(
+                    wide,
+                    listOf(RobotLoad(listOf(sender)), RobotLoad(listOf(receiver))),
+                    loadPhysicsEngine(),
+                    Language.ENGLISH,
+                )
             for (robot in 0..1) {
                 session.apply(SessionInput.Press(BrickButton.RUN, robot))
                 session.apply(SessionInput.Release(BrickButton.RUN, robot))

@@ -6,6 +6,7 @@ import robotran.brick.program.CallFrame
 import robotran.brick.program.StepKind
 import robotran.brick.program.VariableScope
 import robotran.brick.program.VariableView
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -98,7 +99,7 @@ class SteppingTest {
 
     @Test
     fun `with no program time passes and no step is made`() = runTest {
-        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), loadPhysicsEngine())
+        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
         assertEquals(StopReason.TimeUp, session.runUntilStop(20))
         assertEquals(StopReason.Ended, session.stepStatement(StepKind.INTO))
         assertEquals(20, session.state.milliseconds)
@@ -137,6 +138,7 @@ class SteppingTest {
             loadPhysicsEngine(),
             session.inputs,
             session.state.milliseconds,
+            language = Language.ENGLISH,
         )
         assertEquals(session.traceHash, again.traceHash)
     }

@@ -11,6 +11,7 @@ import robotran.brick.program.StepKind
 import robotran.brick.program.ThreadActivity
 import robotran.brick.program.VariableScope
 import robotran.brick.program.VariableView
+import robotran.language.Language
 import robotran.lejoslibrary.LejosLibrary
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.tinyvm.TinyVmResult
@@ -31,7 +32,7 @@ class ThreadSteppingTest {
         }
         val library = LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
         val program = assertIs<TinyVmResult.Ready>(linkTinyVm("Stepped", classes, library)).program
-        return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
+        return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine(), Language.ENGLISH).apply {
             apply(SessionInput.Press(BrickButton.RUN))
             apply(SessionInput.Release(BrickButton.RUN))
         }

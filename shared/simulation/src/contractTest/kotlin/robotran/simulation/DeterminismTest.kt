@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.Ink
 import robotran.world.TouchKind
@@ -57,8 +58,9 @@ class DeterminismTest {
                 loadPhysicsEngine(),
                 session.inputs,
                 milliseconds,
+                language = Language.ENGLISH,
             )
-            val straight = Session(session.world, HeavyWorlds.loads(3), loadPhysicsEngine())
+            val straight = Session(session.world, HeavyWorlds.loads(3), loadPhysicsEngine(), Language.ENGLISH)
             for (input in session.inputs) {
                 if (input.milliseconds > milliseconds) break
                 straight.advance((input.milliseconds - straight.state.milliseconds).toInt())
@@ -68,7 +70,14 @@ class DeterminismTest {
             assertEquals(straight.traceHash, there.traceHash)
             assertEquals(straight.state.copy(ink = Ink.NONE), there.state.copy(ink = Ink.NONE))
         }
-        val again = Session.replay(session.world, HeavyWorlds.loads(3), loadPhysicsEngine(), session.inputs, 60_000)
+        val again = Session.replay(
+            session.world,
+            HeavyWorlds.loads(3),
+            loadPhysicsEngine(),
+            session.inputs,
+            60_000,
+            Language.ENGLISH,
+        )
         assertEquals(session.traceHash, again.traceHash)
     }
 }

@@ -1,6 +1,7 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -26,7 +27,7 @@ class ExampleRunTest {
         val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
         val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val load = RobotLoad(listOf(result.program), lightFacing = facing)
-        return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine()).apply {
+        return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine(), Language.ENGLISH).apply {
             runUnattended(60_000)
             close()
         }

@@ -15,6 +15,7 @@ import io.kotest.property.checkAll
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -56,7 +57,7 @@ class RobotProperties :
                 noise,
                 isScripted,
                 ->
-                val read = readRobot(writeRobot(robot))
+                val read = readRobot(writeRobot(robot), Language.ENGLISH)
                 if (robotErrors(robot).isNotEmpty()) {
                     (read as RobotFileResult.Rejected).message.trim().endsWith(".") shouldBe true
                     return@checkAll
@@ -103,7 +104,7 @@ class RobotProperties :
                 val value = values[place % values.size]
                 // Most figures change somewhat, so that many robots can still be built.
                 val damaged = value.value.toDoubleOrNull()?.let { "${(it * factor * 1000).toInt() / 1000.0}" } ?: other
-                val read = readRobot(whole.replaceRange(value.range, damaged))
+                val read = readRobot(whole.replaceRange(value.range, damaged), Language.ENGLISH)
                 val robot = (read as? RobotFileResult.Loaded)?.robot ?: return@checkAll
                 driven++
                 DriveInPen(robot, heading = 30.0, realism = 1.0, programFor(robot), physics).letDrive(SECONDS)
@@ -128,7 +129,7 @@ private class DriveInPen(
         blocks = listOf(Block(Shape.Rectangle(Point(40.0, 40.0), 10.0, 10.0), mass = 0.2)),
         realism = realism,
     )
-    private val session = Session(world, listOf(program), physics)
+    private val session = Session(world, listOf(program), physics, Language.ENGLISH)
 
     /** Lets the robot drive, checks it all the time, and returns how far it has come, in centimetres. */
     fun letDrive(milliseconds: Int): Double {

@@ -11,6 +11,7 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
+import robotran.language.Language
 import robotran.simulation.goal.distanceTo
 import robotran.simulation.goal.sheet
 import robotran.simulation.grade.runForGoals
@@ -59,7 +60,7 @@ class ShortfallRunProperties :
             sheet.copy(goals = listOf(Goal(goal)), realism = 0.5, seed = seed, timeLimit = 20)
 
         fun <T> inSession(world: World, program: ScriptedProgram, use: (Session) -> T): T {
-            val session = Session(world, listOf(program), physics)
+            val session = Session(world, listOf(program), physics, Language.ENGLISH)
             try {
                 return use(session)
             } finally {

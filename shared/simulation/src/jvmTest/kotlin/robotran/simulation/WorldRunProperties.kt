@@ -11,6 +11,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
+import robotran.language.Language
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
@@ -30,7 +31,7 @@ class WorldRunProperties :
         }
 
         fun run(world: World, physics: PhysicsEngine) {
-            val session = Session(world, world.robots.map { RobotLoad(listOf(driving)) }, physics)
+            val session = Session(world, world.robots.map { RobotLoad(listOf(driving)) }, physics, Language.ENGLISH)
             session.pressRun()
             session.advance(250)
             val places = session.state.robots.map { it.robot.pose } + session.state.blocks
@@ -55,7 +56,7 @@ class WorldRunProperties :
                 Pose(x, y, heading)
             }
             checkAll(100, arbitraryWorlds(), Arb.list(poses, 1..12)) { world, places ->
-                val session = Session(world, emptyList<RobotLoad>(), physics)
+                val session = Session(world, emptyList<RobotLoad>(), physics, Language.ENGLISH)
                 for ((number, pose) in places.withIndex()) {
                     session.apply(SessionInput.PlaceBlock(number % maxOf(1, world.blocks.size), pose))
                     session.apply(SessionInput.PlaceRobot(number % world.robots.size, pose))
@@ -63,7 +64,14 @@ class WorldRunProperties :
                 }
                 session.state.blocks.all { it.x.isFinite() && it.y.isFinite() && it.heading in -180.0..180.0 } shouldBe
                     true
-                val again = Session.replay(world, emptyList(), physics, session.inputs, session.state.milliseconds)
+                val again = Session.replay(
+                    world,
+                    emptyList(),
+                    physics,
+                    session.inputs,
+                    session.state.milliseconds,
+                    Language.ENGLISH,
+                )
                 again.traceHash shouldBe session.traceHash
                 again.close()
                 session.close()
@@ -81,7 +89,7 @@ class WorldRunProperties :
                 val world = """{ "format": "robotran-world", "version": 2, "title": "T", "paper": { "width": 100, "height": 80 },
                 "robots": [{ "start": { "x": 40, "y": 30, "heading": 0 } }], "barriers": [{ $shape }], "blocks": [{ $shape }],
                 "marks": [{ $shape }], "goals": [{ "kind": "stayOut", "region": { $shape } }] }"""
-                val read = readWorld(world)
+                val read = readWorld(world, Language.ENGLISH)
                 if (read is WorldFileResult.Loaded) {
                     run(read.world, physics)
                     run++

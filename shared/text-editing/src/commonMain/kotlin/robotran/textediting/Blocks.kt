@@ -38,7 +38,7 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
 }
 
 /** The braces of a line of Java outside strings and comments. */
-private fun bracesOf(line: String): String = tokenizeJavaLine(line, startsInComment = false).tokens
+private fun bracesOf(line: String): String = tokenizeJavaLine(line, startsInComment = false, brick = null).tokens
     .filter { it.kind == CodeTokenKind.SIGN }
     .joinToString("") { line.substring(it.start, it.end) }
     .filter { it == '{' || it == '}' }

@@ -1,5 +1,6 @@
 package robotran.textediting
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.CodeTokens
@@ -15,7 +16,10 @@ import kotlin.test.assertTrue
 
 class CodeTokensTest {
     private fun described(line: String, language: ProgramLanguage) =
-        tokensOf(line, language, startsInComment = false).map { it.kind to line.substring(it.start, it.end) }
+        tokensOf(line, language, startsInComment = false, brick = BrickKind.RCX).map {
+            it.kind to
+                line.substring(it.start, it.end)
+        }
 
     @Test
     fun `a line of Robolang is taken apart as its scanner does`() = assertEquals(
@@ -90,16 +94,16 @@ class CodeTokensTest {
 
     @Test
     fun `a comment of NQC goes on until it ends`() {
-        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.NQC)
+        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.NQC, otherwise = BrickKind.RCX)
         assertEquals(listOf(CodeTokenKind.COMMENT), tokens.of(1).map { it.kind })
         assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), tokens.of(2).map { it.kind })
     }
 
     @Test
     fun `a comment goes on until it ends`() {
-        assertTrue(tokenizeJavaLine("a /* b", startsInComment = false).endsInComment)
-        assertFalse(tokenizeJavaLine("b */ c", startsInComment = true).endsInComment)
-        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA)
+        assertTrue(tokenizeJavaLine("a /* b", startsInComment = false, brick = BrickKind.RCX).endsInComment)
+        assertFalse(tokenizeJavaLine("b */ c", startsInComment = true, brick = BrickKind.RCX).endsInComment)
+        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA, otherwise = BrickKind.RCX)
         assertEquals(listOf(CodeTokenKind.COMMENT), tokens.of(1).map { it.kind })
         assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), tokens.of(2).map { it.kind })
     }

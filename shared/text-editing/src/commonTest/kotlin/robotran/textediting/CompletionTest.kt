@@ -24,7 +24,7 @@ class CompletionTest {
         marked: String,
         language: ProgramLanguage = ProgramLanguage.ROBOLANG,
         isExplicit: Boolean = false,
-    ): CompletionList? = completionsAt(draft(marked), language, help, isExplicit)
+    ): CompletionList? = completionsAt(draft(marked), language, help, isExplicit, brick = BrickKind.RCX)
 
     private fun labels(
         marked: String,
@@ -103,18 +103,24 @@ class CompletionTest {
     fun `a whole block comes with its end, as far right as the line`() {
         val before = draft("if light < 3\n  repeat 4|\nend")
         val start = draft("if light < 3\n  rep|\nend")
-        val list = assertNotNull(completionsAt(start, ProgramLanguage.ROBOLANG, help, isExplicit = false))
+        val list =
+            assertNotNull(
+                completionsAt(start, ProgramLanguage.ROBOLANG, help, isExplicit = false, brick = BrickKind.RCX),
+            )
         val block = list.items.first { it.label.startsWith("repeat 4") }
         val after = start.completed(list, block)
         assertEquals("if light < 3\n  repeat 4 times\n    \n  end\nend", after.text)
         assertEquals(2, after.lines.lineOf(after.selection.caret))
-        assertNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false))
+        assertNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false, brick = BrickKind.RCX))
     }
 
     @Test
     fun `a function stands ready for its values`() {
         val before = draft("show ro|")
-        val list = assertNotNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false))
+        val list =
+            assertNotNull(
+                completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false, brick = BrickKind.RCX),
+            )
         val after = before.completed(list, list.items.first { it.label == "round()" })
         assertEquals("show round()", after.text)
         assertEquals(after.text.length - 1, after.selection.caret)

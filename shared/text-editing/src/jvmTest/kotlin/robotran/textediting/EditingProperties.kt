@@ -11,6 +11,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.code.formatJava
 import robotran.textediting.code.tokensOf
@@ -102,7 +103,7 @@ class EditingProperties :
         test("the pieces of a line come in order and inside it, whatever it holds") {
             checkAll(texts, Arb.enum<ProgramLanguage>()) { text, language ->
                 for (line in text.split('\n')) {
-                    tokensOf(line, language, startsInComment = false).fold(0) { done, token ->
+                    tokensOf(line, language, startsInComment = false, brick = BrickKind.RCX).fold(0) { done, token ->
                         token.start shouldBeInRange done..line.length
                         token.end shouldBeInRange token.start..line.length
                         token.end
@@ -121,7 +122,7 @@ class EditingProperties :
 
         test("completing never fails and leaves what stands before it") {
             checkAll(drafts, Arb.enum<ProgramLanguage>()) { draft, language ->
-                val list = completionsAt(draft, language, WordHelp { null }, isExplicit = true)
+                val list = completionsAt(draft, language, WordHelp { null }, isExplicit = true, brick = BrickKind.RCX)
                 for (item in list?.items.orEmpty()) {
                     draft.completed(list!!, item).text.take(list.start) shouldBe
                         draft.text.take(list.start)

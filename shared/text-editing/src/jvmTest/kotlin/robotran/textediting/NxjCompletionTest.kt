@@ -65,7 +65,11 @@ class NxjCompletionTest {
 
     @Test
     fun `classes have their colour where the program has them`() {
-        fun kind(text: String) = CodeTokens(TextLines("$text\nSensor UltrasonicSensor"), ProgramLanguage.JAVA).of(1)
+        fun kind(text: String) = CodeTokens(
+            TextLines("$text\nSensor UltrasonicSensor"),
+            ProgramLanguage.JAVA,
+            otherwise = BrickKind.RCX,
+        ).of(1)
             .map { it.kind }
         val name = CodeTokenKind.NAME
         val builtIn = CodeTokenKind.BUILT_IN

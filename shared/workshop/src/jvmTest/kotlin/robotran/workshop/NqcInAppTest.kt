@@ -213,7 +213,7 @@ class NqcInAppTest {
         assertContentEquals(image, machine.files.disk["out"])
         workshop.handle(DocumentEvent.ProgramFileRequested)
         assertEquals("robot.lasm", machine.files.suggestion)
-        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project)))
+        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project), Language.ENGLISH))
         assertEquals(workshop.project, file.project)
         workshop.close()
     }
@@ -223,7 +223,7 @@ class NqcInAppTest {
         val machine = Machine()
         val workshop = machine.window()
         workshop.handle(ProgramEvent.ProgramAdded(counting))
-        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project)))
+        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project), Language.ENGLISH))
         assertEquals(workshop.project, file.project)
         assertEquals(ProgramLanguage.NQC, file.project.robots.first().programs.last().language)
         machine.files.location = "out"
@@ -321,7 +321,10 @@ class NqcInAppTest {
 
     private fun imageOf(program: PupilProgram): ByteArray {
         val files = program.files.map { SourceFile(it.name, it.text) }
-        val result = ProgramCompiler(PENBOT_TARGET).compileNow(ProgramSource.of(program.language, program.name, files))
+        val result = ProgramCompiler(
+            PENBOT_TARGET,
+            language = Language.ENGLISH,
+        ).compileNow(ProgramSource.of(program.language, program.name, files))
         return checkNotNull(assertIs<ProgramResult.Ready>(result).firmwareImage).toBytes()
     }
 

@@ -5,6 +5,7 @@ import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.withTimeout
 import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -153,7 +154,7 @@ class NxtInAppTest {
     @Test
     fun `a project keeps the robot and its programs`() = workshop(square) { workshop ->
         workshop.use(BrickKind.NXT)
-        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project)))
+        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project), Language.ENGLISH))
         assertEquals(workshop.project, file.project)
         assertEquals(BrickKind.NXT, file.project.world.robots.first().description.brick)
     }
@@ -225,7 +226,9 @@ class NxtInAppTest {
             file.content().toList()
         }
         assertEquals(listOf(listOf<Byte>(1), listOf<Byte>(2)), counts)
-        val again = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project))).project
+        val again = assertIs<ProjectFileResult.Loaded>(
+            readProject(writeProject(workshop.project), Language.ENGLISH),
+        ).project
         assertEquals(workshop.project, again)
         assertEquals(listOf<Byte>(1), workshop.replay.robots.single().files.single().content().toList())
     }
@@ -252,7 +255,9 @@ class NxtInAppTest {
         assertEquals(1, workshop.project.robots.single().files.size, "asked first")
         press(BrickButton.RIGHT, BrickButton.ENTER)
         assertEquals(emptyList(), workshop.project.robots.single().files)
-        val again = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project))).project
+        val again = assertIs<ProjectFileResult.Loaded>(
+            readProject(writeProject(workshop.project), Language.ENGLISH),
+        ).project
         assertEquals(emptyList(), again.robots.flatMap { it.files })
     }
 

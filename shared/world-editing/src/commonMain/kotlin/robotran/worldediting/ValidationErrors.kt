@@ -58,7 +58,7 @@ fun quickValidationErrorsOf(world: World): List<ValidationError> =
 
 /** All errors of [world]; if empty, its file can be read again. */
 fun validationErrorsOf(world: World): List<ValidationError> = quickValidationErrorsOf(world).ifEmpty {
-    when (readWorld(writeWorld(world))) {
+    when (readWorld(writeWorld(world), Language.ENGLISH)) {
         is WorldFileResult.Loaded -> emptyList()
         is WorldFileResult.Rejected -> listOf(ValidationError.Rejected(world))
     }

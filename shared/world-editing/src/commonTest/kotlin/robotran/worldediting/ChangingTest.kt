@@ -1,6 +1,7 @@
 package robotran.worldediting
 
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.language.Language
 import robotran.world.UnknownFields
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
@@ -128,7 +129,7 @@ class ChangingTest {
     @Test
     fun `every world that comes with Robotran can be opened, moved as a whole and kept`() {
         for ((name, text) in BuiltInWorlds.texts) {
-            val editing = WorldEditing.of((readWorld(text) as WorldFileResult.Loaded).world)
+            val editing = WorldEditing.of((readWorld(text, Language.ENGLISH) as WorldFileResult.Loaded).world)
             assertEquals(emptyList(), editing.errors, name)
             val moved = editing.after(Edit.SelectAll, Edit.Nudge(1.0, 1.0), Edit.Select(null))
             moved.assertSound()

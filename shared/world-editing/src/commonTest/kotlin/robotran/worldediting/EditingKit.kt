@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.language.Language
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 import robotran.world.file.writeWorld
@@ -31,7 +32,7 @@ internal val WorldEditing.chosenForm: Form get() = checkNotNull(chosenPiece.form
 /** Checks that the world can be saved. */
 internal fun WorldEditing.assertSound() {
     assertEquals(emptyList(), errors)
-    assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world)))
+    assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world), Language.ENGLISH))
 }
 
 internal fun assertNear(expected: Point, actual: Point) = assertTrue(

@@ -7,6 +7,7 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import robotran.language.Language
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
@@ -15,7 +16,9 @@ import robotran.world.file.writeWorld
 
 class EditingProperties :
     StringSpec({
-        val builtIn = BuiltInWorlds.texts.values.map { (readWorld(it) as WorldFileResult.Loaded).world }
+        val builtIn = BuiltInWorlds.texts.values.map {
+            (readWorld(it, Language.ENGLISH) as WorldFileResult.Loaded).world
+        }
         val worlds: Arb<World> = Arb.element(builtIn + newWorld("New"))
         val edits = Arb.list(arbitrary { ArbitraryEdits(it.random).edit() }, 0..60)
 
@@ -36,7 +39,7 @@ class EditingProperties :
         "a world without troubles is read as it was written, and one with troubles is refused" {
             checkAll(300, worlds, edits) { world, list ->
                 val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }.after(Edit.Drop)
-                val result = readWorld(writeWorld(editing.world))
+                val result = readWorld(writeWorld(editing.world), Language.ENGLISH)
                 if (editing.errors.isEmpty()) result shouldBe WorldFileResult.Loaded(editing.world)
                 (result is WorldFileResult.Rejected) shouldBe editing.errors.isNotEmpty()
                 editing.errors.filterIsInstance<ValidationError.Rejected>() shouldBe emptyList()

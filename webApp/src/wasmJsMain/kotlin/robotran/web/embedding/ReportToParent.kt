@@ -7,6 +7,7 @@ import robotran.json.ObjectBuilder
 import robotran.json.jsonObject
 import robotran.json.readJson
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import robotran.projects.Assignment
 import robotran.projects.LinkCreation
 import robotran.projects.LinkResult
@@ -44,7 +45,7 @@ internal suspend fun reportToParent(workshop: Workshop) {
             val told = text("result", now) { result(now) }
             if (told != result) parent.post(told)
             result = told
-            (handInLinkOf(withoutTexts(now)) as? LinkCreation.Made)?.let { link ->
+            (handInLinkOf(withoutTexts(now), Language.ENGLISH) as? LinkCreation.Made)?.let { link ->
                 parent.post(text("work", now) { text("work", link.fragment) })
             }
         }
@@ -56,7 +57,7 @@ internal suspend fun reportToParent(workshop: Workshop) {
 private fun isThe(assignment: Project, project: Project): Boolean = project.assignment?.id == assignment.assignment?.id
 
 private suspend fun resume(workshop: Workshop, assignment: Project, link: String) {
-    val saved = (openHandInLink(link, assignment.world) as? LinkResult.OfProject)?.project ?: return
+    val saved = (openHandInLink(link, assignment.world, Language.ENGLISH) as? LinkResult.OfProject)?.project ?: return
     if (!isThe(assignment, saved)) return
     workshop.openProject(assignment.copy(world = saved.world, robots = saved.robots, tries = saved.tries))
 }
@@ -94,7 +95,7 @@ private fun ObjectBuilder.result(project: Project) {
 
 /** The link in a message of the page around; null if it has none. */
 private fun workIn(message: String): String? {
-    val reading = readJson(message) { file ->
+    val reading = readJson(message, Language.ENGLISH) { file ->
         file.optional("work")?.longText(ProjectLimits.MAXIMUM_LINK_CHARACTERS)
             ?.takeIf { file.optional("kind")?.textOrNull() == "resume" }
     }

@@ -2,6 +2,7 @@ package robotran.desktop.worlds.thorough
 
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.worlds.ShippedWorlds
+import robotran.language.Language
 import robotran.simulation.Session
 import robotran.simulation.grade.Grade
 import robotran.simulation.grade.runForGoals
@@ -40,7 +41,7 @@ class SolvedWorldsTest {
     }
 
     private fun grade(world: World, program: File?, picture: String? = null): Grade {
-        val session = Session(world, ShippedWorlds.loads(world, program), physics)
+        val session = Session(world, ShippedWorlds.loads(world, program), physics, Language.ENGLISH)
         try {
             if (picture != null) {
                 pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))

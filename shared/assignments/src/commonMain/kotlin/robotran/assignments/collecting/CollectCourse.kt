@@ -21,11 +21,7 @@ class CourseHandIns(
  * As [collectHandIns] for all assignments of [course] together. Hand-ins of the app and their links say which one they
  * are for. A program says it by a folder, a zip or its own name with the assignment's title in it.
  */
-suspend fun collectCourse(
-    files: List<CollectedFile>,
-    course: Course,
-    language: Language = Language.ENGLISH,
-): CourseHandIns {
+suspend fun collectCourse(files: List<CollectedFile>, course: Course, language: Language): CourseHandIns {
     val messages = CollectingMessages.of(language)
     val sorting = CourseSorting(course)
     val found = Unpacking(messages).unpack(files).map(sorting::sort)

@@ -24,11 +24,7 @@ class CollectedHandIns(val submissions: List<Submission>, val notes: List<String
  * @param assignment or any project with the world to grade in.
  * @param language of reasons and notes.
  */
-suspend fun collectHandIns(
-    files: List<CollectedFile>,
-    assignment: Project,
-    language: Language = Language.ENGLISH,
-): CollectedHandIns {
+suspend fun collectHandIns(files: List<CollectedFile>, assignment: Project, language: Language): CollectedHandIns {
     val messages = CollectingMessages.of(language)
     val reader = GroupReader(assignment, language)
     val found = collectGroups(groupsOf(Unpacking(messages).unpack(files), reader::isNoHandIn), reader)

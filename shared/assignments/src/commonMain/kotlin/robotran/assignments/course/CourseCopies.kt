@@ -4,6 +4,7 @@ import robotran.assignments.doing.pupilCopy
 import robotran.assignments.doing.teacherCopy
 import robotran.documents.FileStamp
 import robotran.json.JsonLimits
+import robotran.language.Language
 import robotran.projects.Course
 import robotran.projects.CourseFileResult
 import robotran.projects.Project
@@ -34,5 +35,5 @@ val Project.assignmentId: String get() = assignment?.id.orEmpty()
 fun courseFile(course: Course): ByteArray? {
     val text = writeCourse(course)
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) return null
-    return text.takeIf { readCourse(it) is CourseFileResult.Loaded }?.encodeToByteArray()
+    return text.takeIf { readCourse(it, Language.ENGLISH) is CourseFileResult.Loaded }?.encodeToByteArray()
 }

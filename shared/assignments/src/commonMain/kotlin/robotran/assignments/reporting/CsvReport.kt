@@ -13,13 +13,13 @@ import robotran.language.withComma
  * and Spanish with semicolons, because numbers have a decimal comma. A text that a spreadsheet would take for a formula
  * begins with an apostrophe.
  */
-fun csvReport(report: ClassReport, language: Language = Language.ENGLISH): String {
+fun csvReport(report: ClassReport, language: Language): String {
     val titles = ReportMessages.of(language).columns(report.plan.worlds.size)
     return csvOf(listOf(titles) + report.results.indices.map { rowOf(report, it, language) }, language)
 }
 
 /** The same for a course: with the assignment of each hand-in behind the name. */
-fun csvReport(report: CourseReport, language: Language = Language.ENGLISH): String {
+fun csvReport(report: CourseReport, language: Language): String {
     val messages = ReportMessages.of(language)
     val titles = messages.columns(report.tasks.maxOfOrNull { it.plan.worlds.size } ?: 1)
     val rows = report.rows(language).map { (task, index) ->
@@ -38,11 +38,11 @@ private fun csvOf(rows: List<List<String>>, language: Language): String {
 }
 
 /** The same as a file. It begins with a byte order mark, without which some spreadsheets do not take it for UTF-8. */
-fun csvFile(report: ClassReport, language: Language = Language.ENGLISH): ByteArray =
+fun csvFile(report: ClassReport, language: Language): ByteArray =
     "\uFEFF${csvReport(report, language)}".encodeToByteArray()
 
 /** The same for a course. */
-fun csvFile(report: CourseReport, language: Language = Language.ENGLISH): ByteArray =
+fun csvFile(report: CourseReport, language: Language): ByteArray =
     "\uFEFF${csvReport(report, language)}".encodeToByteArray()
 
 private fun rowOf(report: ClassReport, index: Int, language: Language): List<String> {

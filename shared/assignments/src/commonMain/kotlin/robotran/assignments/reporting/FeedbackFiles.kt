@@ -26,7 +26,7 @@ import robotran.projects.Project
 class FeedbackFile(val name: String, val path: String, val bytes: ByteArray)
 
 /** One file for each hand-in of [report], also for those that cannot be used: their pupils learn why. */
-fun feedbackFiles(report: ClassReport, language: Language = Language.ENGLISH): List<FeedbackFile> {
+fun feedbackFiles(report: ClassReport, language: Language): List<FeedbackFile> {
     val taken = mutableSetOf<String>()
     val title = report.assignment.world.title
     return report.results.mapIndexedNotNull { index, result ->
@@ -43,16 +43,16 @@ fun feedbackFiles(report: ClassReport, language: Language = Language.ENGLISH): L
 }
 
 /** All [feedbackFiles] as one zip, in the folders of the platform from which the hand-ins came. */
-fun feedbackZip(report: ClassReport, language: Language = Language.ENGLISH): ByteArray =
+fun feedbackZip(report: ClassReport, language: Language): ByteArray =
     zipOf(feedbackFiles(report, language).map { ZipEntry(it.path, it.bytes) })
 
 /** The same for all assignments of a course. */
-fun feedbackZip(report: CourseReport, language: Language = Language.ENGLISH): ByteArray =
+fun feedbackZip(report: CourseReport, language: Language): ByteArray =
     report.tasks.flatMap { feedbackFiles(it, language) }.distinctBy { it.path }
         .map { ZipEntry(it.path, it.bytes) }.let(::zipOf)
 
 /** The answer to the hand-in with the index [index]. It has nothing that only the teacher has. */
-fun feedbackProject(report: ClassReport, index: Int, language: Language = Language.ENGLISH): Project {
+fun feedbackProject(report: ClassReport, index: Int, language: Language): Project {
     val result = report.results[index]
     val submission = result.submission
     val results = (result as? GradedHandIn.Graded)?.let { graded ->

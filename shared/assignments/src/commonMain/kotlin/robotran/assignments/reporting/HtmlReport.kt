@@ -17,13 +17,13 @@ import kotlin.io.encoding.Base64
  *
  * @param pictures draws the end of the first run of each hand-in; null for a page without pictures.
  */
-fun htmlReport(report: ClassReport, pictures: WorldPictures?, language: Language = Language.ENGLISH): String =
+fun htmlReport(report: ClassReport, pictures: WorldPictures?, language: Language): String =
     htmlPage(report.assignment.world.title, language) { html ->
         HtmlReport(report, pictures, language, html, "p").write()
     }
 
 /** The same for a course: who has solved what, and then each assignment. */
-fun htmlReport(report: CourseReport, pictures: WorldPictures?, language: Language = Language.ENGLISH): String =
+fun htmlReport(report: CourseReport, pictures: WorldPictures?, language: Language): String =
     htmlPage(report.title, language) { html ->
         writeMatrix(report, html, language)
         report.tasks.forEachIndexed { task, ofTask ->

@@ -7,6 +7,7 @@ import robotran.assignments.file
 import robotran.assignments.handIn
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
+import robotran.language.Language
 import robotran.projects.Course
 import robotran.projects.ProjectProgram
 import kotlin.test.Test
@@ -30,7 +31,7 @@ class CollectCourseTest {
     )
     private val remark = SubmissionRemark.OtherName("Íñigo, 7.º B")
 
-    private suspend fun collect(files: List<CollectedFile>) = collectCourse(files, course)
+    private suspend fun collect(files: List<CollectedFile>) = collectCourse(files, course, Language.ENGLISH)
 
     private suspend fun inFolder(files: List<CollectedFile>) =
         collect(files.map { CollectedFile("all/class/${it.path}", it.bytes) })

@@ -9,6 +9,7 @@ import robotran.assignments.java
 import robotran.assignments.robolang
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
@@ -43,7 +44,9 @@ class CollectSubmissionsTest {
     private fun remarks(submission: Submission) = assertIs<Submission.Usable>(submission).remarks
 
     private suspend fun link(project: Project, isHandIn: Boolean = true): String = "https://school.example/" +
-        assertIs<LinkCreation.Made>(if (isHandIn) handInLinkOf(project) else linkOf(project)).fragment
+        assertIs<LinkCreation.Made>(
+            if (isHandIn) handInLinkOf(project, Language.ENGLISH) else linkOf(project, Language.ENGLISH),
+        ).fragment
 
     @Test
     fun `each file of a folder is a pupil`() = runTest {

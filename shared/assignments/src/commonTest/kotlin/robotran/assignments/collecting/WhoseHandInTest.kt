@@ -10,6 +10,7 @@ import robotran.assignments.handIn
 import robotran.assignments.robolang
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
+import robotran.language.Language
 import robotran.projects.AssignmentTries
 import robotran.projects.Course
 import robotran.projects.Feedback
@@ -42,7 +43,8 @@ class WhoseHandInTest {
 
     private fun remarks(submission: Submission) = assertIs<Submission.Usable>(submission, "$submission").remarks
 
-    private suspend fun collectAll(vararg files: CollectedFile) = collectHandIns(files.toList(), teachers)
+    private suspend fun collectAll(vararg files: CollectedFile) =
+        collectHandIns(files.toList(), teachers, Language.ENGLISH)
 
     @Test
     fun `projects without a name have a row each, as programs have`() = runTest {
@@ -89,7 +91,8 @@ class WhoseHandInTest {
 
     @Test
     fun `a link to the assignment is no hand-in`() = runTest {
-        val ofAssignment = "https://school.example/" + assertIs<LinkCreation.Made>(linkOf(pupils)).fragment
+        val ofAssignment =
+            "https://school.example/" + assertIs<LinkCreation.Made>(linkOf(pupils, Language.ENGLISH)).fragment
         val found =
             collectAll(file("links.txt", "$ofAssignment\n${link(handIn("Eva"))}\n"), file("one.txt", ofAssignment))
         assertEquals(listOf("Eva"), names(found.submissions))
@@ -101,7 +104,9 @@ class WhoseHandInTest {
 
     @Test
     fun `a link to a course gets its own reason`() = runTest {
-        val ofCourse = assertIs<LinkCreation.Made>(linkOf(Course("Draw", assignments = listOf(pupils)))).fragment
+        val ofCourse = assertIs<LinkCreation.Made>(
+            linkOf(Course("Draw", assignments = listOf(pupils)), Language.ENGLISH),
+        ).fragment
         val found = collect(file("course.txt", "https://school.example/$ofCourse")).single()
         assertEquals("It is a link to a course, without a program.", assertIs<Submission.Unusable>(found).reason)
     }
@@ -166,5 +171,5 @@ class WhoseHandInTest {
     }
 
     private suspend fun link(project: Project): String =
-        "https://school.example/" + assertIs<LinkCreation.Made>(handInLinkOf(project)).fragment
+        "https://school.example/" + assertIs<LinkCreation.Made>(handInLinkOf(project, Language.ENGLISH)).fragment
 }

@@ -9,6 +9,7 @@ import robotran.documents.ZipEntry
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
 import robotran.documents.zipOf
+import robotran.language.Language
 import robotran.projects.Course
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
@@ -25,7 +26,7 @@ class OpenCourseTest {
     private val assignment = writeProject(ASSIGNMENT).encodeToByteArray()
 
     private suspend fun opened(vararg files: IncomingFile) =
-        assertIs<OpenFilesResult.Opened>(openFiles(unpackedCourses(files.toList())))
+        assertIs<OpenFilesResult.Opened>(openFiles(unpackedCourses(files.toList()), Language.ENGLISH))
 
     @Test
     fun `a course is opened as one file, also under a name that says nothing`() = runTest {
@@ -43,7 +44,7 @@ class OpenCourseTest {
 
     @Test
     fun `a course without its files says which one it needs`() = runTest {
-        val result = openFiles(listOf(IncomingFile("course.json", list)))
+        val result = openFiles(listOf(IncomingFile("course.json", list)), Language.ENGLISH)
         val error = assertIs<OpenFilesError.InFile>(assertIs<OpenFilesResult.Rejected>(result).error)
         assertEquals(true, "draw.robotran" in error.message)
     }
@@ -66,14 +67,17 @@ class OpenCourseTest {
     fun `other zips stay what they are`() = runTest {
         val zip = zipOf(listOf(ZipEntry("a.robo", ByteArray(3))))
         for (bytes in listOf(zip, ByteArray(10))) {
-            val result = openFiles(unpackedCourses(listOf(IncomingFile("a.zip", bytes))))
+            val result = openFiles(unpackedCourses(listOf(IncomingFile("a.zip", bytes))), Language.ENGLISH)
             assertIs<OpenFilesResult.Rejected>(result)
         }
     }
 
     @Test
     fun `a link opens a course`() = runTest {
-        val link = assertIs<LinkCreation.Made>(linkOf(course)).fragment
-        assertEquals(listOf(course), assertIs<OpenFilesResult.Opened>(openLinkText("https://a.b/$link")).courses)
+        val link = assertIs<LinkCreation.Made>(linkOf(course, Language.ENGLISH)).fragment
+        assertEquals(
+            listOf(course),
+            assertIs<OpenFilesResult.Opened>(openLinkText("https://a.b/$link", Language.ENGLISH)).courses,
+        )
     }
 }

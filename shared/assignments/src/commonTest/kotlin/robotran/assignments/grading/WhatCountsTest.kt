@@ -35,7 +35,7 @@ class WhatCountsTest {
     private suspend fun grader() = HandInGrader(ASSIGNMENT, plan, loadPhysicsEngine(), Language.ENGLISH)
 
     private suspend fun grade(files: List<CollectedFile>): List<GradedHandIn> {
-        val submissions = collectHandIns(files, ASSIGNMENT).submissions
+        val submissions = collectHandIns(files, ASSIGNMENT, Language.ENGLISH).submissions
         return gradeAll(grader(), submissions) { runs -> runs.map { it.finish() } }
     }
 
@@ -44,7 +44,7 @@ class WhatCountsTest {
     private fun remarks(graded: GradedHandIn) = graded.submission.remarks
 
     private suspend fun table(files: List<CollectedFile>) =
-        csvReport(ClassReport(ASSIGNMENT, plan, grade(files).sortedBy { it.submission.name }))
+        csvReport(ClassReport(ASSIGNMENT, plan, grade(files).sortedBy { it.submission.name }), Language.ENGLISH)
 
     private fun zip(files: List<CollectedFile>) =
         listOf(CollectedFile("class.zip", zipOf(files.map { ZipEntry(it.path, it.bytes) })))
@@ -76,7 +76,7 @@ class WhatCountsTest {
         val best = SubmissionRemark.BestCounts("b.robo", listOf("a.robo", "b.robo"))
         assertEquals(listOf(listOf<SubmissionRemark>(best), emptyList()), graded.map(::remarks))
         assertContains(
-            csvReport(ClassReport(ASSIGNMENT, plan, graded)),
+            csvReport(ClassReport(ASSIGNMENT, plan, graded), Language.ENGLISH),
             "a.robo and b.robo were run: b.robo counts, none did better.",
         )
     }
@@ -108,10 +108,15 @@ class WhatCountsTest {
     @Test
     fun `a worker chooses the same`() = runTest {
         val files = listOf(file("c/ida/a.robo", "beep\n"), file("c/ida/b.robo", DRAWS), file("c/jan/x.robo", DRAWS))
-        val ida = collectHandIns(files, ASSIGNMENT).submissions.first() as Submission.Usable
+        val ida = collectHandIns(files, ASSIGNMENT, Language.ENGLISH).submissions.first() as Submission.Usable
         val order = assertNotNull(GradingOrder.of(ASSIGNMENT, plan, Language.ENGLISH))
         val text = GradingWorker(order, loadPhysicsEngine()).grade(writeHandIn(ida)) {}
-        val start = Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine()).state
+        val start = Session(
+            plan.worlds.first().world,
+            emptyList<RobotLoad>(),
+            loadPhysicsEngine(),
+            Language.ENGLISH,
+        ).state
         val graded = assertIs<GradedHandIn.Graded>(readGraded(text, ida, plan, start))
         assertEquals(grade(files).first().submission, graded.submission)
         assertEquals(plan.runs, graded.met)
@@ -120,7 +125,7 @@ class WhatCountsTest {
     @Test
     fun `all runs of what may count are told as progress`() = runTest {
         val files = listOf(file("c/ida/a.robo", "beep\n"), file("c/ida/b.robo", DRAWS), file("c/jan/x.robo", DRAWS))
-        val session = GradingSession(grader(), collectHandIns(files, ASSIGNMENT).submissions)
+        val session = GradingSession(grader(), collectHandIns(files, ASSIGNMENT, Language.ENGLISH).submissions)
         assertEquals(3 * plan.runs, session.state.runsInTotal)
         while (!session.state.isOver) session.step(10_000)
         assertEquals(3 * plan.runs, session.state.runsDone)

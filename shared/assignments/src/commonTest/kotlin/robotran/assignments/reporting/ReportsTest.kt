@@ -52,7 +52,7 @@ class ReportsTest {
 
     @Test
     fun `the table has a row for each hand-in and no formulas`() = runTest {
-        val lines = csvReport(report()).split("\r\n")
+        val lines = csvReport(report(), Language.ENGLISH).split("\r\n")
         val seeds = "seeds met (all worlds),seeds (all worlds)"
         val columns = "name,verdict,goals met,goals,$seeds,seconds,lines,tries,remarks"
         assertEquals("$columns,goals met in all runs,nearly the same program,comment", lines[0])
@@ -87,19 +87,26 @@ class ReportsTest {
         val plain = listOf("=1+2", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1")
         val wide = listOf("\uFF1D1+2", "\uFF0B1", "\uFF0D1", "\uFF20SUM(A1)", " =1", "\u3000\uFF1D1", "\u22121")
         for (name in plain + wide) {
-            val row = csvReport(reportOn(handIn("x").let { it.copy(handIn = it.handIn?.copy(name = name)) })).lines()[1]
+            val row = csvReport(
+                reportOn(
+                    handIn("x").let {
+                        it.copy(handIn = it.handIn?.copy(name = name))
+                    },
+                ),
+                Language.ENGLISH,
+            ).lines()[1]
             assertTrue(row.startsWith("'") || row.startsWith("\"'"), row)
         }
         val separators = reportOn(handIn("a;b,c"))
-        assertTrue(csvReport(separators).lines()[1].startsWith("\"a;b,c\","))
+        assertTrue(csvReport(separators, Language.ENGLISH).lines()[1].startsWith("\"a;b,c\","))
         assertTrue(csvReport(separators, Language.GERMAN).lines()[1].startsWith("\"a;b,c\";"))
     }
 
     @Test
     fun `what would act instead of being seen is seen`() = runTest {
         val report = reportOn(handIn("Ida").let { it.copy(handIn = it.handIn?.copy(name = "Ida\u001B[31m\u202E")) })
-        assertTrue("Ida\\u001b[31m\\u202e" in csvReport(report), csvReport(report))
-        assertTrue("Ida\\u001b[31m\\u202e" in htmlReport(report, null))
+        assertTrue("Ida\\u001b[31m\\u202e" in csvReport(report, Language.ENGLISH), csvReport(report, Language.ENGLISH))
+        assertTrue("Ida\\u001b[31m\\u202e" in htmlReport(report, null, Language.ENGLISH))
     }
 
     @Test
@@ -114,10 +121,10 @@ class ReportsTest {
             "anna: 2 hand-ins have this name. This one is from b.robotran.",
             remarkLines(both, Language.ENGLISH)[1],
         )
-        val rows = csvReport(both).lines()
+        val rows = csvReport(both, Language.ENGLISH).lines()
         assertTrue(",2 hand-ins have this name. This one is from b.robotran.," in rows[2], rows[2])
-        assertFalse("have this name" in csvReport(anna))
-        assertEquals("anna (2) - feedback - Draw.robotran", feedbackFiles(both)[1].name)
+        assertFalse("have this name" in csvReport(anna, Language.ENGLISH))
+        assertEquals("anna (2) - feedback - Draw.robotran", feedbackFiles(both, Language.ENGLISH)[1].name)
     }
 
     @Test
@@ -133,28 +140,38 @@ class ReportsTest {
         }
         val graded = report.results.single() as GradedHandIn.Graded
         assertEquals(listOf(1, 0), listOf(graded.goalsMet, graded.goalsMetAlways))
-        val row = csvReport(report).lines()[1]
+        val row = csvReport(report, Language.ENGLISH).lines()[1]
         assertTrue(row.startsWith("Lea,partly solved,1,1,${graded.met},28,") && row.endsWith(",0,,"), row)
-        assertTrue("<p>Reached all goals in ${graded.met} of 28 runs.</p>" in htmlReport(report, null))
+        assertTrue(
+            "<p>Reached all goals in ${graded.met} of 28 runs.</p>" in htmlReport(report, null, Language.ENGLISH),
+        )
     }
 
     @Test
     fun `text between backticks is shown as program text`() = runTest {
         val report = reportOn(handIn("Lea"), comment = "Use `turn <left>` and `if`, not ` alone.")
         val comment = "Use <code>turn &lt;left&gt;</code> and <code>if</code>, not ` alone."
-        assertTrue("<p class=\"comment\">$comment</p>" in htmlReport(report, null))
+        assertTrue("<p class=\"comment\">$comment</p>" in htmlReport(report, null, Language.ENGLISH))
     }
 
     @Test
     fun `the page tells who has nearly the same program, and what was no hand-in`() = runTest {
-        val page = htmlReport(report(), null)
+        val page = htmlReport(report(), null, Language.ENGLISH)
         assertTrue("<th class=\"words\">nearly the same program</th>" in page, page)
         assertTrue("<td class=\"words\">+1+2 (100 %)</td>" in page, page)
-        val given = collectHandIns(listOf(file("draw.robotran", ASSIGNMENT), file("a.robo", DRAWS)), ASSIGNMENT)
+        val given =
+            collectHandIns(
+                listOf(file("draw.robotran", ASSIGNMENT), file("a.robo", DRAWS)),
+                ASSIGNMENT,
+                Language.ENGLISH,
+            )
         val report = reportOn(handIn("Lea")).let {
             ClassReport(it.assignment, it.plan, it.results, notes = given.notes)
         }
-        assertTrue("<li>draw.robotran is the assignment itself, not a hand-in.</li>" in htmlReport(report, null))
+        assertTrue(
+            "<li>draw.robotran is the assignment itself, not a hand-in.</li>" in
+                htmlReport(report, null, Language.ENGLISH),
+        )
     }
 
     private suspend fun reportOn(
@@ -178,7 +195,7 @@ class ReportsTest {
 
     @Test
     fun `the page escapes what pupils write and loads nothing`() = runTest {
-        val page = htmlReport(report(), null)
+        val page = htmlReport(report(), null, Language.ENGLISH)
         assertFalse("<script" in page || "<img" in page, page)
         assertTrue("// &lt;script&gt;alert(1)&lt;/script&gt;" in page)
         assertTrue("Well &lt;done&gt;!\nGo on." in page)
@@ -191,25 +208,35 @@ class ReportsTest {
         }
         assertEquals(
             3,
-            htmlReport(report(), drawn).split("<img alt=\"\" src=\"data:image/svg+xml;base64,PHN2Zy8+\">").size - 1,
+            htmlReport(
+                report(),
+                drawn,
+                Language.ENGLISH,
+            ).split("<img alt=\"\" src=\"data:image/svg+xml;base64,PHN2Zy8+\">").size -
+                1,
         )
     }
 
     @Test
     fun `feedback is the hand-in with comment and results`() = runTest {
         val report = report()
-        val files = feedbackFiles(report)
+        val files = feedbackFiles(report, Language.ENGLISH)
         assertEquals(
             listOf("Anna, the -first-", "=1+2", "+1+2", "cem", "dora").map { "$it - feedback - Draw.robotran" },
             files.map { it.name },
         )
-        val anna = assertIs<ProjectFileResult.Loaded>(readProject(files.first().bytes)).project
+        val anna = assertIs<ProjectFileResult.Loaded>(readProject(files.first().bytes, Language.ENGLISH)).project
         assertEquals("Well <done>!\nGo on.", anna.feedback?.comment)
         assertEquals(listOf(FeedbackResult("", 2, 2), FeedbackResult("other", 2, 2)), anna.feedback?.results)
         assertEquals("Anna, the \"first\"", anna.handIn?.name)
-        val cem = feedbackProject(report, 3)
+        val cem = feedbackProject(report, 3, Language.ENGLISH)
         assertEquals("draw-1", cem.assignment?.id)
-        val zip = collectHandIns(listOf(CollectedFile("all.zip", feedbackZip(report))), ASSIGNMENT)
+        val zip =
+            collectHandIns(
+                listOf(CollectedFile("all.zip", feedbackZip(report, Language.ENGLISH))),
+                ASSIGNMENT,
+                Language.ENGLISH,
+            )
         assertEquals(listOf(0, 5), listOf(zip.submissions.size, zip.notes.size))
         assertEquals("dora - feedback - Draw.robotran is feedback, not a hand-in.", zip.notes.last())
     }
@@ -217,15 +244,17 @@ class ReportsTest {
     @Test
     fun `who has handed in nothing that runs gets feedback, too, and learns why`() = runTest {
         val report = report()
-        assertTrue("There is no command" in feedbackProject(report, 3).feedback?.comment.orEmpty())
-        val dora = assertIs<ProjectFileResult.Loaded>(readProject(feedbackFiles(report).last().bytes)).project
+        assertTrue("There is no command" in feedbackProject(report, 3, Language.ENGLISH).feedback?.comment.orEmpty())
+        val dora = assertIs<ProjectFileResult.Loaded>(
+            readProject(feedbackFiles(report, Language.ENGLISH).last().bytes, Language.ENGLISH),
+        ).project
         assertEquals(
             "Robotran found nothing of yours that it can grade. There is no program, no project and no link in it.",
             dora.feedback?.comment,
         )
         val inSpanish = feedbackProject(report, report.results.lastIndex, Language.SPANISH).feedback?.comment.orEmpty()
         assertTrue(inSpanish.startsWith("Robotran no ha encontrado nada tuyo que pueda evaluar. "), inSpanish)
-        assertEquals(report.results.size, feedbackFiles(report).size)
+        assertEquals(report.results.size, feedbackFiles(report, Language.ENGLISH).size)
     }
 
     @Test
@@ -247,7 +276,9 @@ class ReportsTest {
                 "meyerben_4712_99888_meyerben - feedback - Draw.robotran",
                 "Ida - feedback - Draw.robotran",
             ),
-            feedbackFiles(ClassReport(ASSIGNMENT, GradingPlan.of(ASSIGNMENT), results)).map { it.path },
+            feedbackFiles(ClassReport(ASSIGNMENT, GradingPlan.of(ASSIGNMENT), results), Language.ENGLISH).map {
+                it.path
+            },
         )
     }
 
@@ -264,7 +295,7 @@ class ReportsTest {
             GradingPlan.of(ASSIGNMENT),
             submissions.map { GradedHandIn.HasMistakes(it as Submission.Usable, emptyList()) },
         )
-        val file = feedbackFiles(report).first().bytes.decodeToString()
+        val file = feedbackFiles(report, Language.ENGLISH).first().bytes.decodeToString()
         assertFalse("checks" in file || "solution" in file || "forward 98" in file, file)
     }
 

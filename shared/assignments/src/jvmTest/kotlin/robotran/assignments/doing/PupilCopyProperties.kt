@@ -9,6 +9,7 @@ import io.kotest.matchers.types.shouldBeInstanceOf
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.checkAll
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.Assignment
@@ -42,9 +43,9 @@ class PupilCopyProperties :
                 assignment.checks.shouldBeNull()
                 assignment.solution.shouldBeEmpty()
                 copy.tries.shouldBeNull()
-                readProject(file).shouldBeInstanceOf<ProjectFileResult.Loaded>().project shouldBe copy
-                val link = linkOf(copy).shouldBeInstanceOf<LinkCreation.Made>().fragment
-                val opened = openLink(link).shouldBeInstanceOf<LinkResult.OfProject>().project
+                readProject(file, Language.ENGLISH).shouldBeInstanceOf<ProjectFileResult.Loaded>().project shouldBe copy
+                val link = linkOf(copy, Language.ENGLISH).shouldBeInstanceOf<LinkCreation.Made>().fragment
+                val opened = openLink(link, Language.ENGLISH).shouldBeInstanceOf<LinkResult.OfProject>().project
                 opened shouldBe copy
                 writeProject(opened) shouldNotContain SECRET
             }

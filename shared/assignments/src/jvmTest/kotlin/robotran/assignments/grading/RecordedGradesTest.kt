@@ -27,19 +27,20 @@ class RecordedGradesTest {
     private fun check(resource: String, assignmentFile: String) = runTest {
         val folder = File(assertNotNull(javaClass.getResource(resource)).toURI())
         val assignment = assertIs<ProjectFileResult.Loaded>(
-            readProject(folder.resolve(assignmentFile).readText()),
+            readProject(folder.resolve(assignmentFile).readText(), Language.ENGLISH),
         ).project
         val files = folder.resolve("class").listFiles().orEmpty().sorted().map {
             CollectedFile(it.name, it.readBytes())
         }
         val plan = GradingPlan.of(assignment)
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
-        val submissions = collectHandIns(files, assignment).submissions
+        val submissions = collectHandIns(files, assignment, Language.ENGLISH).submissions
         val results = gradeAll(grader, submissions) { runs -> runs.map { it.finish() } }
         assertEquals(
             folder.resolve("grades.csv").readText(),
             csvFile(
                 ClassReport(assignment, plan, results, compareSubmissions(submissions, assignment)),
+                language = Language.ENGLISH,
             ).decodeToString(),
         )
     }

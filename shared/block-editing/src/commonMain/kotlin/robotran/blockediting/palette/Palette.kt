@@ -35,7 +35,7 @@ object Palette {
     fun blocksFor(brick: BrickKind): List<PaletteBlock> = byBrick.getValue(brick)
 
     /** The blocks of [group] for a robot with [brick]. */
-    fun blocksOf(group: BlockGroup, brick: BrickKind = BrickKind.RCX): List<PaletteBlock> =
+    fun blocksOf(group: BlockGroup, brick: BrickKind): List<PaletteBlock> =
         blocksFor(brick).filter { it.group == group }
 
     private fun line(form: LineForm, template: String): PaletteBlock {

@@ -9,8 +9,5 @@ import robotran.legofirmware.image.FirmwareTarget
  *
  * @param target the firmware that the program is for; commands that only a newer one knows are errors.
  */
-fun assemble(
-    source: String,
-    language: Language = Language.ENGLISH,
-    target: FirmwareTarget = FirmwareTarget.RCX2,
-): AssemblyResult = Assembler(language, target).assemble(source)
+fun assemble(source: String, language: Language, target: FirmwareTarget = FirmwareTarget.RCX2): AssemblyResult =
+    Assembler(language, target).assemble(source)

@@ -21,7 +21,7 @@ class AssembleTest {
         var compared = 0
         for (name in Vectors.names) {
             val text = Vectors.text("$name.lasm") ?: continue
-            val result = assertIs<AssemblyResult.Assembled>(assemble(text), name)
+            val result = assertIs<AssemblyResult.Assembled>(assemble(text, Language.ENGLISH), name)
             assertContentEquals(Vectors.bytes(name), result.image.toBytes(), name)
             compared++
         }
@@ -34,7 +34,7 @@ class AssembleTest {
             val image = Vectors.image(name)
             val listing = image.assemblyListing()
             val result = assertIs<AssemblyResult.Assembled>(
-                assemble(listing.text, target = image.target),
+                assemble(listing.text, target = image.target, language = Language.ENGLISH),
                 name,
             )
             assertEquals(image, result.image, name)
@@ -59,7 +59,7 @@ class AssembleTest {
             |end:
             |endt
         """.trimMargin()
-        val result = assertIs<AssemblyResult.Assembled>(assemble(source))
+        val result = assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
         assertEquals(
             CodeBytes.of(
                 0x24,
@@ -135,16 +135,17 @@ class AssembleTest {
 
     @Test
     fun `warnings and limits`() {
-        val empty = assertIs<AssemblyResult.Assembled>(assemble("; nothing\n"))
+        val empty = assertIs<AssemblyResult.Assembled>(assemble("; nothing\n", Language.ENGLISH))
         assertEquals(listOf(AssemblyProblem.NO_MAIN_TASK), empty.warnings.map { it.code })
-        val full = assertIs<AssemblyResult.Assembled>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt"))
+        val full =
+            assertIs<AssemblyResult.Assembled>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt", Language.ENGLISH))
         assertEquals(listOf(AssemblyProblem.LARGE_PROGRAM), full.warnings.map { it.code })
-        val long = assertIs<AssemblyResult.Rejected>(assemble(" ".repeat(1_000_001)))
+        val long = assertIs<AssemblyResult.Rejected>(assemble(" ".repeat(1_000_001), Language.ENGLISH))
         assertEquals(AssemblyProblem.SOURCE_TOO_LONG, long.diagnostics.single().code)
-        val many = assertIs<AssemblyResult.Rejected>(assemble("x\n".repeat(5000)))
+        val many = assertIs<AssemblyResult.Rejected>(assemble("x\n".repeat(5000), Language.ENGLISH))
         assertEquals(AssemblyLimits.DIAGNOSTICS, many.diagnostics.size)
         val code = "byte 0, 1, 2, 3\n".repeat(16_384)
-        val large = assertIs<AssemblyResult.Rejected>(assemble("task 0\n${code}endt"))
+        val large = assertIs<AssemblyResult.Rejected>(assemble("task 0\n${code}endt", Language.ENGLISH))
         assertEquals(AssemblyProblem.CODE_TOO_LONG, large.diagnostics.first().code)
     }
 
@@ -175,7 +176,7 @@ class AssembleTest {
     ) {
         val first = if (at == 1) "task 1" else "task 0"
         val source = "$first\nend: ping\n $line\n${followed}task 2\nother: ping\nendt"
-        val result = assertIs<AssemblyResult.Rejected>(assemble(source), line)
+        val result = assertIs<AssemblyResult.Rejected>(assemble(source, Language.ENGLISH), line)
         val found = result.diagnostics.first()
         assertEquals(code, found.code, line)
         val range = assertNotNull(found.range)
@@ -186,14 +187,16 @@ class AssembleTest {
 
     private fun assertNewer(line: String, sentence: String) {
         val source = "task 0\n$line\nendt"
-        assertIs<AssemblyResult.Assembled>(assemble(source))
+        assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
         val found = assertIs<AssemblyResult.Rejected>(
-            assemble(source, target = FirmwareTarget.RCX),
+            assemble(source, target = FirmwareTarget.RCX, language = Language.ENGLISH),
         ).diagnostics.single()
         assertEquals(AssemblyProblem.NEWER_FIRMWARE, found.code)
         assertTrue(sentence in found.message, found.message)
     }
 
-    private fun warnings(line: String, target: FirmwareTarget): List<ProblemCode?> =
-        assertIs<AssemblyResult.Assembled>(assemble("task 0\n$line\nendt", target = target)).warnings.map { it.code }
+    private fun warnings(line: String, target: FirmwareTarget): List<ProblemCode?> {
+        val result = assemble("task 0\n$line\nendt", Language.ENGLISH, target)
+        return assertIs<AssemblyResult.Assembled>(result).warnings.map { it.code }
+    }
 }

@@ -4,6 +4,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
@@ -48,9 +49,9 @@ internal class BrickScript(private val name: String, private val source: String)
     }
 
     private fun assembled(): FirmwareProgram {
-        val result = assemble(source, target = target)
+        val result = assemble(source, target = target, language = Language.ENGLISH)
         assertTrue(result is AssemblyResult.Assembled, "$name: ${(result as? AssemblyResult.Rejected)?.diagnostics}")
-        return FirmwareProgram(name, result.image, result.lines)
+        return FirmwareProgram(name, result.image, result.lines, language = Language.ENGLISH)
     }
 
     private fun tickUntil(moment: Int) {

@@ -8,6 +8,7 @@ import robotran.brick.program.StatementWatch
 import robotran.brick.program.ThreadActivity
 import robotran.brick.program.VariableScope
 import robotran.brick.program.VariableView
+import robotran.language.Language
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.Vectors
 import robotran.legofirmware.assembly.AssemblyResult
@@ -116,7 +117,7 @@ class DebuggingTest {
     @Test
     fun `the variables of a program without names are those that it uses`() {
         val image = Vectors.image("04-arithmetic.rcx2")
-        val brick = started(FirmwareProgram("test", RcxImage(image.target, image.chunks)))
+        val brick = started(FirmwareProgram("test", RcxImage(image.target, image.chunks), language = Language.ENGLISH))
         repeat(30) { brick.tick() }
         val scopes = run(brick).variables
         assertEquals(listOf("task 0", "test"), scopes.map { it.name })
@@ -131,7 +132,10 @@ class DebuggingTest {
             ChunkId(ChunkKind.SUB, 0) to mapOf(32 to listOf("a", "b")),
         )
         val table = VariableTable(mapOf(0 to listOf("rounds")), own)
-        val brick = started(FirmwareProgram("test", program.image, program.lines, variables = table))
+        val brick =
+            started(
+                FirmwareProgram("test", program.image, program.lines, variables = table, language = Language.ENGLISH),
+            )
         repeat(8) { brick.tick() }
         val shared = VariableScope("test", listOf(VariableView("rounds", "0")))
         assertEquals(2, run(brick).threads.first().callStack.size)
@@ -157,7 +161,7 @@ class DebuggingTest {
     @Test
     fun `an image without a source runs with the lines of its listing`() {
         val image = Vectors.image("20-follow-line.rcx2")
-        val brick = started(FirmwareProgram("test", image, image.assemblyListing().lines))
+        val brick = started(FirmwareProgram("test", image, image.assemblyListing().lines, language = Language.ENGLISH))
         repeat(200) { brick.tick() }
         val lines = image.assemblyListing().text.lines()
         val called = brick.log.entries.filter { it.sourceLine > 0 }.map { lines[it.sourceLine - 1].trim().take(4) }
@@ -178,8 +182,8 @@ class DebuggingTest {
     }
 
     private fun programOf(source: String): FirmwareProgram {
-        val result = assertIs<AssemblyResult.Assembled>(assemble(source))
-        return FirmwareProgram("test", result.image, result.lines)
+        val result = assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
+        return FirmwareProgram("test", result.image, result.lines, language = Language.ENGLISH)
     }
 
     private fun started(program: FirmwareProgram): RcxBrick {

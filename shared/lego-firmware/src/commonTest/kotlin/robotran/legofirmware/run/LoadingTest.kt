@@ -116,7 +116,7 @@ class LoadingTest {
     }
 
     private fun programOf(source: String, language: Language = Language.ENGLISH): FirmwareProgram {
-        val result = assertIs<AssemblyResult.Assembled>(assemble(source))
+        val result = assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
         return FirmwareProgram("test", result.image, result.lines, language)
     }
 

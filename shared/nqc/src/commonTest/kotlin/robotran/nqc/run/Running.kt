@@ -2,6 +2,7 @@ package robotran.nqc.run
 
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.SymbolKind
 import robotran.legofirmware.run.FirmwareState
@@ -14,7 +15,7 @@ import kotlin.test.assertIs
 /** Runs [source] on a brick until it ends and returns its global variables by name. */
 internal fun variablesAfter(source: String, target: FirmwareTarget): Map<String, Int> {
     val program = programOf(source, NqcOptions(target))
-    val brick = RcxBrick(listOf(program.forBrick()), InfraredAir())
+    val brick = RcxBrick(listOf(program.forBrick(language = Language.ENGLISH)), InfraredAir())
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     var milliseconds = 0

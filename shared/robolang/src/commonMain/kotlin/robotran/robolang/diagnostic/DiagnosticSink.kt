@@ -14,8 +14,8 @@ import robotran.robolang.messages.RobolangMessages
  * @param file the name of the source; empty if it has none.
  */
 internal class DiagnosticSink(val messages: RobolangMessages, private val file: String = "") {
-    /** The brick that the program is for, as far as the parser's sentences depend on it. */
-    var brick: BrickKind = BrickKind.RCX
+    /** The brick that the program is for, known before it is parsed. */
+    lateinit var brick: BrickKind
 
     /** The names that the program seems to declare, in lower case, those of several words joined by `_`. */
     var declaredNames: Set<String> = emptySet()

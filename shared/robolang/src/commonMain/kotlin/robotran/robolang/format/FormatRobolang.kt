@@ -2,6 +2,7 @@ package robotran.robolang.format
 
 import robotran.language.Language
 import robotran.language.source.SourceRange
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
@@ -31,7 +32,7 @@ fun formatRobolang(source: String, messages: RobolangMessages = RobolangMessages
         return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
     val lines = scan(source, diagnostics)
-    brickIn(lines)?.let { diagnostics.brick = it }
+    diagnostics.brick = brickIn(lines) ?: BrickKind.RCX
     val parsed = Parser(lines, diagnostics).program()
     return if (diagnostics.isEmpty) {
         FormatResult.Formatted(layout(parsed))

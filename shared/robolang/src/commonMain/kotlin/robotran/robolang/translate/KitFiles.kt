@@ -35,7 +35,7 @@ fun kitFiles(translation: Translation, sourceName: String, source: String): List
  * @param sources its files by name; folders in names are dropped.
  * @param brick that the program is for.
  */
-fun javaKitFiles(mainClass: String, sources: List<KitFile>, brick: BrickKind = BrickKind.RCX): List<KitFile> {
+fun javaKitFiles(mainClass: String, sources: List<KitFile>, brick: BrickKind): List<KitFile> {
     val className = mainClass.substringAfterLast('/')
     val names = mutableListOf<String>()
     for (source in sources) names += uniqueName(plainName(source.path), names)

@@ -14,7 +14,7 @@ class Translation internal constructor(
     val className: String,
     val java: String,
     val lineMap: LineMap,
-    val brick: BrickKind = BrickKind.RCX,
+    val brick: BrickKind,
 ) {
     val fileName: String get() = "$className.java"
 }

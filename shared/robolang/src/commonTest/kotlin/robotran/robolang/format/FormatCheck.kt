@@ -1,10 +1,12 @@
 package robotran.robolang.format
 
 import robotran.language.Language
+import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.brickIn
 import robotran.robolang.syntax.scan
 import kotlin.test.assertEquals
 
@@ -17,7 +19,9 @@ internal fun checkFormatting(source: String) {
 
 internal fun treeOf(source: String): SyntaxTree {
     val diagnostics = DiagnosticSink(RobolangMessages.of(Language.ENGLISH))
-    return Parser(scan(source, diagnostics), diagnostics).program().tree
+    val lines = scan(source, diagnostics)
+    diagnostics.brick = brickIn(lines) ?: BrickKind.RCX
+    return Parser(lines, diagnostics).program().tree
 }
 
 /** The tree as text, without source ranges and with names in lower case. */

@@ -3,6 +3,7 @@ package robotran.robolang.nqc
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
 import robotran.rcxrom.RcxBrick
@@ -24,7 +25,7 @@ class SameDrivingTest {
             val compiled = compileNqc(translation.fileName, translation.nqc)
             assertTrue(compiled is NqcResult.Ready, (compiled as? NqcResult.HasErrors)?.diagnostics.toString())
             val expected = phasesOf(program)
-            val actual = phasesOf(compiled.program.forBrick())
+            val actual = phasesOf(compiled.program.forBrick(language = Language.ENGLISH))
             assertEquals(expected.map { it.first }, actual.map { it.first }, "$name\n${translation.nqc}")
             for ((one, other) in expected.zip(actual)) {
                 val difference = one.second - other.second

@@ -1,6 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.language.Language
+import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testNxt
@@ -24,6 +25,9 @@ class NxtTranslationTest {
     @Test
     fun `what javac refuses is found`() {
         val java = "import lejos.nxt.*; public class Wrong { int x = Motor.A.getHeight(); }"
-        assertEquals(1, NxjCompiler.problems(listOf(Translation("Wrong", java, LineMap(emptyList())))).size)
+        assertEquals(
+            1,
+            NxjCompiler.problems(listOf(Translation("Wrong", java, LineMap(emptyList()), brick = BrickKind.RCX))).size,
+        )
     }
 }

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -31,7 +32,7 @@ class TinyVmTest {
             val problems =
                 tinyVmProblems(
                     LejosCompiler.compile(
-                        listOf(Translation("Refused", java, LineMap(emptyList()))),
+                        listOf(Translation("Refused", java, LineMap(emptyList()), brick = BrickKind.RCX)),
                     ).getValue("Refused"),
                 )
             assertContains(problems.joinToString("\n"), problem)

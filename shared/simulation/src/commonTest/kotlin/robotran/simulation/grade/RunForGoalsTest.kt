@@ -1,6 +1,7 @@
 package robotran.simulation.grade
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.GoalReportStatus
 import robotran.simulation.RobotLoad
@@ -44,7 +45,8 @@ class RunForGoalsTest {
     )
 
     private suspend fun grade(world: World, vararg programs: RcxProgram?): Grade {
-        val session = Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine())
+        val session =
+            Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         return session.runForGoals().also { session.close() }
     }
 

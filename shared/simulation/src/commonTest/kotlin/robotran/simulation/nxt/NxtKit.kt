@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 import robotran.nxt.hardware.I2cMode
 import robotran.nxt.hardware.SensorType
@@ -107,7 +108,7 @@ internal fun openWorld(robot: RobotDescription = ReadyRobots.NXT_PENBOT) = World
 
 /** A session whose robots have been started with [programs], one each. */
 internal suspend fun nxtSession(world: World, vararg programs: BrickProgram): Session =
-    Session(world, programs.map { RobotLoad(listOf(it)) }, loadPhysicsEngine()).apply { pressRun() }
+    Session(world, programs.map { RobotLoad(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH).apply { pressRun() }
 
 internal fun robolangNxt(source: String): BrickProgram =
     assertIs<RobolangResult.Ready>(compileRobolang("test", source, RobotTarget.Nxt(5.6, 11.4))).program

@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.hardware.SensorPortState
 import robotran.nxt.program.NxtCall
 import robotran.nxt.state.NxtState
@@ -155,7 +156,7 @@ class NxtRunTest {
     @Test
     fun `an NXT follows a line all the way round`() = runTest(timeout = 5.minutes) {
         val loop = assertIs<WorldFileResult.Loaded>(
-            readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json")),
+            readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json"), Language.ENGLISH),
         ).world
         val robots = loop.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) }
         val session = nxtSession(loop.copy(robots = robots), nxj("FollowLine"))
@@ -242,7 +243,7 @@ class NxtRunTest {
 
     @Test
     fun `sensors have measured before a program starts`() = runTest {
-        val session = Session(nxtPlain, emptyList<BrickProgram>(), loadPhysicsEngine())
+        val session = Session(nxtPlain, emptyList<BrickProgram>(), loadPhysicsEngine(), Language.ENGLISH)
         val raws = session.state.brick.inputs.map { (it as SensorPortState).raw }
         assertEquals(listOf(1_023, 1_023), raws.take(2))
         assertTrue(raws[2] in 100..1_000, "$raws")

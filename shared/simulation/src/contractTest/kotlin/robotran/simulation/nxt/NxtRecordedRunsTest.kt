@@ -2,6 +2,7 @@ package robotran.simulation.nxt
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.robot.RobotTarget
@@ -37,7 +38,13 @@ class NxtRecordedRunsTest {
         program: BrickProgram,
         facing: LightFacing? = null,
     ): String? {
-        val session = Session(world, listOf(RobotLoad(listOf(program), lightFacing = facing)), loadPhysicsEngine())
+        val session =
+            Session(
+                world,
+                listOf(RobotLoad(listOf(program), lightFacing = facing)),
+                loadPhysicsEngine(),
+                Language.ENGLISH,
+            )
         // As the command line does, which records them: goals are evaluated once nothing moves any more.
         if (world.goals.isEmpty()) {
             session.runUnattended(60_000)
@@ -52,7 +59,9 @@ class NxtRecordedRunsTest {
     private fun World.with(robot: RobotDescription) = copy(robots = robots.map { it.copy(description = robot) })
 
     private fun world(name: String, realism: Double): World {
-        val world = assertIs<WorldFileResult.Loaded>(readWorld(BuiltInWorlds.texts.getValue("$name.world.json"))).world
+        val world = assertIs<WorldFileResult.Loaded>(
+            readWorld(BuiltInWorlds.texts.getValue("$name.world.json"), Language.ENGLISH),
+        ).world
         return world.with(ReadyRobots.NXT_PENBOT).copy(realism = realism)
     }
 

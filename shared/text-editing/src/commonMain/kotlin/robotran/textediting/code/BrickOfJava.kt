@@ -4,7 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.textediting.text.TextLines
 
 /** The brick that the imports of a Java program name; [otherwise] if none does. */
-fun brickOfJava(lines: TextLines, otherwise: BrickKind = BrickKind.RCX): BrickKind {
+fun brickOfJava(lines: TextLines, otherwise: BrickKind): BrickKind {
     for (line in 0..<minOf(lines.count, MAX_LINES)) {
         val words = lines.line(line).trimStart()
         if (!words.startsWith("import ")) continue

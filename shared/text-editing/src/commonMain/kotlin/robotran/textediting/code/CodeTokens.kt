@@ -13,11 +13,7 @@ import robotran.textediting.text.TextLines
  *
  * @param otherwise the brick of a Java program that does not name one.
  */
-class CodeTokens(
-    private val lines: TextLines,
-    private val language: ProgramLanguage,
-    otherwise: BrickKind = BrickKind.RCX,
-) {
+class CodeTokens(private val lines: TextLines, private val language: ProgramLanguage, otherwise: BrickKind) {
     private val brick = if (language == ProgramLanguage.JAVA) brickOfJava(lines, otherwise) else otherwise
     private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
 
@@ -41,7 +37,7 @@ class CodeTokens(
 
     private fun endsInComment(line: String, startsInComment: Boolean): Boolean = when (language) {
         ProgramLanguage.NQC -> nqcTokens(line, startsInComment).endsInComment
-        else -> tokenizeJavaLine(line, startsInComment).endsInComment
+        else -> tokenizeJavaLine(line, startsInComment, brick).endsInComment
     }
 
     private companion object {
@@ -50,17 +46,15 @@ class CodeTokens(
 }
 
 /** The tokens of one [line] of a program for a [brick]. Never throws for any input. */
-fun tokensOf(
-    line: String,
-    language: ProgramLanguage,
-    startsInComment: Boolean,
-    brick: BrickKind = BrickKind.RCX,
-): List<CodeToken> = when (language) {
-    ProgramLanguage.ROBOLANG -> robolangTokens(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
-    ProgramLanguage.JAVA -> tokenizeJavaLine(line, startsInComment, brick).tokens
-    ProgramLanguage.NQC -> nqcTokens(line, startsInComment).tokens.map { CodeToken(kindOf(it.kind), it.start, it.end) }
-    ProgramLanguage.LASM -> tokenizeLasmLine(line)
-}
+fun tokensOf(line: String, language: ProgramLanguage, startsInComment: Boolean, brick: BrickKind): List<CodeToken> =
+    when (language) {
+        ProgramLanguage.ROBOLANG -> robolangTokens(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
+        ProgramLanguage.JAVA -> tokenizeJavaLine(line, startsInComment, brick).tokens
+        ProgramLanguage.NQC -> nqcTokens(line, startsInComment).tokens.map {
+            CodeToken(kindOf(it.kind), it.start, it.end)
+        }
+        ProgramLanguage.LASM -> tokenizeLasmLine(line)
+    }
 
 private fun kindOf(kind: SourceTokenKind): CodeTokenKind = when (kind) {
     SourceTokenKind.KEYWORD -> CodeTokenKind.KEYWORD

@@ -26,7 +26,7 @@ private class JavaFormatter {
     fun formatted(line: String): String {
         val startsInComment = isInComment
         val content = line.trim()
-        val parts = tokenizeJavaLine(content, startsInComment)
+        val parts = tokenizeJavaLine(content, startsInComment, brick = null)
         isInComment = parts.endsInComment
         if (content.isEmpty()) return ""
         if (startsInComment) {

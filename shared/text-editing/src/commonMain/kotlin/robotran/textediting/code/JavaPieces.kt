@@ -16,10 +16,14 @@ val JAVA_KEYWORDS: List<String> = (
  * Splits one [line] of Java into tokens. Never throws for any input.
  *
  * @param startsInComment whether the line begins inside a comment.
- * @param brick the brick that the program is for.
+ * @param brick the brick that the program is for; null if the names of its classes do not matter.
  */
-fun tokenizeJavaLine(line: String, startsInComment: Boolean, brick: BrickKind = BrickKind.RCX): LineTokens =
-    JavaLine(line, startsInComment, BrickApi.of(brick).classNames, keywordsFor(brick)).tokens()
+fun tokenizeJavaLine(line: String, startsInComment: Boolean, brick: BrickKind?): LineTokens = JavaLine(
+    line,
+    startsInComment,
+    brick?.let { BrickApi.of(it).classNames }.orEmpty(),
+    brick?.let(::keywordsFor) ?: KEYWORDS,
+).tokens()
 
 private class JavaLine(
     private val line: String,

@@ -1,12 +1,14 @@
 package robotran.textediting.code
 
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.text.TextLines
 
 /** Returns [source] with the name [old] replaced by [new] everywhere except in strings and comments. */
 fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
-    val tokens = CodeTokens(lines, ProgramLanguage.JAVA)
+    // On any brick the name of a class counts like any other.
+    val tokens = CodeTokens(lines, ProgramLanguage.JAVA, BrickKind.RCX)
     val result = StringBuilder()
     for (line in 0..<lines.count) {
         if (line > 0) result.append('\n')

@@ -17,7 +17,8 @@ internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean, bri
     val text = draft.lines.line(line)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA, brick).of(line)
+    val code = CodeTokens(draft.lines, ProgramLanguage.JAVA, brick)
+    val tokens = code.of(line)
     val around = tokens.firstOrNull { column > it.start && column <= it.end }
     if (around != null && around.kind in WITHOUT_COMPLETIONS) return null
     val word = around?.takeIf { it.kind != CodeTokenKind.SIGN }
@@ -28,9 +29,9 @@ internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean, bri
     if (!isMember && typed.isEmpty() && !isExplicit) return null
     val isAtEnd = text.substring(column).isBlank()
     val candidates = if (isMember) {
-        membersBehind(receiverOf(before.dropLast(1)), draft, api)
+        membersBehind(receiverOf(before.dropLast(1)), draft, code, api)
     } else {
-        namesIn(draft, lineStart + start) +
+        namesIn(draft, code, lineStart + start) +
             keywordsFor(brick).map { completionOf(it, KEYWORD_SUFFIXES[it].takeIf { isAtEnd }, help) } +
             api.classNames.sorted().map {
                 Completion(it, CompletionKind.CLASS, help = api.classOf(it)?.help?.ifEmpty { null })
@@ -53,10 +54,10 @@ private fun receiverOf(before: List<String>): List<String> {
     return emptyList()
 }
 
-private fun membersBehind(receiver: List<String>, draft: Draft, api: BrickApi): List<Completion> {
+private fun membersBehind(receiver: List<String>, draft: Draft, code: CodeTokens, api: BrickApi): List<Completion> {
     if (receiver.isEmpty()) return emptyList()
     val first = receiver.first()
-    var type = if (api.classOf(first) != null) first else typeOfVariable(first, draft, api) ?: return emptyList()
+    var type = if (api.classOf(first) != null) first else typeOfVariable(first, draft, code, api) ?: return emptyList()
     var isClass = api.classOf(first) != null
     for (name in receiver.drop(1)) {
         type =
@@ -76,13 +77,12 @@ private fun completionOf(member: ApiMember): Completion {
 }
 
 /** The declared type of a variable: the class name before it. */
-private fun typeOfVariable(name: String, draft: Draft, api: BrickApi): String? {
+private fun typeOfVariable(name: String, draft: Draft, code: CodeTokens, api: BrickApi): String? {
     var before = ""
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA)
     for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
         val text = draft.lines.line(line)
         if (name !in text) continue
-        for (token in tokens.of(line)) {
+        for (token in code.of(line)) {
             val word = text.substring(token.start, token.end)
             if (word == name && before in api.classNames) return before
             before = word
@@ -91,13 +91,12 @@ private fun typeOfVariable(name: String, draft: Draft, api: BrickApi): String? {
     return null
 }
 
-private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA)
+private fun namesIn(draft: Draft, code: CodeTokens, writing: Int): List<Completion> {
     val found = LinkedHashMap<String, Completion>()
     val here = draft.lines.lineOf(writing)
     for (line in maxOf(0, here - MAX_LINES_AROUND)..minOf(draft.lines.count - 1, here + MAX_LINES_AROUND)) {
         val text = draft.lines.line(line)
-        val inLine = tokens.of(line)
+        val inLine = code.of(line)
         inLine.forEachIndexed { index, token ->
             val isMember = index > 0 && text[inLine[index - 1].start] == '.'
             if (token.kind != CodeTokenKind.NAME || isMember || draft.lines.start(line) + token.start == writing) {

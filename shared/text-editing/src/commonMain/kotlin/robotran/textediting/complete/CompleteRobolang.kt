@@ -9,17 +9,13 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.isWordCharacter
 
 /** The completions at the caret of a Robolang program; null if there are none. */
-internal fun completeRobolang(
-    draft: Draft,
-    help: WordHelp,
-    isExplicit: Boolean,
-    robot: BrickKind = BrickKind.RCX,
-): CompletionList? {
+internal fun completeRobolang(draft: Draft, help: WordHelp, isExplicit: Boolean, robot: BrickKind): CompletionList? {
     val caret = draft.selection.caret
     val line = draft.lines.lineOf(caret)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG).of(line)
+    val code = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG, robot)
+    val tokens = code.of(line)
     val text = draft.lines.line(line)
     val around = tokens.firstOrNull { column > it.start && column <= it.end }
     val word = around?.takeIf {
@@ -31,7 +27,7 @@ internal fun completeRobolang(
     val typed = text.substring(start, column)
     if (typed.isEmpty() && !isExplicit) return null
     val before = tokens.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
-    val names = namesIn(draft, lineStart + start)
+    val names = namesIn(draft, code, lineStart + start)
     val header = headerAt(draft, line)
     val brick = header.brick ?: robot
     val isAtEnd = text.substring(column).isBlank()
@@ -69,13 +65,12 @@ private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, par
 }
 
 /** The names that the program declares, except for the one being written at offset [writing]. */
-private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val tokens = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG)
+private fun namesIn(draft: Draft, code: CodeTokens, writing: Int): List<Completion> {
     val found = LinkedHashMap<String, Completion>()
     for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
         if (!declares(draft, line)) continue
         val text = draft.lines.line(line)
-        val inLine = tokens.of(line)
+        val inLine = code.of(line)
         inLine.forEachIndexed { index, token ->
             val before = inLine.getOrNull(index - 1)?.let { text.substring(it.start, it.end).lowercase() }
             val isBeingWritten = draft.lines.start(line) + token.start == writing

@@ -17,7 +17,7 @@ fun completionsAt(
     language: ProgramLanguage,
     help: WordHelp,
     isExplicit: Boolean,
-    brick: BrickKind = BrickKind.RCX,
+    brick: BrickKind,
 ): CompletionList? {
     if (!draft.selection.isEmpty) return null
     return when (language) {

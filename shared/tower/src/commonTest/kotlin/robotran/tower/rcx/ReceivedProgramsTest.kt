@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
 import robotran.legofirmware.run.FirmwareState
@@ -18,7 +19,7 @@ import kotlin.test.assertIs
 
 /** What arrived in a brick runs on the virtual one. */
 class ReceivedProgramsTest {
-    private val image = assertIs<AssemblyResult.Assembled>(assemble(PROGRAM)).image
+    private val image = assertIs<AssemblyResult.Assembled>(assemble(PROGRAM, language = Language.ENGLISH)).image
 
     @Test
     fun `a program of tasks and a subroutine runs after its way over a bad line`() = runTest {

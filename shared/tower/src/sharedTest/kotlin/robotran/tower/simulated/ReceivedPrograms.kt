@@ -1,6 +1,7 @@
 package robotran.tower.simulated
 
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
@@ -16,7 +17,7 @@ fun SimulatedLegoFirmware.programIn(slot: Int): FirmwareProgram {
         val (_, kind, number) = name.split(' ')
         Chunk(ChunkId(if (kind == "task") ChunkKind.TASK else ChunkKind.SUB, number.toInt()), CodeBytes(code))
     }
-    return FirmwareProgram("received", RcxImage(FirmwareTarget.RCX2, chunks))
+    return FirmwareProgram("received", RcxImage(FirmwareTarget.RCX2, chunks), language = Language.ENGLISH)
 }
 
 /** A virtual brick on which [program] has run for [milliseconds]. */

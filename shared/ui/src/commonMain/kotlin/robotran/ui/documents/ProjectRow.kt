@@ -28,6 +28,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
@@ -137,6 +138,6 @@ private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
 }
 
 private val pictures = SheetPictures()
-private val reader = ProgramCompiler(PENBOT_TARGET)
+private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
 private val PICTURE_WIDTH = 96.dp
 private val PICTURE_HEIGHT = 72.dp

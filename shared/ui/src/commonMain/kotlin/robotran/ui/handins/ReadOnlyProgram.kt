@@ -25,6 +25,7 @@ import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.projects.ProjectProgram
 import robotran.textediting.code.CodeTokens
@@ -116,7 +117,7 @@ private fun barColour(colours: RobotranColours): Color = colours.onPane
 
 private fun coloured(text: String, language: ProgramLanguage, colours: CodeColours): List<AnnotatedString> {
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, language)
+    val tokens = CodeTokens(lines, language, BrickKind.RCX)
     return (0..<minOf(lines.count, MAX_LINES)).map { index ->
         buildAnnotatedString {
             append(lines.line(index))

@@ -3,6 +3,7 @@ package robotran.ui.learning
 import androidx.compose.ui.graphics.ImageBitmap
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -22,7 +23,7 @@ import robotran.world.file.BuiltInWorlds
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
-    private val reader = ProgramCompiler(PENBOT_TARGET)
+    private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
 
     override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)

@@ -23,6 +23,7 @@ import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.robolang.words.BlockGroup
 import robotran.textediting.code.tokensOf
@@ -93,7 +94,7 @@ internal fun TextPicture() {
 
 private fun coloured(line: String, colours: CodeColours): AnnotatedString = buildAnnotatedString {
     append(line)
-    for (token in tokensOf(line, ProgramLanguage.ROBOLANG, startsInComment = false)) {
+    for (token in tokensOf(line, ProgramLanguage.ROBOLANG, startsInComment = false, BrickKind.RCX)) {
         addStyle(SpanStyle(color = colours.of(token.kind)), token.start, token.end)
     }
 }

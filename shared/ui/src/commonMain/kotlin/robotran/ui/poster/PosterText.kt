@@ -1,6 +1,7 @@
 package robotran.ui.poster
 
 import androidx.compose.ui.graphics.Color
+import robotran.brick.kind.BrickKind
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.TextLines
 import robotran.ui.program.editor.codeColoursFor
@@ -11,7 +12,7 @@ import robotran.workshop.state.PupilProgram
 internal fun codeLines(program: PupilProgram): List<List<PosterRun>> = program.files.flatMapIndexed { index, file ->
     val text = file.text.trimEnd()
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, program.language)
+    val tokens = CodeTokens(lines, program.language, BrickKind.RCX)
     val heading = if (program.files.size == 1) emptyList() else headingOf(file.name, isFirst = index == 0)
     heading + (0..<lines.count).map { line -> runsOf(lines.line(line), tokens, line) }
 }

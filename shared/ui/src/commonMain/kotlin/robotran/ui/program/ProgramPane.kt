@@ -160,7 +160,7 @@ private fun ShownFile(
     val view = remember(key) { EditorView() }
     val control = remember(key) {
         val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
-        EditorControl(state.program.language, view, hasRoom) { draft, kind ->
+        EditorControl(state.program.language, view, state.brick, hasRoom) { draft, kind ->
             event(ProgramEvent.DraftChanged(draft, kind))
         }
     }

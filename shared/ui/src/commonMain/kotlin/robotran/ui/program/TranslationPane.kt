@@ -143,10 +143,10 @@ private fun TranslatedText(
     val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
     val language = translation.language
     val brick = remember(draft) {
-        if (language == ProgramLanguage.JAVA) brickOfJava(draft.lines) else BrickKind.RCX
+        if (language == ProgramLanguage.JAVA) brickOfJava(draft.lines, BrickKind.RCX) else BrickKind.RCX
     }
     val layouts = rememberLineLayouts(language, brick, codeSize)
-    val pieces = remember(draft) { CodeTokens(draft.lines, language) }
+    val pieces = remember(draft) { CodeTokens(draft.lines, language, brick) }
     val paint = remember(draft, marks) { EditorPaint(draft, marks, hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)

@@ -7,6 +7,7 @@ import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -66,7 +67,7 @@ internal class SheetPictures {
     }
 
     private suspend fun stateOf(world: World, loads: List<RobotLoad>, engine: PhysicsEngine): SessionState {
-        val session = Session(world, loads, engine)
+        val session = Session(world, loads, engine, Language.ENGLISH)
         try {
             if (loads.isNotEmpty()) session.runInParts()
             return session.state

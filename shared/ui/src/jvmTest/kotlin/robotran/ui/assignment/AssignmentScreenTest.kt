@@ -10,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.assignments.doing.pupilCopy
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
@@ -128,7 +129,9 @@ class AssignmentScreenTest {
                 pass(SETTLED)
                 onNodeWithTag("assignment-handed-in").assertTextContains("Handed in on this device as Ada.")
             }
-            val saved = assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
+            val saved = assertIs<ProjectFileResult.Loaded>(
+                readProject(machine.files.disk.values.last(), Language.ENGLISH),
+            ).project
             assertEquals("Ada", saved.handIn?.name)
         }
     }

@@ -84,10 +84,10 @@ class ExamplesPageTest {
     @Test
     fun `an example that is there as it came is not put there twice, and a full brick is told`() {
         val workshop = runBlocking { openWorkshop() }
-        workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "square.robo"))
+        workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "square.robo", brick = BrickKind.RCX))
         assertEquals(1, workshop.state.programs.programs.size)
         repeat(4) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
-        workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "star.robo"))
+        workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "star.robo", brick = BrickKind.RCX))
         assertEquals(5, workshop.state.programs.programs.size)
         assertNotNull(workshop.state.notice)
         workshop.close()

@@ -7,6 +7,7 @@ import robotran.assignments.course.courseFile
 import robotran.assignments.course.isForTeachers
 import robotran.assignments.course.key
 import robotran.documents.StoreResult
+import robotran.language.Language
 import robotran.projects.Course
 import robotran.projects.CourseFileResult
 import robotran.projects.readCourse
@@ -61,7 +62,7 @@ internal class CourseShelf(private val store: KeyValueStore, scope: CoroutineSco
 
     /** The course [key]; null if it is missing or unreadable. */
     suspend fun course(key: String): Course? =
-        store.read(PREFIX + key)?.let { (readCourse(it) as? CourseFileResult.Loaded)?.course }
+        store.read(PREFIX + key)?.let { (readCourse(it, Language.ENGLISH) as? CourseFileResult.Loaded)?.course }
 
     /** Keeps what [change] makes of the record [key]. */
     fun update(key: String, change: (CourseRecord) -> CourseRecord) {

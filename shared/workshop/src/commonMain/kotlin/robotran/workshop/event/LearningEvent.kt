@@ -58,7 +58,7 @@ sealed interface LearningEvent : WorkshopEvent {
     data class WorldSolutionRequested(val shown: Boolean) : LearningEvent
 
     /** Adds the example [name] in [language] as a tab. */
-    data class ExampleChosen(val language: ProgramLanguage, val name: String, val brick: BrickKind = BrickKind.RCX) :
+    data class ExampleChosen(val language: ProgramLanguage, val name: String, val brick: BrickKind) :
         LearningEvent
 
     /** Shows help on the word at [offset] of [text]. */

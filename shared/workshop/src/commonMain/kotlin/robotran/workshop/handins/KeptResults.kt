@@ -27,7 +27,7 @@ internal class KeptResults(
 
     /** What a result is drawn on. */
     private val start by lazy {
-        val session = Session(task.plan.worlds.first().world, emptyList<RobotLoad>(), physics)
+        val session = Session(task.plan.worlds.first().world, emptyList<RobotLoad>(), physics, language)
         session.state.also { session.close() }
     }
 

@@ -5,6 +5,9 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.Lessons
@@ -66,7 +69,7 @@ class LearningStateHolder(
     /** Whether it was the solution that began the present run, which solves nothing. */
     private var isSolutionRun = false
 
-    var state: LearningState by mutableStateOf(LearningState())
+    var state: LearningState by mutableStateOf(BEFORE_START)
         private set
 
     /** Restores the learning progress; on the first run shows the welcome page if [welcoming]. */
@@ -361,3 +364,7 @@ class LearningStateHolder(
         const val START_MILLISECONDS = 100L
     }
 }
+
+/** Before [LearningStateHolder.start] knows better. */
+private val BEFORE_START =
+    LearningState(Language.ENGLISH, HelpState(ProgramLanguage.ROBOLANG, word = null, found = null, BrickKind.RCX))

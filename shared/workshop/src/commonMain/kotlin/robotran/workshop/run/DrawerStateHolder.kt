@@ -1,6 +1,7 @@
 package robotran.workshop.run
 
 import kotlinx.coroutines.CoroutineScope
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.CallFrame
 import robotran.runcontrol.RunPlayer
 import robotran.workshop.event.RunEvent
@@ -9,6 +10,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.DrawerState
 import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.LogState
 import robotran.workshop.state.Pane
 
 /** Holds the drawer below the world; [programName] is that of the shown program, which names its files. */
@@ -17,12 +19,13 @@ internal class DrawerStateHolder(
     scope: CoroutineScope,
     notices: Notices,
     private val navigator: ScreenNavigator,
+    brick: BrickKind,
     private val programName: () -> String,
 ) {
     private val updater = DrawerUpdater()
     private val export = RomLogExport(platform, scope, notices)
 
-    var state = DrawerState()
+    var state = DrawerState(LogState(brick))
         private set
 
     /** Whether there is more to read while time is paused. */

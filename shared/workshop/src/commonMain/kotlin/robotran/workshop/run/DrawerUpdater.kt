@@ -1,5 +1,6 @@
 package robotran.workshop.run
 
+import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallLogFilter
 import robotran.brick.program.CallFrame
 import robotran.legofirmware.run.FirmwareState
@@ -123,7 +124,9 @@ internal class DrawerUpdater {
 
     private fun updateLog(player: RunPlayer): LogState {
         val now = player.romCalls
-        val kind = player.state.robots[player.watched].brick.kind
-        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete, kind)
+        return LogState(player.watchedBrick, calls.find(now), calls.filter, now.count, calls.isComplete)
     }
 }
+
+/** The brick of the robot whose calls are shown. */
+internal val RunPlayer.watchedBrick: BrickKind get() = state.robots[watched].brick.kind

@@ -67,7 +67,9 @@ class RunStateHolder(
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
     private val idleDetector = IdleDetector()
-    private val drawer = DrawerStateHolder(platform, scope, notices, navigator) { programs.state.program.name }
+    private val drawer = DrawerStateHolder(platform, scope, notices, navigator, run.player.watchedBrick) {
+        programs.state.program.name
+    }
     private val stopLocation = StopLocation(programs)
     private var pendingStart: PendingStart? = null
     private var seenStop: StopReason? = null
@@ -364,6 +366,7 @@ class RunStateHolder(
     private fun firstState() = RunPaneState(
         run.world,
         player.state,
+        drawer.state,
         hasRecording = recording.isNotEmpty(),
         settings = current.project.settings,
     )

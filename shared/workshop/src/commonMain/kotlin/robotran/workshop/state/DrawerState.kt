@@ -23,10 +23,10 @@ enum class DrawerTab { VARIABLES, LOG, CHART, GOALS, WHY }
  */
 @Immutable
 data class DrawerState(
+    val log: LogState,
     val tab: DrawerTab? = null,
     val beside: DrawerTab? = null,
     val variables: VariablesState = VariablesState(),
-    val log: LogState = LogState(),
     val chart: ChartState = ChartState(),
     val why: WhyState = WhyState(),
 ) {
@@ -80,11 +80,11 @@ data class VariablesState(
  */
 @Immutable
 data class LogState(
+    val kind: BrickKind,
     val entries: List<LoggedCall> = emptyList(),
     val filter: CallLogFilter = CallLogFilter(),
     val total: Long = 0,
     val isComplete: Boolean = true,
-    val kind: BrickKind = BrickKind.RCX,
 )
 
 /**

@@ -28,14 +28,14 @@ import robotran.learning.WordHelp
  */
 @Immutable
 data class LearningState(
+    val language: Language,
+    val help: HelpState,
     val page: LearningPage? = null,
-    val language: Language = Language.ENGLISH,
     val tutorial: TutorialState? = null,
     val worldTask: WorldTaskState? = null,
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val query: String = "",
-    val help: HelpState = HelpState(),
     val isInBlocks: Boolean = false,
     val solved: SolvedTask? = null,
 ) {
@@ -66,11 +66,11 @@ data class LearningState(
  */
 @Immutable
 data class TutorialState(
-    val step: Int = 0,
+    val step: Int,
+    val brick: BrickKind,
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
     val help: TaskHelp = TaskHelp(),
-    val brick: BrickKind = BrickKind.RCX,
 ) {
     val current: Lesson get() = Lessons.all[step].on(brick)
 
@@ -96,9 +96,4 @@ data class TutorialState(
  * @property brick the brick that the words are for.
  */
 @Immutable
-data class HelpState(
-    val code: ProgramLanguage = ProgramLanguage.ROBOLANG,
-    val word: String? = null,
-    val found: WordHelp? = null,
-    val brick: BrickKind = BrickKind.RCX,
-)
+data class HelpState(val code: ProgramLanguage, val word: String?, val found: WordHelp?, val brick: BrickKind)

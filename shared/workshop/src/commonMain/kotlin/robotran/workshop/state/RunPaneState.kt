@@ -40,6 +40,7 @@ import robotran.world.World
 data class RunPaneState(
     val world: World,
     val session: SessionState,
+    val drawer: DrawerState,
     val drawn: SessionState = session,
     val changed: Boolean = false,
     val down: Set<BrickButton> = emptySet(),
@@ -54,7 +55,6 @@ data class RunPaneState(
     val watched: Int = 0,
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),
-    val drawer: DrawerState = DrawerState(),
     val frame: CallFrame? = null,
     val immediate: List<ImmediateProgram?> = emptyList(),
     val outcome: RunOutcome = RunOutcome(),

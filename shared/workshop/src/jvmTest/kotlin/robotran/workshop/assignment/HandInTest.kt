@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.assignments.doing.NotAllowed
 import robotran.assignments.doing.isIntact
 import robotran.assignments.doing.pupilCopy
+import robotran.language.Language
 import robotran.projects.Feedback
 import robotran.projects.FeedbackResult
 import robotran.projects.LinkResult
@@ -51,7 +52,7 @@ class HandInTest {
     }
 
     private fun saved(): Project =
-        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
+        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last(), Language.ENGLISH)).project
 
     @Test
     fun `the best try is handed in as a file with name, result and intact hash`() {
@@ -181,7 +182,7 @@ class HandInTest {
         val workshop = window()
         workshop.attempt(AnyAssignment.SOLUTION)
         val link = assertNotNull(workshop.handIn("Ada").link)
-        val opened = runBlocking { openHandInLink(link, AnyAssignment.world) }
+        val opened = runBlocking { openHandInLink(link, AnyAssignment.world, Language.ENGLISH) }
         assertTrue(isIntact(assertIs<LinkResult.OfProject>(opened).project))
     }
 

@@ -48,7 +48,7 @@ class MakingAssignmentTest {
         machine.window(AnyAssignment.request(project)).also { it.handle(AssignmentEvent.MakingRequested) }
 
     private fun saved(): Project =
-        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last())).project
+        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last(), Language.ENGLISH)).project
 
     private val Workshop.solutionText: String get() = making.assignment.solution.single().files.single().text
 

@@ -1,6 +1,7 @@
 package robotran.workshop.blocks
 
 import robotran.blockediting.palette.Palette
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
@@ -20,7 +21,10 @@ class HelpWordTest {
     fun `every block of the palette has help`() {
         for (block in Palette.blocks.filterNot { it.isValue }) {
             val word = assertNotNull(wordOf(block.template.lines().first()), block.id)
-            assertNotNull(WordHelp.of(Language.GERMAN, ProgramLanguage.ROBOLANG, word), "${block.id}: $word")
+            assertNotNull(
+                WordHelp.of(Language.GERMAN, ProgramLanguage.ROBOLANG, word, brick = BrickKind.RCX),
+                "${block.id}: $word",
+            )
         }
     }
 

@@ -2,6 +2,7 @@ package robotran.workshop.course
 
 import kotlinx.coroutines.runBlocking
 import robotran.assignments.course.pupilCopy
+import robotran.language.Language
 import robotran.projects.Course
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
@@ -214,7 +215,7 @@ class DoingCourseTest {
 
     @Test
     fun `a link and the files of a folder open a course, too`() {
-        val link = runBlocking { assertIs<LinkCreation.Made>(linkOf(pupils)).fragment }
+        val link = runBlocking { assertIs<LinkCreation.Made>(linkOf(pupils, Language.ENGLISH)).fragment }
         assertEquals("Circles", machine.window(OpenRequest.OfLink("https://school.example/$link")).shown.title)
         val list = """{ "format": "robotran-course", "version": 1, "title": "Folder", "assignments": ["1.robotran"] }"""
         val files = listOf(

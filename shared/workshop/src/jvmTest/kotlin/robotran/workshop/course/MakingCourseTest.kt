@@ -52,7 +52,7 @@ class MakingCourseTest {
         machine.files.location = "/home/out.course.json"
         workshop.handle(event)
         return assertIs<CourseFileResult.Loaded>(
-            readCourse(machine.files.disk.getValue("/home/out.course.json")),
+            readCourse(machine.files.disk.getValue("/home/out.course.json"), Language.ENGLISH),
         ).course
     }
 
@@ -100,7 +100,7 @@ class MakingCourseTest {
         make()
         workshop.handle(CourseEvent.LinkRequested)
         val link = assertNotNull(workshop.making.link?.link)
-        val course = assertIs<LinkResult.OfCourse>(runBlocking { openLink(link) }).course
+        val course = assertIs<LinkResult.OfCourse>(runBlocking { openLink(link, Language.ENGLISH) }).course
         assertFalse(course.isForTeachers)
         workshop.handle(CourseEvent.LinkCopied)
         assertTrue(workshop.making.link?.isCopied == true)

@@ -3,6 +3,7 @@ package robotran.workshop.documents
 import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.startButton
 import robotran.brick.program.StepKind
+import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.projects.LinkCreation
@@ -238,5 +239,9 @@ class AnotherWorldTest {
         handle(WorldEditEvent.Edited(Edit.Put(PaletteItem.BLOCK.piece(state.world), Point(30.0, 30.0))))
     }
 
-    private fun linkTo(world: World): String = (runBlocking { linkOf(world) } as LinkCreation.Made).fragment
+    private fun linkTo(world: World): String = (
+        runBlocking {
+            linkOf(world, Language.ENGLISH)
+        } as LinkCreation.Made
+    ).fragment
 }

@@ -4,6 +4,7 @@ import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.yield
 import robotran.documents.OpenFilesError
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.projects.LinkResult
 import robotran.projects.ProjectFileResult
@@ -307,7 +308,7 @@ class DocumentStateHolderTest {
         workshop.handle(DocumentEvent.LinkCopied)
         assertTrue(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).copied)
         val link = assertNotNull(machine.clipboard.text)
-        assertIs<LinkResult.OfProject>(runBlocking { openLink(link) })
+        assertIs<LinkResult.OfProject>(runBlocking { openLink(link, Language.ENGLISH) })
         val other = machine.window(OpenRequest.OfLink("https://school.example/$link"))
         assertEquals("forward 7", other.state.programText)
     }
@@ -347,7 +348,7 @@ class DocumentStateHolderTest {
         machine.files.location = "replay.robotran"
         workshop.handle(DocumentEvent.ReplayRequested)
         val project = assertIs<ProjectFileResult.Loaded>(
-            readProject(machine.files.disk.getValue("replay.robotran")),
+            readProject(machine.files.disk.getValue("replay.robotran"), Language.ENGLISH),
         ).project
         assertTrue(project.inputs.isNotEmpty())
     }

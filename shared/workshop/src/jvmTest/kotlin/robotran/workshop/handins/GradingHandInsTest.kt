@@ -189,8 +189,16 @@ internal class GradingHandInsTest : HandInsTesting() {
     private suspend fun gradeAlone(row: HandInRow, world: World): String {
         val robot = world.robots.first().name
         val loads =
-            readRobotLoads(world, ProgramCompiler(PENBOT_TARGET), mapOf(robot to row.programs.map { it.source }))
-        val session = Session(world, assertIs<RobotLoads.Ready>(loads).loads, loadPhysicsEngine())
+            readRobotLoads(
+                world,
+                ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH),
+                mapOf(
+                    robot to row.programs.map {
+                        it.source
+                    },
+                ),
+            )
+        val session = Session(world, assertIs<RobotLoads.Ready>(loads).loads, loadPhysicsEngine(), Language.ENGLISH)
         return session.runForGoals().report.toJson().also { session.close() }
     }
 

@@ -2,6 +2,7 @@ package robotran.workshop.handins
 
 import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.test.advanceUntilIdle
+import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.workshop.Workshop
@@ -103,7 +104,7 @@ internal class HandInsStateHolderTest : HandInsTesting() {
         val zip = workshop.save(HandInsEvent.FeedbackRequested, "/home/class.zip")
         assertContains(zip.decodeToString(), "Ben - feedback - ")
         val file = workshop.save(HandInsEvent.FeedbackFileRequested("Ben"), "/home/Ben.robotran").decodeToString()
-        val project = assertIs<ProjectFileResult.Loaded>(readProject(file)).project
+        val project = assertIs<ProjectFileResult.Loaded>(readProject(file, Language.ENGLISH)).project
         assertEquals("A little further.", project.feedback?.comment)
         files.full = true
         workshop.handle(HandInsEvent.CsvRequested)

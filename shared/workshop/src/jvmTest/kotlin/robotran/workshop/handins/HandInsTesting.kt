@@ -7,6 +7,7 @@ import kotlinx.coroutines.test.StandardTestDispatcher
 import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.advanceUntilIdle
 import kotlinx.coroutines.test.runTest
+import robotran.language.Language
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
@@ -60,7 +61,7 @@ internal abstract class HandInsTesting {
     }
 
     protected suspend fun link(handIn: Project): String =
-        "https://school.example/" + assertIs<LinkCreation.Made>(linkOf(handIn)).fragment
+        "https://school.example/" + assertIs<LinkCreation.Made>(linkOf(handIn, Language.ENGLISH)).fragment
 
     /** Five milliseconds pass with each look at it. */
     private class TickingClock(private val clock: FixedClock = FixedClock(now = 1_000_000)) : WallClock by clock {

@@ -61,8 +61,11 @@ class NqcVersionsTest {
     private suspend fun isSolved(task: Lesson, program: PupilProgram, seed: Int): Boolean {
         val files = listOf(SourceFile(program.name, program.files.single().text))
         val project = task.project(Language.ENGLISH, files)
-        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, ProgramCompiler(PENBOT_TARGET)))
-        val session = Session(project.worldToRun.copy(seed = seed), loads.loads, loadPhysicsEngine())
+        val loads =
+            assertIs<RobotLoads.Ready>(
+                readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)),
+            )
+        val session = Session(project.worldToRun.copy(seed = seed), loads.loads, loadPhysicsEngine(), Language.ENGLISH)
         session.runForGoals()
         return task.attempt(files.single().text, session.state).also { session.close() }.isSolved
     }

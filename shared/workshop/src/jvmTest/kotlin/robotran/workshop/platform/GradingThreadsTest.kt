@@ -31,6 +31,7 @@ class GradingThreadsTest {
             CollectedFile(it.path, it.bytes)
         },
         assignment,
+        language = Language.ENGLISH,
     ).submissions.filterIsInstance<Submission.Usable>()
 
     private fun reports(graded: GradedHandIn) = (graded as? GradedHandIn.Graded)?.runs?.map { it.grade }

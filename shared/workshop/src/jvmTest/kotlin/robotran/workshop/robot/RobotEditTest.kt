@@ -2,6 +2,7 @@ package robotran.workshop.robot
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotHandle
@@ -229,7 +230,7 @@ class RobotEditTest {
         assertEquals(Notice.FileSaved("sumo.robot.json"), workshop.state.notice)
         assertEquals("Sumo robot 2.robot.json", machine.files.suggestion)
         val bytes = machine.files.disk.getValue("/home/sumo.robot.json")
-        assertEquals(RobotFileResult.Loaded(built), readRobot(bytes))
+        assertEquals(RobotFileResult.Loaded(built), readRobot(bytes, Language.ENGLISH))
         make(RobotEdit.Replace(ReadyRobots.RCX_PENBOT))
         machine.files.chosen = listOf(OpenedFile("sumo.robot.json", bytes))
         workshop.handle(RobotEditEvent.OpenRequested)

@@ -6,6 +6,7 @@ import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.language.Language
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -53,7 +54,7 @@ class SimulatedBrickTest {
         for ((program, source) in PROGRAMS) {
             workshop.handle(ProgramEvent.ProgramAdded(program))
             assertSent(send(workshop))
-            val built = ProgramCompiler(PENBOT_TARGET).buildImage(listOf(source))
+            val built = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH).buildImage(listOf(source))
             assertContentEquals(assertIs<ImageBuildResult.Built>(built).image.bytes, brick.program)
             workshop.handle(SendEvent.Cancelled)
         }

@@ -1,6 +1,7 @@
 package robotran.world.file
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.world.ReadyRobots
 import robotran.world.World
 
@@ -11,7 +12,7 @@ object BuiltInWorlds {
 
     /** An empty sheet with four walls around it and no goals: the default world. */
     val plain: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
-        when (val result = readWorld(texts.getValue("plain.world.json"))) {
+        when (val result = readWorld(texts.getValue("plain.world.json"), Language.ENGLISH)) {
             is WorldFileResult.Loaded -> result.world.copy(task = "", goals = emptyList())
             is WorldFileResult.Rejected -> error(result.message)
         }

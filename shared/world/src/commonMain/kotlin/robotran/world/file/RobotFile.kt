@@ -33,12 +33,10 @@ sealed interface RobotFileResult {
  *
  * @param language the language of error messages.
  */
-fun readRobot(text: String, language: Language = Language.ENGLISH): RobotFileResult =
-    resultOf(readJson(text, language, ::robotIn))
+fun readRobot(text: String, language: Language): RobotFileResult = resultOf(readJson(text, language, ::robotIn))
 
 /** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
-fun readRobot(bytes: ByteArray, language: Language = Language.ENGLISH): RobotFileResult =
-    resultOf(readJson(bytes, language, ::robotIn))
+fun readRobot(bytes: ByteArray, language: Language): RobotFileResult = resultOf(readJson(bytes, language, ::robotIn))
 
 /**
  * [robot] as a file, with what differs from the ready robot that it is like. [readRobot] restores the same robot if its

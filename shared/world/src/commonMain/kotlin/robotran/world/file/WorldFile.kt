@@ -12,12 +12,10 @@ import robotran.world.World
  *
  * @param language the language of error messages.
  */
-fun readWorld(text: String, language: Language = Language.ENGLISH): WorldFileResult =
-    resultOf(readJson(text, language, ::worldIn))
+fun readWorld(text: String, language: Language): WorldFileResult = resultOf(readJson(text, language, ::worldIn))
 
 /** The same for the bytes of a file, in any encoding that [robotran.language.decodeText] knows. */
-fun readWorld(bytes: ByteArray, language: Language = Language.ENGLISH): WorldFileResult =
-    resultOf(readJson(bytes, language, ::worldIn))
+fun readWorld(bytes: ByteArray, language: Language): WorldFileResult = resultOf(readJson(bytes, language, ::worldIn))
 
 /**
  * [world] as a file of the newest version, readable and easy to merge. Omits default values and keeps unknown fields.

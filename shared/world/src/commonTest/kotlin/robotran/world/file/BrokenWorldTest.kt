@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.language.Language
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertTrue
@@ -12,7 +13,10 @@ class BrokenWorldTest {
     fun `a file cut off at any byte is refused`() {
         for (file in files) {
             for (length in 0..<file.indexOfLast { it == '}'.code.toByte() }) {
-                assertTrue(readWorld(file.copyOf(length)) is WorldFileResult.Rejected, "cut off at $length")
+                assertTrue(
+                    readWorld(file.copyOf(length), Language.ENGLISH) is WorldFileResult.Rejected,
+                    "cut off at $length",
+                )
             }
         }
     }
@@ -24,7 +28,7 @@ class BrokenWorldTest {
             repeat(MUTATIONS) {
                 val changed = file.copyOf()
                 repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
-                holds(readWorld(changed))
+                holds(readWorld(changed, Language.ENGLISH))
             }
         }
     }
@@ -37,7 +41,12 @@ class BrokenWorldTest {
                 val from = random.nextInt(file.length)
                 val piece = file.substring(from, minOf(file.length, from + random.nextInt(40)))
                 val to = random.nextInt(file.length)
-                holds(readWorld(file.replaceRange(to, minOf(file.length, to + random.nextInt(40)), piece)))
+                holds(
+                    readWorld(
+                        file.replaceRange(to, minOf(file.length, to + random.nextInt(40)), piece),
+                        Language.ENGLISH,
+                    ),
+                )
             }
         }
     }

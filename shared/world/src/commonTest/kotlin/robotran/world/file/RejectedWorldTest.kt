@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -83,18 +84,33 @@ class RejectedWorldTest {
     fun `bytes are read as UTF-8 with or without a byte order mark, and in old encodings with a warning`() {
         val text = FULL_WORLD.replaceFirst("Everything", "Überall")
         val world = WorldFileResult.Loaded(loaded(text))
-        assertEquals<WorldFileResult>(world, readWorld(text.encodeToByteArray()))
-        assertEquals<WorldFileResult>(world, readWorld("\uFEFF$text".encodeToByteArray()))
-        val old = assertIs<WorldFileResult.Loaded>(readWorld(ByteArray(text.length) { text[it].code.toByte() }))
+        assertEquals<WorldFileResult>(world, readWorld(text.encodeToByteArray(), Language.ENGLISH))
+        assertEquals<WorldFileResult>(world, readWorld("\uFEFF$text".encodeToByteArray(), Language.ENGLISH))
+        val old =
+            assertIs<WorldFileResult.Loaded>(
+                readWorld(
+                    ByteArray(text.length) {
+                        text[it].code.toByte()
+                    },
+                    Language.ENGLISH,
+                ),
+            )
         assertEquals(world.world, old.world)
         assertEquals("The file is in Windows-1252, not in UTF-8.", old.warnings.single().message)
         assertEquals(
             "The file is not a text.",
-            assertIs<WorldFileResult.Rejected>(readWorld(byteArrayOf(0, -1, 3))).message,
+            assertIs<WorldFileResult.Rejected>(readWorld(byteArrayOf(0, -1, 3), Language.ENGLISH)).message,
         )
         assertEquals(
             "The file is too long: more than 1000000 characters.",
-            assertIs<WorldFileResult.Rejected>(readWorld(ByteArray(10_000_000) { ' '.code.toByte() })).message,
+            assertIs<WorldFileResult.Rejected>(
+                readWorld(
+                    ByteArray(10_000_000) {
+                        ' '.code.toByte()
+                    },
+                    Language.ENGLISH,
+                ),
+            ).message,
         )
     }
 }

@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.language.Language
 import robotran.world.RobotDescription
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -34,7 +35,7 @@ internal val FULL_ROBOT = """
     }
 """.trimIndent()
 
-internal fun loadedRobot(text: String): RobotDescription = when (val result = readRobot(text)) {
+internal fun loadedRobot(text: String): RobotDescription = when (val result = readRobot(text, Language.ENGLISH)) {
     is RobotFileResult.Loaded -> result.robot
     is RobotFileResult.Rejected -> throw AssertionError(result.message)
 }
@@ -42,14 +43,14 @@ internal fun loadedRobot(text: String): RobotDescription = when (val result = re
 /** The error message for the full robot with [new] instead of the first [old]. */
 internal fun robotRefusal(old: String, new: String): String {
     assertTrue(old in FULL_ROBOT, "$old is in the file")
-    return assertIs<RobotFileResult.Rejected>(readRobot(FULL_ROBOT.replaceFirst(old, new))).message
+    return assertIs<RobotFileResult.Rejected>(readRobot(FULL_ROBOT.replaceFirst(old, new), Language.ENGLISH)).message
 }
 
 /** Checks what holds for every result: a robot is restored after writing, a rejection has a sentence and a place. */
 internal fun holds(result: RobotFileResult) {
     when (result) {
         is RobotFileResult.Loaded -> {
-            val again = assertIs<RobotFileResult.Loaded>(readRobot(writeRobot(result.robot)))
+            val again = assertIs<RobotFileResult.Loaded>(readRobot(writeRobot(result.robot), Language.ENGLISH))
             assertEquals(result.robot, again.robot)
         }
 

@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -11,7 +12,7 @@ class WorldCountsTest {
             "\"robots\": [{\"start\": {\"x\": 900, \"y\": 900, \"heading\": 0}}]"
 
     private fun refused(fields: String): String =
-        assertIs<WorldFileResult.Rejected>(readWorld("{$start, $fields}")).message
+        assertIs<WorldFileResult.Rejected>(readWorld("{$start, $fields}", Language.ENGLISH)).message
 
     private fun check(field: String, item: String, max: Int) {
         loaded("{$start, ${list(field, item, max)}}")

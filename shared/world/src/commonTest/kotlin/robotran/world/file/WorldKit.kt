@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.language.Language
 import robotran.world.World
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -80,12 +81,13 @@ internal val FULL_WORLD = """
     }
 """.trimIndent()
 
-internal fun loaded(text: String): World = when (val result = readWorld(text)) {
+internal fun loaded(text: String): World = when (val result = readWorld(text, Language.ENGLISH)) {
     is WorldFileResult.Loaded -> result.world
     is WorldFileResult.Rejected -> throw AssertionError(result.message)
 }
 
-internal fun refusal(text: String): WorldFileResult.Rejected = assertIs<WorldFileResult.Rejected>(readWorld(text))
+internal fun refusal(text: String): WorldFileResult.Rejected =
+    assertIs<WorldFileResult.Rejected>(readWorld(text, Language.ENGLISH))
 
 /** The error message for the full world with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {

@@ -3,6 +3,7 @@ package robotran.world.file
 import kotlinx.serialization.json.Json
 import robotran.json.schema.misspellingsOf
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -14,7 +15,7 @@ class MisspeltFieldTest {
         val slips = misspellingsOf(Json.parseToJsonElement(FULL_WORLD))
         assertTrue(slips.size > 150, "${slips.size}")
         val silent = slips.filterNot { slip ->
-            when (val result = readWorld(writeCompactJson(slip.file))) {
+            when (val result = readWorld(writeCompactJson(slip.file), Language.ENGLISH)) {
                 is WorldFileResult.Loaded -> {
                     result.warnings.any {
                         slip.written in it.path && "\"${slip.name}\"" in it.message
@@ -24,7 +25,7 @@ class MisspeltFieldTest {
                 // What needs the field may be refused for that alone.
                 is WorldFileResult.Rejected -> {
                     slip.name in result.message ||
-                        readWorld(writeCompactJson(slip.without)) is WorldFileResult.Rejected
+                        readWorld(writeCompactJson(slip.without), Language.ENGLISH) is WorldFileResult.Rejected
                 }
             }
         }
@@ -37,7 +38,7 @@ class MisspeltFieldTest {
             { "format": "robotran-robot", "version": 1, "title": "Wide",
               "wheels": { "trak": 20 } }
         """.trimIndent()
-        val loaded = assertIs<RobotFileResult.Loaded>(readRobot(text))
+        val loaded = assertIs<RobotFileResult.Loaded>(readRobot(text, Language.ENGLISH))
         assertEquals(
             listOf("Line 2: wheels.trak is not known and does nothing; perhaps \"track\" is meant."),
             loaded.warnings.map { it.message },
@@ -52,7 +53,7 @@ class MisspeltFieldTest {
               "start": { "x": 40, "y": 40, "heading": 0 }, "seed": 1,
               "tsk": "Drive." }
         """.trimIndent()
-        val loaded = assertIs<WorldFileResult.Loaded>(readWorld(text))
+        val loaded = assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH))
         assertEquals(
             listOf("Line 4: tsk is not known and does nothing; perhaps \"task\" is meant."),
             loaded.warnings.map { it.message },
@@ -62,7 +63,11 @@ class MisspeltFieldTest {
     @Test
     fun `the worlds that come with Robotran have nothing misspelt`() {
         BuiltInWorlds.texts.forEach { (name, text) ->
-            assertEquals(emptyList(), assertIs<WorldFileResult.Loaded>(readWorld(text)).warnings, name)
+            assertEquals(
+                emptyList(),
+                assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH)).warnings,
+                name,
+            )
         }
     }
 }

@@ -28,7 +28,7 @@ class RobotFileProperties :
             var impossible = 0
             checkAll(2_000, arbitraryRobots()) { robot ->
                 val errors = robotErrors(robot)
-                val result = readRobot(writeRobot(robot))
+                val result = readRobot(writeRobot(robot), Language.ENGLISH)
                 if (errors.isEmpty()) {
                     possible++
                     result shouldBe RobotFileResult.Loaded(robot)
@@ -44,21 +44,21 @@ class RobotFileProperties :
         }
 
         "any text and any bytes at all give a result" {
-            checkAll(Arb.string(0..200)) { holds(readRobot(it)) }
-            checkAll(Arb.byteArray(Arb.int(0..200), Arb.byte())) { holds(readRobot(it)) }
+            checkAll(Arb.string(0..200)) { holds(readRobot(it, Language.ENGLISH)) }
+            checkAll(Arb.byteArray(Arb.int(0..200), Arb.byte())) { holds(readRobot(it, Language.ENGLISH)) }
         }
 
         "a robot file with a piece cut out gives a result" {
             checkAll(Arb.element(files), Arb.int(0..100_000), Arb.int(0..60)) { file, place, length ->
                 val from = place % file.length
-                holds(readRobot(file.removeRange(from, minOf(file.length, from + length))))
+                holds(readRobot(file.removeRange(from, minOf(file.length, from + length)), Language.ENGLISH))
             }
         }
 
         "a robot file with any character changed gives a result" {
             checkAll(Arb.element(files), Arb.int(0..100_000), Arb.string(1)) { file, place, character ->
                 val from = place % file.length
-                holds(readRobot(file.replaceRange(from, from + 1, character)))
+                holds(readRobot(file.replaceRange(from, from + 1, character), Language.ENGLISH))
             }
         }
 
@@ -72,7 +72,7 @@ class RobotFileProperties :
         "a robot file with any of its values replaced gives a result" {
             val values = valuesIn(FULL_ROBOT)
             checkAll(2_000, Arb.element(values), others) { range, other ->
-                holds(readRobot(FULL_ROBOT.replaceRange(range, other)))
+                holds(readRobot(FULL_ROBOT.replaceRange(range, other), Language.ENGLISH))
             }
         }
 
@@ -87,7 +87,7 @@ class RobotFileProperties :
                 val line = lines[one % lines.size]
                 if (!stays) lines.removeAt(one % lines.size)
                 if (other % 3 > 0) lines.add(other % (lines.size + 1), line)
-                holds(readRobot(lines.joinToString("\n")))
+                holds(readRobot(lines.joinToString("\n"), Language.ENGLISH))
             }
         }
 
@@ -108,7 +108,7 @@ class RobotFileProperties :
                 "robots": [{ "start": { "x": 45, "y": 45, "heading": 0 }, "robot": $robot, "draft": $robot }] }"""
             var read = 0
             checkAll(2_000, Arb.element(valuesIn(world)), others) { range, other ->
-                val result = readWorld(world.replaceRange(range, other))
+                val result = readWorld(world.replaceRange(range, other), Language.ENGLISH)
                 holds(result)
                 // Only a draft may be impossible.
                 val robots = (result as? WorldFileResult.Loaded)?.world?.robots ?: return@checkAll

@@ -9,6 +9,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 import robotran.json.schema.SchemaFile
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import robotran.world.robot.robotErrors
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -45,7 +46,10 @@ class RobotSchemaTest {
     fun `every field of the schema is read`() {
         assertEquals(schema.fields, fieldsOf(full))
         for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
-            assertIs<RobotFileResult.Rejected>(readRobot(writeCompactJson(changed)), writeCompactJson(changed))
+            assertIs<RobotFileResult.Rejected>(
+                readRobot(writeCompactJson(changed), Language.ENGLISH),
+                writeCompactJson(changed),
+            )
         }
     }
 
@@ -57,7 +61,13 @@ class RobotSchemaTest {
             if (schema.accepts(changed)) continue
             refused++
             val text = writeCompactJson(changed)
-            if (readRobot(text) !is RobotFileResult.Rejected) fail("${schema.mistakesIn(changed)}\n$text")
+            if (readRobot(
+                    text,
+                    Language.ENGLISH,
+                ) !is RobotFileResult.Rejected
+            ) {
+                fail("${schema.mistakesIn(changed)}\n$text")
+            }
         }
         assertTrue(refused > 800, "$refused were refused")
     }

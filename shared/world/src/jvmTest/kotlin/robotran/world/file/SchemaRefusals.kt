@@ -6,6 +6,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import kotlin.math.abs
 import kotlin.test.assertEquals
 import kotlin.test.fail
@@ -20,7 +21,13 @@ internal fun countRefused(world: JsonElement): Int {
     val refused = changes(whole, ::wrongValues).filterNot(WorldSchema::accepts)
     for (changed in refused) {
         val text = writeCompactJson(changed)
-        if (readWorld(text) !is WorldFileResult.Rejected) fail("${WorldSchema.mistakesIn(changed)}\n$text")
+        if (readWorld(
+                text,
+                Language.ENGLISH,
+            ) !is WorldFileResult.Rejected
+        ) {
+            fail("${WorldSchema.mistakesIn(changed)}\n$text")
+        }
     }
     return refused.size
 }

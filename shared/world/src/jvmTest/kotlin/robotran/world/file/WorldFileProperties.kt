@@ -14,6 +14,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import robotran.json.writeCompactJson
+import robotran.language.Language
 
 class WorldFileProperties :
     StringSpec({
@@ -21,27 +22,27 @@ class WorldFileProperties :
 
         "a world is read as it was written" {
             checkAll(arbitraryWorlds()) { world ->
-                readWorld(writeWorld(world)) shouldBe WorldFileResult.Loaded(world)
-                readWorld(writeCompactJson(elementOf(world))) shouldBe WorldFileResult.Loaded(world)
+                readWorld(writeWorld(world), Language.ENGLISH) shouldBe WorldFileResult.Loaded(world)
+                readWorld(writeCompactJson(elementOf(world)), Language.ENGLISH) shouldBe WorldFileResult.Loaded(world)
             }
         }
 
         "any text and any bytes at all give a result" {
-            checkAll(Arb.string(0..200)) { holds(readWorld(it)) }
-            checkAll(Arb.byteArray(Arb.int(0..200), Arb.byte())) { holds(readWorld(it)) }
+            checkAll(Arb.string(0..200)) { holds(readWorld(it, Language.ENGLISH)) }
+            checkAll(Arb.byteArray(Arb.int(0..200), Arb.byte())) { holds(readWorld(it, Language.ENGLISH)) }
         }
 
         "a world file with a piece cut out gives a result" {
             checkAll(Arb.element(files), Arb.int(0..100_000), Arb.int(0..60)) { file, place, length ->
                 val from = place % file.length
-                holds(readWorld(file.removeRange(from, minOf(file.length, from + length))))
+                holds(readWorld(file.removeRange(from, minOf(file.length, from + length)), Language.ENGLISH))
             }
         }
 
         "a world file with any character changed gives a result" {
             checkAll(Arb.element(files), Arb.int(0..100_000), Arb.string(1)) { file, place, character ->
                 val from = place % file.length
-                holds(readWorld(file.replaceRange(from, from + 1, character)))
+                holds(readWorld(file.replaceRange(from, from + 1, character), Language.ENGLISH))
             }
         }
 
@@ -54,7 +55,7 @@ class WorldFileProperties :
                 Arb.constant("9".repeat(1000)),
             )
             checkAll(Arb.element(values), others) { range, other ->
-                holds(readWorld(FULL_WORLD.replaceRange(range, other)))
+                holds(readWorld(FULL_WORLD.replaceRange(range, other), Language.ENGLISH))
             }
         }
     })

@@ -8,6 +8,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -40,7 +41,10 @@ class WorldSchemaTest {
     fun `every field of the schema is read`() {
         assertEquals(WorldSchema.fields, fieldsOf(full))
         for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
-            assertIs<WorldFileResult.Rejected>(readWorld(writeCompactJson(changed)), writeCompactJson(changed))
+            assertIs<WorldFileResult.Rejected>(
+                readWorld(writeCompactJson(changed), Language.ENGLISH),
+                writeCompactJson(changed),
+            )
         }
     }
 

@@ -30,7 +30,7 @@ class GradingOrder private constructor(val assignment: Project, val plan: Gradin
         /** @throws IllegalArgumentException if [text] is not what [write] has written. */
         fun parse(text: String): GradingOrder {
             val order = Json.decodeFromString(OrderText.serializer(), text)
-            val assignment = when (val result = readProject(order.assignment)) {
+            val assignment = when (val result = readProject(order.assignment, Language.ENGLISH)) {
                 is ProjectFileResult.Loaded -> result.project
                 is ProjectFileResult.Rejected -> throw IllegalArgumentException(result.message)
             }

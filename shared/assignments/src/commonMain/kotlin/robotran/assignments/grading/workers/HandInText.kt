@@ -4,6 +4,7 @@ import kotlinx.serialization.builtins.ListSerializer
 import kotlinx.serialization.builtins.serializer
 import kotlinx.serialization.json.Json
 import robotran.assignments.collecting.Submission
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
@@ -26,7 +27,7 @@ internal fun readHandIn(text: String): Submission.Usable {
     return attempts.first().copy(alternatives = attempts.drop(1))
 }
 
-private fun attemptIn(text: String): Submission.Usable = when (val result = readProject(text)) {
+private fun attemptIn(text: String): Submission.Usable = when (val result = readProject(text, Language.ENGLISH)) {
     is ProjectFileResult.Loaded -> Submission.Usable("", "", result.project.robots.single())
     is ProjectFileResult.Rejected -> throw IllegalArgumentException(result.message)
 }

@@ -51,7 +51,7 @@ class GradingWorkerTest {
     }
 
     private suspend fun start(plan: GradingPlan = this.plan): SessionState =
-        Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine()).state
+        Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH).state
 
     private suspend fun submission(name: String, text: String) = collect(file(name, text)).single() as Submission.Usable
 

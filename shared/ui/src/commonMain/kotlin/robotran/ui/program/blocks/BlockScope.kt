@@ -34,7 +34,7 @@ internal data class BlockScope(
     val codeSize: Float,
     val introduced: Set<String>?,
     val isIntroductionFixed: Boolean = false,
-    val brick: BrickKind = BrickKind.RCX,
+    val brick: BrickKind,
     val sensors: Set<SensorKind> = setOf(SensorKind.TOUCH, SensorKind.LIGHT),
     val onHelp: (word: String) -> Unit = {},
     val onEvent: (BlockEvent) -> Unit,

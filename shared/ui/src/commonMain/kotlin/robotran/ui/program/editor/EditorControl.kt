@@ -45,6 +45,7 @@ import robotran.textediting.wordErasedForwards
 internal class EditorControl(
     val language: ProgramLanguage,
     private val view: EditorView,
+    var brick: BrickKind,
     private val hasRoom: (Draft) -> Boolean = { true },
     private val onWritten: (Draft, EditKind) -> Unit,
 ) {
@@ -52,9 +53,6 @@ internal class EditorControl(
     var draft = Draft("")
         private set
     var help: WordHelp = WordHelp { null }
-
-    /** The brick of the robot. */
-    var brick: BrickKind = BrickKind.RCX
     lateinit var clipboard: ClipboardManager
 
     /** The completions at the caret and the selected one; null if none are shown. */

@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performScrollToKey
 import androidx.compose.ui.test.performTextInput
+import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.ui.program.blocks.scrollTo
@@ -107,7 +108,7 @@ class TouchesTest {
             tap("make-pupil-file", height)
         }
         val saved = machine.files.disk.values.last()
-        assertIs<ProjectFileResult.Loaded>(readProject(saved))
+        assertIs<ProjectFileResult.Loaded>(readProject(saved, Language.ENGLISH))
         return first to touches
     }
 

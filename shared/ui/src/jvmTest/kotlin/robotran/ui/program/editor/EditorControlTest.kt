@@ -2,6 +2,7 @@ package robotran.ui.program.editor
 
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
 import robotran.textediting.text.Draft
@@ -15,7 +16,10 @@ import kotlin.test.assertTrue
 
 class EditorControlTest {
     private val written = mutableListOf<Draft>()
-    private val control = EditorControl(ProgramLanguage.ROBOLANG, EditorView()) { draft, _ -> written += draft }.apply {
+    private val control = EditorControl(ProgramLanguage.ROBOLANG, EditorView(), brick = BrickKind.RCX) { draft, _ ->
+        written +=
+            draft
+    }.apply {
         clipboard = object : ClipboardManager {
             private var text: AnnotatedString? = null
 
@@ -43,7 +47,7 @@ class EditorControlTest {
     @Test
     fun `what there is no room for is told but not written, and the field is as it was`() {
         val small =
-            EditorControl(ProgramLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ ->
+            EditorControl(ProgramLanguage.ROBOLANG, EditorView(), BrickKind.RCX, { it.text.length <= 8 }) { draft, _ ->
                 written +=
                     draft
             }

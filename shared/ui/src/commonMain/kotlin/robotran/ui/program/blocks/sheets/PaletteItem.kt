@@ -42,8 +42,10 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
     val carrier = remember(block, dragging) { PaletteCarrier(block, dragging) }
     val look = scope.looks.of(block.group)
     val reader = LocalLanguage.current
-    val sentence = remember(block, reader) {
-        block.explained.firstNotNullOfOrNull { WordHelp.of(reader, ProgramLanguage.ROBOLANG, it)?.sentence }.orEmpty()
+    val sentence = remember(block, reader, scope.brick) {
+        block.explained.firstNotNullOfOrNull {
+            WordHelp.of(reader, ProgramLanguage.ROBOLANG, it, scope.brick)?.sentence
+        }.orEmpty()
     }
     val spoken = stringResource(Res.string.blocks_add_this, block.template.replace("\n", ", "), sentence)
     Column(

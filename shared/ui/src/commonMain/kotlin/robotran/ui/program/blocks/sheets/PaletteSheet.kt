@@ -233,7 +233,8 @@ private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: Bri
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
 }
 
-private val HELP = PaletteHelp { word, language -> WordHelp.of(language, ProgramLanguage.ROBOLANG, word)?.sentence }
+private val HELP =
+    PaletteHelp { word, language -> WordHelp.of(language, ProgramLanguage.ROBOLANG, word, BrickKind.RCX)?.sentence }
 
 private const val CARRIED_FROM = 0.2f
 
