@@ -1,8 +1,8 @@
 package robotran.legofirmware
 
 import robotran.brick.controls.BrickButton
-import robotran.language.source.Severity
 import robotran.language.Language
+import robotran.language.source.Severity
 import robotran.legofirmware.assembly.AssemblyLimits
 import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble

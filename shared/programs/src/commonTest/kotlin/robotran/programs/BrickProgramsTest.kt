@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.language.source.Diagnostic
 import robotran.language.Language
+import robotran.language.source.Diagnostic
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun

@@ -1,8 +1,8 @@
 package robotran.robolang.format
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.source.SourceRange
-import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages

@@ -1,7 +1,7 @@
 package robotran.robolang.format
 
-import robotran.language.Language
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser

@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
-import robotran.language.Language
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testNxt
