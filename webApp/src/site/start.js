@@ -285,9 +285,9 @@
     else if (needsRest(wish)) await parts.complete(number).catch(() => undefined);
     return { module, instance };
   };
-  // Compose downloads a file of texts again for each text it shows, and the font of programs for each screen with one.
+  // Compose downloads the font of programs again for each screen with one.
   const repeated = new Map();
-  const isRepeated = (address) => address.endsWith('.cvr') || repeated.has(address);
+  const isRepeated = (address) => repeated.has(address);
   const bytesOf = (address, answer = download(address)) => {
     const bytes = answer.then((response) => response.arrayBuffer());
     repeated.set(address, bytes);
