@@ -106,8 +106,8 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 
 @Composable
 private fun laneName(lane: ChartLane): String = when {
-    lane.isMotor -> RunTexts.chartMotor(spoken, 'A' + lane.port)
-    lane.isDegrees -> NxtTexts.runChartDegrees(spoken, 'A' + lane.port)
+    lane.isMotor -> RunTexts.chartMotor(spoken, "${'A' + lane.port}")
+    lane.isDegrees -> NxtTexts.runChartDegrees(spoken, "${'A' + lane.port}")
     lane == ChartLane.BATTERY -> NxtTexts.runChartBattery(spoken)
     else -> RunTexts.chartSensor(spoken, lane.port + 1)
 }

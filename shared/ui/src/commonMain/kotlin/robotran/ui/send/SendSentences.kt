@@ -118,7 +118,7 @@ private fun sentenceOf(error: TowerError): String = when (error) {
     TowerError.FirmwareRefused -> SendTexts.errorRefused(spoken)
 }
 
-private fun Transfer.choose(program: Label, firmware: Label): Label = when (this) {
+private fun Transfer.choose(program: String, firmware: String): String = when (this) {
     Transfer.PROGRAM -> program
     Transfer.FIRMWARE -> firmware
 }

@@ -69,11 +69,12 @@ class StringsTest {
 
     private fun stringsOf(language: Language): Map<String, String> = catalogues.flatMap { (file, messages) ->
         messages.mapNotNull { message ->
-            val text = Regex(
-                "^- ${language.tag}: ((?:.|\n  )*)",
-                RegexOption.MULTILINE,
-            ).find(message)?.groupValues?.get(1)
-            text?.let { "$file ${message.lineSequence().first()}" to it.replace(Regex("\n\s*"), " ").trim() }
+            val lines = message.lines()
+            val first = lines.indexOfFirst { it.startsWith("- ${language.tag}:") }
+            if (first < 0) return@mapNotNull null
+            val more = lines.drop(first + 1).takeWhile { it.startsWith("  ") }.map { it.trim() }
+            val text = (listOf(lines[first].substringAfter(": ").trim()) + more).joinToString(" ")
+            "$file ${lines.first()}" to text
         }
     }.toMap()
 

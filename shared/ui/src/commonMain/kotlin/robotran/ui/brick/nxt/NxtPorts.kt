@@ -94,7 +94,7 @@ private fun descriptionOf(state: SensorPortState, plugged: RobotPart?, value: St
     val name = when {
         plugged == null -> RunTexts.sensorNone(spoken)
         plugged is FingerTouchPart -> RunTexts.sensorTouch(spoken)
-        else -> plugged.kind.words
+        else -> plugged.kind.words(spoken)
     }
     val port = ScreenTexts.sensor(spoken, state.port, name)
     return if (value == null) port else ScreenTexts.sensorValue(spoken, port, value)

@@ -50,7 +50,7 @@ internal fun InputPort(
 ) {
     val name = plugged.words(spoken)
     val port = ScreenTexts.sensor(spoken, sensor.port, name)
-    val description = if (on) ScreenTexts.sensorValue(spoken, port, sensor.value) else port
+    val description = if (on) ScreenTexts.sensorValue(spoken, port, "${sensor.value}") else port
     val lit = on && (sensor.active || plugged.isPressed(sensor))
     PortBlock(
         if (lit) BrickColours.READ else BrickColours.INPUT,
