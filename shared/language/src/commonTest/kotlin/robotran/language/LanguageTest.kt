@@ -33,5 +33,6 @@ class LanguageTest {
     }
 
     @Test
-    fun `a measured number has a comma where people write one`() = assertEquals("1,5", withComma("1.5"))
+    fun `a measured number has a comma where people write one`() =
+        assertEquals(listOf("1.5", "1,5", "1,5", "1,5"), Language.entries.map { it.decimal("1.5") } + withComma("1.5"))
 }

@@ -5,8 +5,8 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.ReportMessages
 import robotran.assignments.messages.columns
 import robotran.language.Language
+import robotran.language.decimal
 import robotran.language.visibleText
-import robotran.language.withComma
 
 /**
  * [report] as comma-separated values (RFC 4180), one row a hand-in, as spreadsheets in [language] expect it: in German
@@ -81,7 +81,7 @@ private fun mayBeFormula(text: String): Boolean =
 internal fun tenths(seconds: Double, language: Language): String {
     val tenths = (seconds * 10 + 0.5).toLong()
     val number = "${tenths / 10}.${tenths % 10}"
-    return if (language == Language.ENGLISH) number else withComma(number)
+    return language.decimal(number)
 }
 
 /** With their wide and small forms and the sign for minus, which some spreadsheets take for the same. */

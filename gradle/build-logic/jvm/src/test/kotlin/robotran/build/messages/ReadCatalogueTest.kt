@@ -1,5 +1,7 @@
 package robotran.build.messages
 
+import robotran.build.texts.fencedBlocks
+import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -93,6 +95,14 @@ class ReadCatalogueTest {
     @Test
     fun `an enum of the languages is written`() =
         assertContains(languageEnum(languages), "BRAZILIAN_PORTUGUESE(\"pt-BR\", \"Português\", ',', \".\", 3),")
+
+    @Test
+    fun `the catalogue in the page on messages is one`() {
+        val page = File("../../../docs/messages.md")
+        val example = fencedBlocks(page.name, page.readText(), "text").entries.single()
+        val files = MessagesWriter(readCatalogue(example.key, example.value), languages).files()
+        assertContains(files.getValue("EnglishTouchMessages.kt"), "TouchKind.WALL -> \"a wall\"")
+    }
 
     @Test
     fun `a mistake is told with its line`() {
