@@ -285,9 +285,8 @@
     else if (needsRest(wish)) await parts.complete(number).catch(() => undefined);
     return { module, instance };
   };
-  // Compose downloads a file of texts again for each text it shows, and the font of programs for each screen with one.
+  // Compose downloads the font of programs again for each screen with one.
   const repeated = new Map();
-  const isRepeated = (address) => address.endsWith('.cvr') || repeated.has(address);
   const bytesOf = (address, answer = download(address)) => {
     const bytes = answer.then((response) => response.arrayBuffer());
     repeated.set(address, bytes);
@@ -296,7 +295,8 @@
   };
   const fetchWhatComes = (input, options) => {
     const address = typeof input === 'string' || input instanceof URL ? absolute(input) : '';
-    if (isRepeated(address)) return (repeated.get(address) || bytesOf(address)).then((bytes) => new Response(bytes));
+    const known = repeated.get(address);
+    if (known) return known.then((bytes) => new Response(bytes));
     const response = coming.get(address);
     if (!response) return fetchAsEver(input, options);
     coming.delete(address);

@@ -28,7 +28,7 @@ test('no file of the app is requested twice, not even the font of programs', asy
   await appears(page, 'program');
   await page.waitForLoadState('networkidle');
   const requested = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
-  const files = requested.filter((name) => /\.(wasm|js|ttf|cvr)$/.test(name));
+  const files = requested.filter((name) => /\.(wasm|js|ttf)$/.test(name));
   assert.ok(files.some((name) => name.endsWith('.ttf')));
   assert.deepEqual(
     files.filter((name, place) => files.indexOf(name) !== place),

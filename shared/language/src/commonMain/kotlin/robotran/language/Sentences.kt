@@ -14,10 +14,7 @@ fun Language.grouped(number: Int): String {
     return digits.reversed().chunked(GROUP_DIGITS).joinToString(groupSign).reversed()
 }
 
-/** Formats a measured [number] such as `1.5` with the decimal sign of the language. Not for code. */
+/** Formats a measured [number] such as `1.5` with the decimal sign of the language. Code always has a decimal point. */
 fun Language.decimal(number: String): String = number.replace('.', decimalSign)
-
-/** Formats a measured [number] such as `1.5` with a decimal comma. Not for code, which always has a decimal point. */
-fun withComma(number: String): String = number.replace('.', ',')
 
 private const val GROUP_DIGITS = 3

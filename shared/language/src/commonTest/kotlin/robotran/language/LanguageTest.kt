@@ -34,5 +34,5 @@ class LanguageTest {
 
     @Test
     fun `a measured number has a comma where people write one`() =
-        assertEquals(listOf("1.5", "1,5", "1,5", "1,5"), Language.entries.map { it.decimal("1.5") } + withComma("1.5"))
+        assertEquals(listOf("1.5", "1,5", "1,5"), Language.entries.map { it.decimal("1.5") })
 }

@@ -16,9 +16,9 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.pictures.DrawnWorldPictures
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.theme.TextSizes
@@ -63,6 +63,6 @@ fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
 private fun LoadingMessage() {
     val colours = LocalRobotranColours.current
     Box(Modifier.fillMaxSize().background(colours.desk).padding(24.dp), Alignment.Center) {
-        Text(stringResource(Res.string.loading), color = colours.onPane, fontSize = TextSizes.LEAD)
+        Text(ScreenTexts.loading(spoken), color = colours.onPane, fontSize = TextSizes.LEAD)
     }
 }

@@ -40,9 +40,6 @@ class ComposePlugin : Plugin<Project> {
             }
         }
         if (targets.wasm) project.pluginManager.apply("robotran.wasm")
-        project.tasks.matching { it.name.startsWith("generateResourceAccessorsFor") }.configureEach {
-            it.doLast(KeptResources())
-        }
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)

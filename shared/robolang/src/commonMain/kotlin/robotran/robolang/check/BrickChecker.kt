@@ -57,9 +57,8 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     }
 
     private fun statement(statement: Statement) {
-        if (statement is Command.MotorTurn || statement is Command.ResetMotor) {
-            lacks(statement.range, messages.noMotorDegrees())
-        }
+        // All that only an NXT does is about the degrees of its motors.
+        if ((statement as? Command)?.form?.brick == BrickKind.NXT) lacks(statement.range, messages.noMotorDegrees())
     }
 
     private fun expression(expression: Expression) {

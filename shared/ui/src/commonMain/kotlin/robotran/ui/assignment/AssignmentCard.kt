@@ -17,18 +17,18 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.drawer.iconFor
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
 import robotran.ui.runbar.RunIconView
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -43,17 +43,17 @@ internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, o
     Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
         AssignmentText(state.assignment)
         if (state.assignment.due.isNotBlank()) {
-            Line(stringResource(Res.string.assignment_due, state.assignment.due), "assignment-due", isStrong = true)
+            Line(SchoolTexts.assignmentDue(spoken, state.assignment.due), "assignment-due", isStrong = true)
         }
         if (goals.isNotEmpty()) {
-            Line(stringResource(Res.string.assignment_goals), "assignment-goals", isStrong = true)
+            Line(SchoolTexts.assignmentGoals(spoken), "assignment-goals", isStrong = true)
             Goals(goals)
         }
         if (state.isOpenForTries) {
             NotAllowedLines(state.notAllowed) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
             HandedInLine(state)
         }
-        if (state.isAuthor) Line(stringResource(Res.string.assignment_author), "assignment-author")
+        if (state.isAuthor) Line(SchoolTexts.assignmentAuthor(spoken), "assignment-author")
     }
 }
 
@@ -61,7 +61,7 @@ internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, o
 @Composable
 internal fun HandedInLine(state: AssignmentState) {
     val name = state.handedInAs?.takeIf { state.isOpenForTries } ?: return
-    Line(stringResource(Res.string.assignment_handed_in, name), "assignment-handed-in", isNews = true)
+    Line(SchoolTexts.assignmentHandedIn(spoken, name), "assignment-handed-in", isNews = true)
 }
 
 /** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */
@@ -77,16 +77,16 @@ internal fun AssignmentButtons(
         if (state.isOpenForTries) Line(triesText(state.tries), "assignment-tries", isNews = true)
         FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
             if (state.isAuthor) {
-                PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
+                PrimaryButton(SchoolTexts.assignmentEdit(spoken), "assignment-edit", {
                     onEvent(AssignmentEvent.MakingRequested)
                 })
-                SecondButton(stringResource(Res.string.hand_ins_menu), "assignment-hand-ins", {
+                SecondButton(SchoolTexts.handInsMenu(spoken), "assignment-hand-ins", {
                     onEvent(HandInsEvent.Requested)
                 })
             }
             if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
             if (state.canBeginAgain) {
-                SecondButton(stringResource(Res.string.assignment_begin_again), "assignment-begin-again", {
+                SecondButton(SchoolTexts.assignmentBeginAgain(spoken), "assignment-begin-again", {
                     onEvent(AssignmentEvent.BegunAgain)
                 })
             }
@@ -97,12 +97,12 @@ internal fun AssignmentButtons(
 /** Opens the sheet with which a pupil hands in. Before the first try, Run is the main button. */
 @Composable
 internal fun HandInButton(state: AssignmentState, tag: String, onEvent: (WorkshopEvent) -> Unit) {
-    val words = if (state.handedInAs == null) Res.string.assignment_hand_in else Res.string.assignment_hand_in_again
+    val words = if (state.handedInAs == null) SchoolTexts::assignmentHandIn else SchoolTexts::assignmentHandInAgain
     val open = { onEvent(AssignmentEvent.HandInRequested) }
     if (state.tries.tries > 0) {
-        PrimaryButton(stringResource(words), tag, open)
+        PrimaryButton(words(spoken), tag, open)
     } else {
-        SecondButton(stringResource(words), tag, open)
+        SecondButton(words(spoken), tag, open)
     }
 }
 

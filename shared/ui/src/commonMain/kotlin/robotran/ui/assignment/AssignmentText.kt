@@ -17,12 +17,12 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.decodeToImageBitmap
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.doing.bytesToShow
 import robotran.projects.Assignment
 import robotran.projects.AssignmentPicture
+import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -73,7 +73,7 @@ private fun Picture(part: TextPart.Picture, picture: AssignmentPicture?) {
     val bitmap = remember(picture) { picture?.let(::bitmapOf) }
     if (bitmap == null) {
         Text(
-            stringResource(Res.string.assignment_picture_broken, part.description),
+            SchoolTexts.assignmentPictureBroken(spoken, part.description),
             Modifier.testTag("assignment-picture-broken"),
             color = LocalRobotranColours.current.quiet,
             fontSize = TextSizes.BODY,

@@ -9,11 +9,11 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Feedback
 import robotran.projects.HandIn
+import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 
@@ -32,18 +32,18 @@ internal fun FeedbackCard(feedback: Feedback, isProgramHandedIn: Boolean) {
             .padding(12.dp),
         Arrangement.spacedBy(4.dp),
     ) {
-        Line(stringResource(Res.string.assignment_feedback), "assignment-feedback-title", isStrong = true)
-        val comment = feedback.comment.trim().ifEmpty { stringResource(Res.string.assignment_feedback_none) }
+        Line(SchoolTexts.assignmentFeedback(spoken), "assignment-feedback-title", isStrong = true)
+        val comment = feedback.comment.trim().ifEmpty { SchoolTexts.assignmentFeedbackNone(spoken) }
         MarkedText(comment, Modifier.testTag("assignment-comment"))
         for (result in feedback.results) {
             val world = worldName(result.world)
             Line(
-                stringResource(Res.string.assignment_feedback_result, world, result.seedsMet, result.seeds),
+                SchoolTexts.assignmentFeedbackResult(spoken, world, result.seedsMet, result.seeds),
                 "assignment-result",
             )
         }
         if (isProgramHandedIn) {
-            Line(stringResource(Res.string.assignment_feedback_program), "assignment-feedback-program")
+            Line(SchoolTexts.assignmentFeedbackProgram(spoken), "assignment-feedback-program")
         }
     }
 }
@@ -52,9 +52,9 @@ internal fun FeedbackCard(feedback: Feedback, isProgramHandedIn: Boolean) {
 @Composable
 internal fun HandInLine(handIn: HandIn) {
     val words = when (handIn.tries) {
-        0 -> stringResource(Res.string.assignment_is_hand_in_untried, handIn.name)
-        1 -> stringResource(Res.string.assignment_is_hand_in_once, handIn.name)
-        else -> stringResource(Res.string.assignment_is_hand_in, handIn.name, handIn.tries)
+        0 -> SchoolTexts.assignmentIsHandInUntried(spoken, handIn.name)
+        1 -> SchoolTexts.assignmentIsHandInOnce(spoken, handIn.name)
+        else -> SchoolTexts.assignmentIsHandIn(spoken, handIn.name, handIn.tries)
     }
     Line(words, "assignment-is-hand-in")
 }

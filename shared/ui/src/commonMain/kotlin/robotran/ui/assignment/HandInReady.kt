@@ -17,14 +17,15 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.LinkAsQrCode
+import robotran.ui.language.spoken
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
@@ -38,13 +39,13 @@ internal fun ReadyView(
     maxHeight: Dp,
     onEvent: (WorkshopEvent) -> Unit,
 ) = BoxWithConstraints(Modifier.fillMaxWidth()) {
-    val help = Res.string.hand_in_qr_help
+    val help = SchoolTexts::handInQrHelp
     if (step.link != null && maxWidth >= BESIDE * LocalDensity.current.fontScale) {
         Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(16.dp)) {
             Column(Modifier.weight(1f), Arrangement.spacedBy(12.dp)) {
                 Ways(step, hasShareSheet, onEvent)
-                Explanation(stringResource(help))
-                Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
+                Explanation(help(spoken))
+                Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
             }
             Box(Modifier.weight(1f).testTag("hand-in-qr")) {
                 LinkAsQrCode(step.link.orEmpty(), "", maxSide = maxHeight)
@@ -54,7 +55,7 @@ internal fun ReadyView(
         Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
             Ways(step, hasShareSheet, onEvent)
             LinkOrProblem(step.link, step.linkProblem, "hand-in-qr", help, maxHeight = maxHeight)
-            Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
+            Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
         }
     }
 }
@@ -65,22 +66,22 @@ internal fun ReadyView(
 private fun Ways(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) {
     val result = step.result
     val words = if (result == null) {
-        stringResource(Res.string.hand_in_ready_plain, step.name)
+        SchoolTexts.handInReadyPlain(spoken, step.name)
     } else {
         val time = secondsText(result.milliseconds)
-        stringResource(Res.string.hand_in_ready, step.name, result.goalsMet, result.goals, time)
+        SchoolTexts.handInReady(spoken, step.name, result.goalsMet, result.goals, time)
     }
     Explanation(words, Modifier.testTag("hand-in-ready").semantics { liveRegion = LiveRegionMode.Polite })
-    Explanation(stringResource(Res.string.hand_in_how))
+    Explanation(SchoolTexts.handInHow(spoken))
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        PrimaryButton(stringResource(Res.string.hand_in_file), "hand-in-file", {
+        PrimaryButton(SchoolTexts.handInFile(spoken), "hand-in-file", {
             onEvent(AssignmentEvent.HandInFileSaved)
         })
         if (step.link != null) {
-            val copy = if (step.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
-            SecondButton(stringResource(copy), "hand-in-link", { onEvent(AssignmentEvent.HandInLinkCopied) })
+            val copy = if (step.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
+            SecondButton(copy(spoken), "hand-in-link", { onEvent(AssignmentEvent.HandInLinkCopied) })
             if (hasShareSheet) {
-                SecondButton(stringResource(Res.string.hand_in_share), "hand-in-share", {
+                SecondButton(SchoolTexts.handInShare(spoken), "hand-in-share", {
                     onEvent(AssignmentEvent.HandInLinkShared)
                 })
             }
@@ -94,8 +95,8 @@ private fun Ways(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (Works
 internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
     val news = Modifier.testTag(tag).semantics { liveRegion = LiveRegionMode.Polite }
     when {
-        error != null -> Explanation(stringResource(Res.string.hand_in_not_saved, error).trim(), news, bad = true)
-        savedAs != null -> Explanation(stringResource(Res.string.hand_in_saved, savedAs), news)
+        error != null -> Explanation(SchoolTexts.handInNotSaved(spoken, error).trim(), news, bad = true)
+        savedAs != null -> Explanation(SchoolTexts.handInSaved(spoken, savedAs), news)
     }
 }
 
@@ -109,16 +110,16 @@ internal fun LinkOrProblem(
     link: String?,
     problem: LinkProblem?,
     tag: String,
-    qrHelp: StringResource = Res.string.documents_qr_help,
+    qrHelp: Label = DocumentTexts::qrHelp,
     isForClass: Boolean = false,
     maxHeight: Dp = Dp.Infinity,
 ) {
     val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
-        if (link != null) LinkAsQrCode(link, stringResource(qrHelp), isForClass, maxHeight)
+        if (link != null) LinkAsQrCode(link, qrHelp(spoken), isForClass, maxHeight)
         when (problem) {
             null -> Unit
-            LinkProblem.NoSite -> Explanation(stringResource(Res.string.hand_in_no_link), news)
+            LinkProblem.NoSite -> Explanation(SchoolTexts.handInNoLink(spoken), news)
             is LinkProblem.TooLong -> Explanation(problem.message, news)
         }
     }

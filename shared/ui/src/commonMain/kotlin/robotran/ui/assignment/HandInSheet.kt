@@ -25,12 +25,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.ButtonRows
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -55,7 +55,7 @@ private fun HandInCard(
     modifier: Modifier,
 ) {
     val colours = LocalRobotranColours.current
-    val title = stringResource(Res.string.hand_in_title)
+    val title = SchoolTexts.handInTitle(spoken)
     val scale = LocalDensity.current.fontScale
     Surface(
         modifier
@@ -122,24 +122,24 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
     val back = { onEvent(AssignmentEvent.HandInBackRequested) }
     when (step) {
         is HandInStep.Asking -> {
-            OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-cancel", close)
-            MainButton(stringResource(Res.string.hand_in_go_on), "hand-in-go-on", step.canGoOn) {
+            OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-cancel", close)
+            MainButton(SchoolTexts.handInGoOn(spoken), "hand-in-go-on", step.canGoOn) {
                 onEvent(AssignmentEvent.HandInMade())
             }
         }
 
-        is HandInStep.Running -> OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
+        is HandInStep.Running -> OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-stop", back)
 
         is HandInStep.HasMistakes -> {
-            OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)
-            MainButton(stringResource(Res.string.hand_in_mistakes_anyway), "hand-in-anyway") {
+            OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
+            MainButton(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway") {
                 onEvent(AssignmentEvent.HandInMade(withMistakes = true))
             }
         }
 
         is HandInStep.Ready -> {
-            OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)
-            MainButton(stringResource(Res.string.hand_in_close), "hand-in-close", onClick = close)
+            OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
+            MainButton(SchoolTexts.handInClose(spoken), "hand-in-close", onClick = close)
         }
     }
 }

@@ -25,13 +25,13 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -48,7 +48,7 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
         step.name,
         { onEvent(AssignmentEvent.NameEntered(it.take(AssignmentLimits.MAXIMUM_NAME_CHARACTERS))) },
         Modifier.fillMaxWidth().testTag("hand-in-name"),
-        label = { Text(step.wanted.ifBlank { stringResource(Res.string.hand_in_name) }) },
+        label = { Text(step.wanted.ifBlank { SchoolTexts.handInName(spoken) }) },
         singleLine = true,
         keyboardOptions = KeyboardOptions(
             capitalization = KeyboardCapitalization.Words,
@@ -60,35 +60,35 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     )
     val best = step.best
     when {
-        best == null -> Explanation(stringResource(Res.string.hand_in_editor_is), Modifier.testTag("hand-in-what"))
+        best == null -> Explanation(SchoolTexts.handInEditorIs(spoken), Modifier.testTag("hand-in-what"))
 
         !step.canChoose -> {
             Explanation(
-                stringResource(Res.string.hand_in_best_is, best.goalsMet, best.goals, secondsText(best.milliseconds)),
+                SchoolTexts.handInBestIs(spoken, best.goalsMet, best.goals, secondsText(best.milliseconds)),
                 Modifier.testTag("hand-in-what"),
             )
         }
 
         else -> {
             Column(Modifier.selectableGroup()) {
-                Explanation(stringResource(Res.string.hand_in_what), Modifier.testTag("hand-in-what"))
+                Explanation(SchoolTexts.handInWhat(spoken), Modifier.testTag("hand-in-what"))
                 val time = secondsText(best.milliseconds)
                 Choice(
-                    stringResource(Res.string.hand_in_best, best.goalsMet, best.goals, time),
+                    SchoolTexts.handInBest(spoken, best.goalsMet, best.goals, time),
                     !step.isEditor,
                     "hand-in-best",
                 ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
-                Choice(stringResource(Res.string.hand_in_editor), step.isEditor, "hand-in-editor") {
+                Choice(SchoolTexts.handInEditor(spoken), step.isEditor, "hand-in-editor") {
                     onEvent(AssignmentEvent.WorkChosen(isEditor = true))
                 }
             }
         }
     }
     if (step.isUnchanged && (best == null || (step.canChoose && step.isEditor))) {
-        Explanation(stringResource(Res.string.hand_in_unchanged), Modifier.testTag("hand-in-unchanged"))
+        Explanation(SchoolTexts.handInUnchanged(spoken), Modifier.testTag("hand-in-unchanged"))
     }
     NotAllowedLines(step.notAllowed)
-    Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
+    Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
 }
 
 @Composable
@@ -112,7 +112,7 @@ private fun Choice(words: String, isChosen: Boolean, tag: String, onClick: () ->
 @Composable
 internal fun RunningView(step: HandInStep.Running) {
     Explanation(
-        stringResource(Res.string.hand_in_running),
+        SchoolTexts.handInRunning(spoken),
         Modifier.testTag("hand-in-running").semantics { liveRegion = LiveRegionMode.Polite },
     )
     ProgressBar(step.part, "hand-in-progress")
@@ -131,7 +131,7 @@ internal fun ProgressBar(part: Float, tag: String) = LinearProgressIndicator(
 
 @Composable
 internal fun MistakesView(step: HandInStep.HasMistakes) {
-    Explanation(stringResource(Res.string.hand_in_mistakes), Modifier.testTag("hand-in-mistakes"), bad = true)
+    Explanation(SchoolTexts.handInMistakes(spoken), Modifier.testTag("hand-in-mistakes"), bad = true)
     for (reason in step.reasons.take(MAX_REASONS)) Explanation(reason)
 }
 

@@ -20,11 +20,11 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.doing.NotAllowed
+import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -62,11 +62,11 @@ internal fun NotAllowedLines(all: List<NotAllowed>, onShow: ((NotAllowed) -> Uni
 @Composable
 private fun notAllowedText(found: NotAllowed): String = when (found) {
     is NotAllowed.HasWord -> {
-        stringResource(Res.string.assignment_not_allowed_word, found.program, found.line, found.word)
+        SchoolTexts.assignmentNotAllowedWord(spoken, found.program, found.line, found.word)
     }
 
     is NotAllowed.InLanguage -> {
-        stringResource(Res.string.assignment_not_allowed_language, found.program, found.language.ownName)
+        SchoolTexts.assignmentNotAllowedLanguage(spoken, found.program, found.language.ownName)
     }
 }
 

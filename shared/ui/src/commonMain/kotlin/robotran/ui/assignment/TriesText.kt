@@ -1,26 +1,26 @@
 package robotran.ui.assignment
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentTries
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.state.AssignmentState
 
 /** How far the pupil is: the number of tries and the best of them. */
 @Composable
 internal fun triesText(tries: AssignmentTries): String {
-    val best = tries.best?.result ?: return stringResource(Res.string.assignment_no_try)
+    val best = tries.best?.result ?: return SchoolTexts.assignmentNoTry(spoken)
     val count = if (tries.tries == 1) {
-        stringResource(Res.string.assignment_one_try)
+        SchoolTexts.assignmentOneTry(spoken)
     } else {
-        stringResource(Res.string.assignment_tries, tries.tries)
+        SchoolTexts.assignmentTries(spoken, tries.tries)
     }
     val time = secondsText(best.milliseconds)
     val how = if (best.goals == 0) {
-        stringResource(Res.string.assignment_best_no_goals, time)
+        SchoolTexts.assignmentBestNoGoals(spoken, time)
     } else {
-        stringResource(Res.string.assignment_best, best.goalsMet, best.goals, time)
+        SchoolTexts.assignmentBest(spoken, best.goalsMet, best.goals, time)
     }
     return "$count $how"
 }
@@ -32,4 +32,4 @@ internal fun howFar(assignment: AssignmentState?): String =
 
 /** What the screen calls the world or variation [name], which is empty for the world of the assignment itself. */
 @Composable
-internal fun worldName(name: String): String = name.ifEmpty { stringResource(Res.string.hand_in_own_world) }
+internal fun worldName(name: String): String = name.ifEmpty { SchoolTexts.handInOwnWorld(spoken) }

@@ -17,16 +17,17 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.nxt.state.NxtState
 import robotran.ui.brick.nxt.ExceptionCalls
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -42,8 +43,8 @@ internal fun brickHintWords(state: BrickState, isSolved: Boolean = false): Strin
     isSolved && state.run is RunState.Ended
 } ?: when {
     state.poweredOn -> null
-    state.kind == BrickKind.NXT -> stringResource(Res.string.nxt_off)
-    else -> stringResource(Res.string.brick_off)
+    state.kind == BrickKind.NXT -> NxtTexts.off(spoken)
+    else -> ScreenTexts.brickOff(spoken)
 }
 
 /**
@@ -86,7 +87,7 @@ internal fun BrickHint(
             }
             action()
             if (onClose != null) {
-                IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
+                IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "brick-hint-close", onClose)
             }
         }
     }

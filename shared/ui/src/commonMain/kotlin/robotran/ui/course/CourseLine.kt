@@ -10,9 +10,9 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.QuietButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -27,18 +27,18 @@ internal fun CourseLine(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit) 
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().testTag("course-line")) {
         Text(
-            stringResource(Res.string.course_place, open.course, open.number, open.count),
+            SchoolTexts.coursePlace(spoken, open.course, open.number, open.count),
             Modifier.testTag("course-place"),
             color = colours.quiet,
             fontSize = TextSizes.COMPACT,
             lineHeight = LineHeights.LABEL,
         )
         FlowRow(Modifier, Arrangement.spacedBy(4.dp)) {
-            QuietButton(stringResource(Res.string.course_back), "course-line-back", {
+            QuietButton(SchoolTexts.courseBack(spoken), "course-line-back", {
                 onEvent(CourseEvent.OpenCourseRequested)
             })
             open.next?.let { next ->
-                QuietButton(stringResource(Res.string.course_next, next), "course-line-next", {
+                QuietButton(SchoolTexts.courseNext(spoken, next), "course-line-next", {
                     onEvent(CourseEvent.NextTaskChosen)
                 })
             }

@@ -15,7 +15,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.course.assignmentId
 import robotran.projects.Project
 import robotran.ui.assignment.Quiet
@@ -23,6 +22,7 @@ import robotran.ui.assignment.making.Chips
 import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.Cross
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -30,7 +30,7 @@ import robotran.ui.parts.QuietButton
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -44,10 +44,10 @@ import robotran.workshop.state.WorkToAdd
 @Composable
 internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
     val tasks = page.course.assignments
-    Section(stringResource(Res.string.course_tasks), "course-tasks") {
+    Section(SchoolTexts.courseTasks(spoken), "course-tasks") {
         if (tasks.isEmpty()) {
             Explanation(
-                stringResource(Res.string.course_tasks_none),
+                SchoolTexts.courseTasksNone(spoken),
                 Modifier.testTag("course-tasks-none"),
             )
         }
@@ -57,20 +57,20 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
         }
         ComesIntoView(page.problem) { page.problem?.let { CourseProblemText(it) } }
         Chips {
-            SecondButton(stringResource(Res.string.course_add_files), "course-add-files", {
+            SecondButton(SchoolTexts.courseAddFiles(spoken), "course-add-files", {
                 onEvent(CourseEvent.FilesRequested)
             })
             if (page.works == null) {
-                SecondButton(stringResource(Res.string.course_add_works), "course-add-works", {
+                SecondButton(SchoolTexts.courseAddWorks(spoken), "course-add-works", {
                     onEvent(CourseEvent.WorksShown(true))
                 })
             }
-            QuietButton(stringResource(Res.string.make_undo), "course-undo", {
+            QuietButton(SchoolTexts.makeUndo(spoken), "course-undo", {
                 onEvent(CourseEvent.UndoRequested)
             }, enabled = page.canUndo)
         }
         page.works?.let { Works(it, onEvent) }
-        Quiet(stringResource(Res.string.course_tasks_help), "course-tasks-help")
+        Quiet(SchoolTexts.courseTasksHelp(spoken), "course-tasks-help")
     }
 }
 
@@ -115,20 +115,20 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
 private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) = Row {
     RoundButton(
         StrokeIcons.UP,
-        stringResource(Res.string.course_up, title),
+        SchoolTexts.courseUp(spoken, title),
         "course-up-$index",
         enabled = index > 0,
     ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
     RoundButton(
         StrokeIcons.DOWN,
-        stringResource(Res.string.course_down, title),
+        SchoolTexts.courseDown(spoken, title),
         "course-down-$index",
         enabled = index < count - 1,
     ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
-    IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.course_edit, title), "course-edit-$index", {
+    IconTouch(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), "course-edit-$index", {
         onEvent(CourseEvent.TaskOpened(index))
     })
-    RoundButton(Cross, stringResource(Res.string.course_take_out, title), "course-take-out-$index") {
+    RoundButton(Cross, SchoolTexts.courseTakeOut(spoken, title), "course-take-out-$index") {
         onEvent(CourseEvent.TaskRemoved(index))
     }
 }
@@ -138,19 +138,19 @@ private fun Works(works: List<WorkToAdd>, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.testTag("course-works")) {
         if (works.isEmpty()) {
             Explanation(
-                stringResource(Res.string.course_works_none),
+                SchoolTexts.courseWorksNone(spoken),
                 Modifier.testTag("course-works-none"),
             )
         }
         Chips {
             for (work in works) {
                 val name = if (work.name == work.title) work.name else "${work.title} (${work.name})"
-                SecondButton(stringResource(Res.string.course_add, name), "course-work-${work.id}", {
+                SecondButton(SchoolTexts.courseAdd(spoken, name), "course-work-${work.id}", {
                     onEvent(CourseEvent.WorkAdded(work.id))
                 })
             }
         }
-        QuietButton(stringResource(Res.string.course_works_close), "course-works-close", {
+        QuietButton(SchoolTexts.courseWorksClose(spoken), "course-works-close", {
             onEvent(CourseEvent.WorksShown(false))
         })
     }

@@ -12,7 +12,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
@@ -23,10 +22,11 @@ import robotran.ui.assignment.making.PupilLinkView
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.wordsFor
+import robotran.ui.language.spoken
 import robotran.ui.parts.Page
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CoursePage
@@ -38,22 +38,22 @@ import robotran.world.WorldLimits
 @Composable
 internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
     val scroll = rememberScrollState()
-    Page(stringResource(Res.string.course_make), "course-make", { onEvent(CourseEvent.PageClosed) }, scroll) {
+    Page(SchoolTexts.courseMake(spoken), "course-make", { onEvent(CourseEvent.PageClosed) }, scroll) {
         Column(
             Modifier.testTag("course-form").verticalScroll(scroll).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
-            Explanation(stringResource(Res.string.course_make_intro))
-            Section(stringResource(Res.string.course_about), "course-about") {
+            Explanation(SchoolTexts.courseMakeIntro(spoken))
+            Section(SchoolTexts.courseAbout(spoken), "course-about") {
                 Field(
                     page.course.title,
-                    stringResource(Res.string.course_title_label),
+                    SchoolTexts.courseTitleLabel(spoken),
                     "course-title",
                     WorldLimits.MAXIMUM_TITLE_CHARACTERS,
                 ) { onEvent(CourseEvent.TitleChanged(it)) }
                 Field(
                     page.course.text,
-                    stringResource(Res.string.course_text_label),
+                    SchoolTexts.courseTextLabel(spoken),
                     "course-text",
                     AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
                     lines = 3,
@@ -67,20 +67,20 @@ internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) ->
 
 @Composable
 private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_give), "course-give") {
+    Section(SchoolTexts.makeGive(spoken), "course-give") {
         if (!page.isComplete) {
-            Explanation(stringResource(Res.string.course_incomplete), Modifier.testTag("course-incomplete"))
+            Explanation(SchoolTexts.courseIncomplete(spoken), Modifier.testTag("course-incomplete"))
             return@Section
         }
-        Quiet(stringResource(Res.string.make_give_help), "course-give-help")
+        Quiet(SchoolTexts.makeGiveHelp(spoken), "course-give-help")
         Chips {
-            PrimaryButton(stringResource(Res.string.make_teacher_file), "course-teacher-file", {
+            PrimaryButton(SchoolTexts.makeTeacherFile(spoken), "course-teacher-file", {
                 onEvent(CourseEvent.TeacherFileSaved)
             })
-            PrimaryButton(stringResource(Res.string.make_pupil_file), "course-pupil-file", {
+            PrimaryButton(SchoolTexts.makePupilFile(spoken), "course-pupil-file", {
                 onEvent(CourseEvent.PupilFileSaved)
             })
-            SecondButton(stringResource(Res.string.make_pupil_link), "course-link", {
+            SecondButton(SchoolTexts.makePupilLink(spoken), "course-link", {
                 onEvent(CourseEvent.LinkRequested)
             })
         }
@@ -93,7 +93,7 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
 private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
     link,
     "course",
-    Res.string.course_qr_help,
+    SchoolTexts::courseQrHelp,
     onCopy = { onEvent(CourseEvent.LinkCopied) },
     onShare = { onEvent(CourseEvent.LinkShared) }.takeIf { page.hasShareSheet },
 )
@@ -102,12 +102,12 @@ private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (Works
 @Composable
 internal fun CourseProblemText(problem: CourseProblem) {
     val words = when (problem) {
-        is CourseProblem.NotAnAssignment -> stringResource(Res.string.course_problem_other, problem.name)
+        is CourseProblem.NotAnAssignment -> SchoolTexts.courseProblemOther(spoken, problem.name)
         is CourseProblem.NotOpened -> wordsFor(problem.error)
-        is CourseProblem.TooMany -> stringResource(Res.string.course_problem_many, problem.max)
-        CourseProblem.TooLong -> stringResource(Res.string.course_problem_long)
-        CourseProblem.NotKept -> stringResource(Res.string.course_problem_kept)
-        is CourseProblem.NotSaved -> stringResource(Res.string.hand_in_not_saved, problem.reason).trim()
+        is CourseProblem.TooMany -> SchoolTexts.courseProblemMany(spoken, problem.max)
+        CourseProblem.TooLong -> SchoolTexts.courseProblemLong(spoken)
+        CourseProblem.NotKept -> SchoolTexts.courseProblemKept(spoken)
+        is CourseProblem.NotSaved -> SchoolTexts.handInNotSaved(spoken, problem.reason).trim()
     }
     Explanation(words, Modifier.testTag("course-problem").semantics { liveRegion = LiveRegionMode.Polite }, bad = true)
 }

@@ -25,17 +25,18 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.DialogFrame
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -53,7 +54,7 @@ import robotran.workshop.state.CoursePage
 @Composable
 internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) -> Unit) {
     val list = rememberLazyListState()
-    Page(stringResource(Res.string.course_list), "courses-page", { onEvent(CourseEvent.PageClosed) }, list) {
+    Page(SchoolTexts.courseList(spoken), "courses-page", { onEvent(CourseEvent.PageClosed) }, list) {
         LazyColumn(
             Modifier.fillMaxSize().testTag("courses").scrolledByReaders(list) { list.layoutInfo.viewportSize.height },
             list,
@@ -62,7 +63,7 @@ internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) 
         ) {
             if (page.courses.isEmpty()) {
                 item(key = "none") {
-                    Explanation(stringResource(Res.string.course_list_none), Modifier.testTag("courses-none"))
+                    Explanation(SchoolTexts.courseListNone(spoken), Modifier.testTag("courses-none"))
                 }
             }
             items(page.courses, key = { it.key }) { CourseRow(it, onEvent) }
@@ -72,13 +73,13 @@ internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) 
                     Arrangement.spacedBy(8.dp),
                     Arrangement.spacedBy(8.dp),
                 ) {
-                    SecondButton(stringResource(Res.string.course_open), "courses-open", {
+                    SecondButton(SchoolTexts.courseOpen(spoken), "courses-open", {
                         onEvent(DocumentEvent.OpenRequested)
                     })
-                    SecondButton(stringResource(Res.string.course_open_link), "courses-open-link", {
+                    SecondButton(SchoolTexts.courseOpenLink(spoken), "courses-open-link", {
                         onEvent(DocumentEvent.LinkPastingRequested)
                     })
-                    SecondButton(stringResource(Res.string.course_make), "courses-make", {
+                    SecondButton(SchoolTexts.courseMake(spoken), "courses-make", {
                         onEvent(CourseEvent.MakingRequested(null))
                     })
                 }
@@ -117,13 +118,13 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
                     fontWeight = FontWeight.SemiBold,
                 )
                 Text(
-                    stringResource(Res.string.course_done, course.done, course.count),
+                    SchoolTexts.courseDone(spoken, course.done, course.count),
                     color = colours.quiet,
                     fontSize = TextSizes.BODY,
                 )
                 if (course.isForTeachers) {
                     Text(
-                        stringResource(Res.string.course_for_teachers),
+                        SchoolTexts.courseForTeachers(spoken),
                         color = colours.quiet,
                         fontSize = TextSizes.BODY,
                         lineHeight = LineHeights.BODY,
@@ -132,10 +133,7 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
             }
             IconTouch(
                 Icon.CLOSE,
-                stringResource(
-                    Res.string.course_remove,
-                    course.title,
-                ),
+                SchoolTexts.courseRemove(spoken, course.title),
                 "course-remove-${course.key}",
                 {
                     onEvent(CourseEvent.RemovalRequested(course.key))
@@ -149,16 +147,16 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
 private fun RemovalDialog(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
     val keep = { onEvent(CourseEvent.RemovalRequested(null)) }
     DialogFrame(
-        stringResource(Res.string.course_remove_title),
+        SchoolTexts.courseRemoveTitle(spoken),
         keep,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "course-remove-no", keep)
-            MainButton(stringResource(Res.string.course_remove_yes), "course-remove-yes") {
+            OtherButton(DocumentTexts.cancel(spoken), "course-remove-no", keep)
+            MainButton(SchoolTexts.courseRemoveYes(spoken), "course-remove-yes") {
                 onEvent(CourseEvent.Removed)
             }
         },
     ) {
-        Explanation(stringResource(Res.string.course_remove_text, course.title))
-        if (course.isForTeachers) Explanation(stringResource(Res.string.course_remove_teachers))
+        Explanation(SchoolTexts.courseRemoveText(spoken, course.title))
+        if (course.isForTeachers) Explanation(SchoolTexts.courseRemoveTeachers(spoken))
     }
 }

@@ -7,10 +7,10 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.OpenCourseTask
@@ -25,12 +25,12 @@ import robotran.workshop.state.OpenCourseTask
 internal fun NextInCourse(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit, handIn: @Composable () -> Unit) {
     FlowRow(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         open.next?.let { next ->
-            PrimaryButton(stringResource(Res.string.course_next, next), "solved-course-next", {
+            PrimaryButton(SchoolTexts.courseNext(spoken, next), "solved-course-next", {
                 onEvent(CourseEvent.NextTaskChosen)
             })
         }
         handIn()
-        SecondButton(stringResource(Res.string.course_back), "solved-course", {
+        SecondButton(SchoolTexts.courseBack(spoken), "solved-course", {
             onEvent(CourseEvent.OpenCourseRequested)
         })
     }

@@ -14,15 +14,15 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
 import robotran.ui.learning.StationPath
 import robotran.ui.learning.Stop
 import robotran.ui.parts.Page
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.CourseEvent
@@ -44,16 +44,16 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
                 MarkedText(paragraph.trim(), Modifier.widthIn(max = TEXT_WIDTH))
             }
             Text(
-                stringResource(Res.string.course_done, page.done, page.tasks.size),
+                SchoolTexts.courseDone(spoken, page.done, page.tasks.size),
                 Modifier.testTag("course-done"),
                 color = LocalRobotranColours.current.quiet,
                 fontSize = TextSizes.COMPACT,
             )
             if (next == null) {
-                Explanation(stringResource(Res.string.course_all_done), Modifier.testTag("course-all-done"))
+                Explanation(SchoolTexts.courseAllDone(spoken), Modifier.testTag("course-all-done"))
             } else {
-                val words = if (page.tasks.none { it.isBegun }) Res.string.course_begin else Res.string.course_go_on
-                PrimaryButton(stringResource(words, page.tasks[next].title), "course-go-on", {
+                val words = if (page.tasks.none { it.isBegun }) SchoolTexts::courseBegin else SchoolTexts::courseGoOn
+                PrimaryButton(words(spoken, page.tasks[next].title), "course-go-on", {
                     onEvent(CourseEvent.TaskChosen(next))
                 })
             }
@@ -73,10 +73,10 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
 @Composable
 private fun TeachersButtons(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) =
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        SecondButton(stringResource(Res.string.hand_ins_menu), "course-hand-ins", {
+        SecondButton(SchoolTexts.handInsMenu(spoken), "course-hand-ins", {
             onEvent(CourseEvent.HandInsRequested(page.key))
         })
-        SecondButton(stringResource(Res.string.course_change), "course-change", {
+        SecondButton(SchoolTexts.courseChange(spoken), "course-change", {
             onEvent(CourseEvent.MakingRequested(page.key))
         })
     }
@@ -86,8 +86,8 @@ private fun noteOf(task: CourseTask): String? {
     val best = task.best
     return when {
         task.isDone -> null
-        best != null && best.goals > 0 -> stringResource(Res.string.course_task_best, best.goalsMet, best.goals)
-        task.isBegun -> stringResource(Res.string.course_task_begun)
+        best != null && best.goals > 0 -> SchoolTexts.courseTaskBest(spoken, best.goalsMet, best.goals)
+        task.isBegun -> SchoolTexts.courseTaskBegun(spoken)
         else -> null
     }
 }

@@ -22,11 +22,12 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -74,17 +75,17 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
                 lineHeight = LineHeights.LABEL,
             )
             if (error != AutosaveError.TooLong) {
-                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") {
+                OtherButton(DocumentTexts.saveAs(spoken), "trouble-save-as") {
                     onEvent(DocumentEvent.SaveAsRequested)
                 }
             }
             if (error == AutosaveError.Full) {
-                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") {
+                OtherButton(DocumentTexts.myWork(spoken), "trouble-my-work") {
                     onEvent(DocumentEvent.ProjectListRequested)
                 }
             }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "trouble-close", {
+        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "trouble-close", {
             onEvent(DocumentEvent.WarningShown(false))
         })
     }
@@ -92,10 +93,10 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
 
 @Composable
 private fun wordsFor(error: AutosaveError): String = when (error) {
-    AutosaveError.Full -> stringResource(Res.string.documents_trouble_full)
-    AutosaveError.TooLong -> stringResource(Res.string.documents_trouble_long)
-    AutosaveError.NoAnswer -> stringResource(Res.string.documents_trouble_silent)
-    is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, error.reason)
+    AutosaveError.Full -> DocumentTexts.troubleFull(spoken)
+    AutosaveError.TooLong -> DocumentTexts.troubleLong(spoken)
+    AutosaveError.NoAnswer -> DocumentTexts.troubleSilent(spoken)
+    is AutosaveError.Failed -> DocumentTexts.troubleFailed(spoken, error.reason)
 }
 
 private val SHAPE = Shapes.MEDIUM

@@ -3,9 +3,9 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import org.jetbrains.compose.resources.stringResource
 import robotran.documents.OpenFilesError
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.DocumentTexts
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
@@ -39,60 +39,60 @@ internal fun DocumentDialogs(
 private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEvent: (DocumentEvent) -> Unit) {
     val answer = { answer: DocumentAnswer -> onEvent(DocumentEvent.Answered(answer)) }
     DialogFrame(
-        stringResource(Res.string.documents_changed_title, dialog.fileName),
+        DocumentTexts.changedTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_changed_theirs), "changed-theirs") {
+            OtherButton(DocumentTexts.changedTheirs(spoken), "changed-theirs") {
                 answer(DocumentAnswer.TAKE_THEIRS)
             }
-            OtherButton(stringResource(Res.string.documents_changed_over), "changed-over") {
+            OtherButton(DocumentTexts.changedOver(spoken), "changed-over") {
                 answer(DocumentAnswer.GO_ON)
             }
-            MainButton(stringResource(Res.string.documents_changed_as), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
+            MainButton(DocumentTexts.changedAs(spoken), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
         },
-    ) { Explanation(stringResource(Res.string.documents_changed_help)) }
+    ) { Explanation(DocumentTexts.changedHelp(spoken)) }
 }
 
 @Composable
 private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
     DialogFrame(
-        stringResource(Res.string.documents_loss_title),
+        DocumentTexts.lossTitle(spoken),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel") {
+            OtherButton(DocumentTexts.cancel(spoken), "document-cancel") {
                 onEvent(DocumentEvent.DialogClosed)
             }
-            OtherButton(stringResource(Res.string.documents_loss_go_on), "loss-go-on") {
+            OtherButton(DocumentTexts.lossGoOn(spoken), "loss-go-on") {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
             }
-            MainButton(stringResource(Res.string.documents_save_as), "loss-save-as") {
+            MainButton(DocumentTexts.saveAs(spoken), "loss-save-as") {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
             }
         },
-    ) { Explanation(stringResource(Res.string.documents_loss_help)) }
+    ) { Explanation(DocumentTexts.lossHelp(spoken)) }
 }
 
 @Composable
 private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
-        stringResource(Res.string.documents_refused_title),
+        DocumentTexts.refusedTitle(spoken),
         close,
-        buttons = { MainButton(stringResource(Res.string.documents_understood), "document-done", onClick = close) },
+        buttons = { MainButton(DocumentTexts.understood(spoken), "document-done", onClick = close) },
     ) {
         Explanation(wordsFor(dialog.error), Modifier.testTag("document-trouble"))
-        Explanation(stringResource(Res.string.documents_refused_help))
+        Explanation(DocumentTexts.refusedHelp(spoken))
     }
 }
 
 @Composable
 internal fun wordsFor(error: OpenFilesError): String = when (error) {
-    is OpenFilesError.InFile -> stringResource(Res.string.documents_refused_file, error.file, error.message)
+    is OpenFilesError.InFile -> DocumentTexts.refusedFile(spoken, error.file, error.message)
     is OpenFilesError.InLink -> error.message
-    is OpenFilesError.NotText -> stringResource(Res.string.documents_refused_text, error.file)
-    OpenFilesError.SeveralRobots -> stringResource(Res.string.documents_refused_robots)
-    OpenFilesError.SeveralWorlds -> stringResource(Res.string.documents_refused_worlds)
-    is OpenFilesError.TooLong -> stringResource(Res.string.documents_refused_long, error.file)
-    is OpenFilesError.TooManyPrograms -> stringResource(Res.string.documents_refused_many, error.max)
-    is OpenFilesError.UnknownKind -> stringResource(Res.string.documents_refused_kind, error.file)
+    is OpenFilesError.NotText -> DocumentTexts.refusedText(spoken, error.file)
+    OpenFilesError.SeveralRobots -> DocumentTexts.refusedRobots(spoken)
+    OpenFilesError.SeveralWorlds -> DocumentTexts.refusedWorlds(spoken)
+    is OpenFilesError.TooLong -> DocumentTexts.refusedLong(spoken, error.file)
+    is OpenFilesError.TooManyPrograms -> DocumentTexts.refusedMany(spoken, error.max)
+    is OpenFilesError.UnknownKind -> DocumentTexts.refusedKind(spoken, error.file)
 }

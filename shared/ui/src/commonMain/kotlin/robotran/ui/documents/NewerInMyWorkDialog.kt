@@ -3,8 +3,8 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.DocumentTexts
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 
@@ -12,22 +12,22 @@ import robotran.workshop.state.DocumentDialog
 @Composable
 internal fun NewerInMyWorkDialog(dialog: DocumentDialog.NewerInMyWork, onEvent: (DocumentEvent) -> Unit) {
     DialogFrame(
-        stringResource(Res.string.documents_newer_title, dialog.fileName),
+        DocumentTexts.newerTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_newer_file), "newer-file") {
+            OtherButton(DocumentTexts.newerFile(spoken), "newer-file") {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = false))
             }
-            MainButton(stringResource(Res.string.documents_newer_work), "newer-work") {
+            MainButton(DocumentTexts.newerWork(spoken), "newer-work") {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = true))
             }
         },
     ) {
         Explanation(
-            stringResource(Res.string.documents_newer_work_time, dialog.workTime),
+            DocumentTexts.newerWorkTime(spoken, dialog.workTime),
             Modifier.testTag("newer-times"),
         )
-        dialog.fileTime?.let { Explanation(stringResource(Res.string.documents_newer_file_time, it)) }
-        Explanation(stringResource(Res.string.documents_newer_both))
+        dialog.fileTime?.let { Explanation(DocumentTexts.newerFileTime(spoken, it)) }
+        Explanation(DocumentTexts.newerBoth(spoken))
     }
 }

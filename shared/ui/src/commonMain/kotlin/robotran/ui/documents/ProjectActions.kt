@@ -22,12 +22,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.MenuItem
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 
@@ -43,19 +43,19 @@ internal fun ProjectActions(work: ProjectListEntry, onEvent: (DocumentEvent) -> 
     Box {
         IconTouch(
             Icon.MORE,
-            stringResource(Res.string.documents_work_actions, nameOf(work)),
+            DocumentTexts.workActions(spoken, nameOf(work)),
             "actions-$id",
             { isOpen = true },
         )
         AppMenu(isOpen, { isOpen = false }) {
-            MenuItem(stringResource(Res.string.documents_rename), "rename-$id") {
+            MenuItem(DocumentTexts.rename(spoken), "rename-$id") {
                 choose(DocumentEvent.ProjectRenamingRequested(id))
             }
-            MenuItem(stringResource(Res.string.documents_duplicate), "duplicate-$id") {
+            MenuItem(DocumentTexts.duplicate(spoken), "duplicate-$id") {
                 choose(DocumentEvent.ProjectDuplicated(id))
             }
             if (!work.isOpen) {
-                MenuItem(stringResource(Res.string.documents_delete), "delete-$id") {
+                MenuItem(DocumentTexts.delete(spoken), "delete-$id") {
                     choose(DocumentEvent.ProjectDeleted(id))
                 }
             }
@@ -71,14 +71,14 @@ internal fun RenamingRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Uni
     val done = { onEvent(DocumentEvent.ProjectRenamed(name.text)) }
     val mayBeDone = name.text.isNotBlank()
     Column(Modifier.fillMaxWidth().padding(8.dp), Arrangement.spacedBy(4.dp)) {
-        OneLine(name, { name = it }, stringResource(Res.string.documents_name_label), isError = false) {
+        OneLine(name, { name = it }, DocumentTexts.nameLabel(spoken), isError = false) {
             if (mayBeDone) done()
         }
         FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
-            OtherButton(stringResource(Res.string.documents_cancel), "rename-cancel") {
+            OtherButton(DocumentTexts.cancel(spoken), "rename-cancel") {
                 onEvent(DocumentEvent.ProjectRenamed(null))
             }
-            MainButton(stringResource(Res.string.documents_name_done), "rename-done", mayBeDone, done)
+            MainButton(DocumentTexts.nameDone(spoken), "rename-done", mayBeDone, done)
         }
     }
 }
@@ -92,10 +92,10 @@ internal fun DeletedRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
         Alignment.CenterVertically,
     ) {
         Explanation(
-            stringResource(Res.string.documents_deleted, nameOf(work)),
+            DocumentTexts.deleted(spoken, nameOf(work)),
             Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
         )
-        OtherButton(stringResource(Res.string.documents_bring_back), "delete-undo") {
+        OtherButton(DocumentTexts.bringBack(spoken), "delete-undo") {
             onEvent(DocumentEvent.ProjectDeletionUndone)
         }
     }

@@ -29,11 +29,11 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -66,7 +66,7 @@ internal fun ProjectMenu(state: DocumentState, onEvent: (WorkshopEvent) -> Unit,
 internal fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     val words =
-        stringResource(Res.string.documents_menu, state.name.ifEmpty { stringResource(Res.string.documents_untitled) })
+        DocumentTexts.menu(spoken, state.name.ifEmpty { DocumentTexts.untitled(spoken) })
     val condition = conditionOf(state)
     DropdownMenuItem(
         text = {
@@ -97,16 +97,16 @@ private fun signOf(state: DocumentState): String? = when {
 /** The save status in words. */
 @Composable
 internal fun conditionOf(state: DocumentState): String? = when {
-    state.error != null -> stringResource(Res.string.documents_not_kept)
-    state.fileName != null && !state.saved -> stringResource(Res.string.documents_unsaved)
+    state.error != null -> DocumentTexts.notKept(spoken)
+    state.fileName != null && !state.saved -> DocumentTexts.unsaved(spoken)
     else -> null
 }
 
 @Composable
 private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    val name = state.name.ifEmpty { stringResource(Res.string.documents_untitled) }
-    val words = stringResource(Res.string.documents_menu, name)
+    val name = state.name.ifEmpty { DocumentTexts.untitled(spoken) }
+    val words = DocumentTexts.menu(spoken, name)
     val condition = conditionOf(state)
     Row(
         Modifier

@@ -7,10 +7,15 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.ExportTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.NqcTexts
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.SchoolTexts
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -30,40 +35,40 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
         onEvent(event)
     }
     if (state.error != null) {
-        ProjectMenuItem(Res.string.documents_not_kept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
+        ProjectMenuItem(DocumentTexts::notKept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
         HorizontalDivider(color = LocalRobotranColours.current.line)
     }
-    ProjectMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewRequested) }
-    ProjectMenuItem(Res.string.documents_new_nxt, "new-nxt") { choose(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
-    ProjectMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.ProjectListRequested) }
-    ProjectMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenRequested) }
-    ProjectMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
+    ProjectMenuItem(DocumentTexts::new, "new") { choose(DocumentEvent.NewRequested) }
+    ProjectMenuItem(NxtTexts::documentsNewNxt, "new-nxt") { choose(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
+    ProjectMenuItem(DocumentTexts::myWork, "my-work") { choose(DocumentEvent.ProjectListRequested) }
+    ProjectMenuItem(DocumentTexts::open, "open") { choose(DocumentEvent.OpenRequested) }
+    ProjectMenuItem(DocumentTexts::openLink, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    ProjectMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameRequested) }
+    ProjectMenuItem(DocumentTexts::rename, "rename") { choose(DocumentEvent.RenameRequested) }
     if (state.fileName != null) {
-        ProjectMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveRequested) }
+        ProjectMenuItem(DocumentTexts::save, "save") { choose(DocumentEvent.SaveRequested) }
     }
-    ProjectMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
-    ProjectMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
+    ProjectMenuItem(DocumentTexts::saveAs, "save-as") { choose(DocumentEvent.SaveAsRequested) }
+    ProjectMenuItem(DocumentTexts::share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    if (state.canSend) ProjectMenuItem(Res.string.send_robot, "send-robot") { choose(SendEvent.Requested) }
-    ProjectMenuItem(Res.string.show_title, "show") { choose(ShowEvent.Requested) }
-    ProjectMenuItem(Res.string.make_title, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
-    ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
-    ProjectMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
-    val kit = if (state.hasFirmwareImage) Res.string.documents_firmware_image else Res.string.documents_kit
+    if (state.canSend) ProjectMenuItem(SendTexts::robot, "send-robot") { choose(SendEvent.Requested) }
+    ProjectMenuItem(ExportTexts::title, "show") { choose(ShowEvent.Requested) }
+    ProjectMenuItem(SchoolTexts::makeTitle, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
+    ProjectMenuItem(DocumentTexts::replay, "replay") { choose(DocumentEvent.ReplayRequested) }
+    ProjectMenuItem(DocumentTexts::programFile, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
+    val kit = if (state.hasFirmwareImage) NqcTexts::documentsFirmwareImage else DocumentTexts::kit
     ProjectMenuItem(kit, "kit") { choose(DocumentEvent.KitRequested) }
     if (state.hasGoals) {
         HorizontalDivider(color = LocalRobotranColours.current.line)
-        ProjectMenuItem(Res.string.hand_ins_menu, "hand-ins") { choose(HandInsEvent.Requested) }
+        ProjectMenuItem(SchoolTexts::handInsMenu, "hand-ins") { choose(HandInsEvent.Requested) }
     }
 }
 
 @Composable
-private fun ProjectMenuItem(words: StringResource, tag: String, sign: String = "", onClick: () -> Unit) {
+private fun ProjectMenuItem(words: Label, tag: String, sign: String = "", onClick: () -> Unit) {
     DropdownMenuItem(
         text = {
-            Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+            Text(sign + words(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
         },
         onClick = onClick,
         modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),

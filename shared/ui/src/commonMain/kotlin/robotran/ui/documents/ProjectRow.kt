@@ -27,7 +27,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -36,10 +35,11 @@ import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
+import robotran.ui.texts.DocumentTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -100,12 +100,12 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
 /** The default world is stored with its English title, whatever the language. */
 @Composable
 private fun titleOf(world: World): String =
-    if (world.title == BuiltInWorlds.plain.title) stringResource(Res.string.documents_plain_world) else world.title
+    if (world.title == BuiltInWorlds.plain.title) DocumentTexts.plainWorld(spoken) else world.title
 
 @Composable
 private fun timeOf(work: ProjectListEntry): String {
-    val time = if (work.isOpen) stringResource(Res.string.documents_work_now) else work.time
-    return work.entry.fileName?.let { stringResource(Res.string.documents_work_file, time, it) } ?: time
+    val time = if (work.isOpen) DocumentTexts.workNow(spoken) else work.time
+    return work.entry.fileName?.let { DocumentTexts.workFile(spoken, time, it) } ?: time
 }
 
 /** The world's title is next to it, so it needs no accessibility text. */

@@ -8,11 +8,12 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.NxtTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
@@ -28,24 +29,24 @@ internal fun ProjectsDialog(
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
-        stringResource(Res.string.documents_my_work),
+        DocumentTexts.myWork(spoken),
         close,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
-            OtherButton(stringResource(Res.string.documents_new_nxt), "works-new-nxt") {
+            OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
+            OtherButton(NxtTexts.documentsNewNxt(spoken), "works-new-nxt") {
                 onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT))
             }
-            MainButton(stringResource(Res.string.documents_new), "works-new") { onEvent(DocumentEvent.NewRequested) }
+            MainButton(DocumentTexts.new(spoken), "works-new") { onEvent(DocumentEvent.NewRequested) }
         },
         notice = dialog.notice?.let { { ListNotice(noticeText(it), it.isError) } },
     ) {
         val projects = dialog.projects
         when {
-            projects == null -> Explanation(stringResource(Res.string.documents_works_loading))
+            projects == null -> Explanation(DocumentTexts.worksLoading(spoken))
 
             projects.isEmpty() -> EmptyState(
                 EmptyPicture.SHEETS,
-                stringResource(Res.string.documents_works_empty),
+                DocumentTexts.worksEmpty(spoken),
                 "works-empty",
                 Modifier.fillMaxWidth(),
             )
@@ -73,4 +74,4 @@ private fun ListNotice(words: String, isError: Boolean) = Explanation(
 )
 
 @Composable
-internal fun nameOf(work: ProjectListEntry) = work.entry.name.ifEmpty { stringResource(Res.string.documents_untitled) }
+internal fun nameOf(work: ProjectListEntry) = work.entry.name.ifEmpty { DocumentTexts.untitled(spoken) }

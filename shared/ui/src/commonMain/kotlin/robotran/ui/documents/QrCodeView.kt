@@ -35,11 +35,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
-import org.jetbrains.compose.resources.stringResource
 import robotran.qrcode.QrCode
+import robotran.ui.language.spoken
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
@@ -56,20 +57,20 @@ import kotlin.math.floor
 @Composable
 internal fun LinkAsQrCode(
     link: String,
-    help: String = stringResource(Res.string.documents_qr_help),
+    help: String = DocumentTexts.qrHelp(spoken),
     isForClass: Boolean = false,
     maxSide: Dp = MAX_SIDE,
 ) {
     val code = remember(link) { QrCode.of(link) }
     val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
     if (code == null) {
-        val words = if (isForClass) Res.string.make_qr_long else Res.string.documents_qr_long
-        Explanation(stringResource(words), news.testTag("qr-too-long"))
+        val words = if (isForClass) SchoolTexts::makeQrLong else DocumentTexts::qrLong
+        Explanation(words(spoken), news.testTag("qr-too-long"))
         return
     }
     if (help.isNotEmpty()) Explanation(help, news)
     var isLarge by remember { mutableStateOf(false) }
-    val large = stringResource(Res.string.documents_qr_large)
+    val large = DocumentTexts.qrLarge(spoken)
     Box(Modifier.fillMaxWidth(), Alignment.Center) {
         val side = Modifier.widthIn(max = minOf(maxSide, MAX_SIDE)).fillMaxWidth()
         QrCodeView(code, side.focusRing().clickable(onClickLabel = large) { isLarge = true }, "qr-code")
@@ -82,9 +83,9 @@ internal fun LinkAsQrCode(
 @Composable
 internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
     AppDialog(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
-        val name = stringResource(Res.string.documents_qr_code)
+        val name = DocumentTexts.qrCode(spoken)
         val close = @Composable {
-            PrimaryButton(stringResource(Res.string.hand_in_close), "qr-large-close", onClose, Modifier.padding(8.dp))
+            PrimaryButton(SchoolTexts.handInClose(spoken), "qr-large-close", onClose, Modifier.padding(8.dp))
         }
         BoxWithConstraints(
             Modifier
@@ -117,7 +118,7 @@ internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
 
 @Composable
 private fun QrCodeView(code: QrCode, modifier: Modifier, tag: String) {
-    val words = stringResource(Res.string.documents_qr_code)
+    val words = DocumentTexts.qrCode(spoken)
     Canvas(
         modifier.aspectRatio(1f).testTag(tag).semantics {
             role = Role.Image

@@ -9,10 +9,10 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.localSite
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.DocumentEvent
@@ -28,24 +28,24 @@ internal fun ShareLinkDialog(
     val link = dialog.link
     val tooLong = dialog.tooLong
     DialogFrame(
-        stringResource(Res.string.documents_share_title),
+        DocumentTexts.shareTitle(spoken),
         close,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
+            OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
             if (link != null && hasShareSheet) {
-                OtherButton(stringResource(Res.string.documents_share_elsewhere), "link-share") {
+                OtherButton(DocumentTexts.shareElsewhere(spoken), "link-share") {
                     onEvent(DocumentEvent.LinkShared)
                 }
             }
             if (link != null) {
-                val words = if (dialog.copied) Res.string.documents_copied else Res.string.documents_copy
-                MainButton(stringResource(words), "link-copy") { onEvent(DocumentEvent.LinkCopied) }
+                val words = if (dialog.copied) DocumentTexts::copied else DocumentTexts::copy
+                MainButton(words(spoken), "link-copy") { onEvent(DocumentEvent.LinkCopied) }
             }
         },
     ) {
         when {
             tooLong != null -> Explanation(tooLong, Modifier.testTag("document-trouble"), bad = true)
-            link == null -> Explanation(stringResource(Res.string.documents_share_making))
+            link == null -> Explanation(DocumentTexts.shareMaking(spoken))
             else -> LinkItself(link)
         }
     }
@@ -56,35 +56,35 @@ internal fun ShareLinkDialog(
 internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
-        stringResource(Res.string.documents_share_file_title),
+        DocumentTexts.shareFileTitle(spoken),
         close,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
-            OtherButton(stringResource(Res.string.documents_share_site), "share-site") {
+            OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
+            OtherButton(DocumentTexts.shareSite(spoken), "share-site") {
                 onEvent(DocumentEvent.SiteRequested)
             }
-            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") {
+            MainButton(DocumentTexts.saveAs(spoken), "share-save-as") {
                 onEvent(DocumentEvent.SaveAsRequested)
             }
         },
-    ) { Explanation(stringResource(Res.string.documents_share_no_site)) }
+    ) { Explanation(DocumentTexts.shareNoSite(spoken)) }
 }
 
 @Composable
 private fun LinkItself(link: String) {
     val colours = LocalRobotranColours.current
-    Explanation(stringResource(Res.string.documents_share_help))
+    Explanation(DocumentTexts.shareHelp(spoken))
     LocalLinkNote(link)
     OutlinedTextField(
         link,
         onValueChange = {},
         Modifier.fillMaxWidth().testTag("link-text"),
         readOnly = true,
-        label = { Text(stringResource(Res.string.documents_link_label)) },
+        label = { Text(DocumentTexts.linkLabel(spoken)) },
         maxLines = MAX_LINES,
         colors = fieldColours(),
     )
-    val length = stringResource(Res.string.documents_share_length, link.length)
+    val length = DocumentTexts.shareLength(spoken, link.length)
     Text(
         length,
         Modifier.testTag("link-length").semantics {
@@ -93,7 +93,7 @@ private fun LinkItself(link: String) {
         color = colours.quiet,
         fontSize = TextSizes.SMALL,
     )
-    if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
+    if (link.length > LONG) Explanation(DocumentTexts.shareLong(spoken))
     LinkAsQrCode(link)
 }
 
@@ -101,7 +101,7 @@ private fun LinkItself(link: String) {
 @Composable
 internal fun LocalLinkNote(link: String) {
     val site = localSite(link) ?: return
-    Explanation(stringResource(Res.string.documents_share_local, site), Modifier.testTag("link-local"), bad = true)
+    Explanation(DocumentTexts.shareLocal(spoken, site), Modifier.testTag("link-local"), bad = true)
 }
 
 private const val MAX_LINES = 3

@@ -26,9 +26,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 
@@ -37,11 +37,11 @@ internal fun RenameDialog(dialog: DocumentDialog.Renaming, onEvent: (DocumentEve
     var name by remember { mutableStateOf(TextFieldValue(dialog.name, TextRange(0, dialog.name.length))) }
     val done = { onEvent(DocumentEvent.Renamed(name.text)) }
     TextDialog(
-        title = stringResource(Res.string.documents_rename_title),
-        label = stringResource(Res.string.documents_name_label),
+        title = DocumentTexts.renameTitle(spoken),
+        label = DocumentTexts.nameLabel(spoken),
         value = name,
         onValue = { name = it },
-        doneWords = stringResource(Res.string.documents_name_done),
+        doneWords = DocumentTexts.nameDone(spoken),
         onDone = done,
         onEvent = onEvent,
     )
@@ -51,14 +51,14 @@ internal fun RenameDialog(dialog: DocumentDialog.Renaming, onEvent: (DocumentEve
 internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (DocumentEvent) -> Unit) {
     var link by remember { mutableStateOf(TextFieldValue()) }
     TextDialog(
-        title = stringResource(Res.string.documents_paste_title),
-        label = stringResource(Res.string.documents_link_label),
+        title = DocumentTexts.pasteTitle(spoken),
+        label = DocumentTexts.linkLabel(spoken),
         value = link,
         onValue = { link = it },
-        doneWords = stringResource(Res.string.documents_paste_done),
+        doneWords = DocumentTexts.pasteDone(spoken),
         onDone = { onEvent(DocumentEvent.LinkOpened(link.text)) },
         onEvent = onEvent,
-        help = stringResource(Res.string.documents_paste_help),
+        help = DocumentTexts.pasteHelp(spoken),
         error = dialog.error,
     )
 }
@@ -82,7 +82,7 @@ private fun TextDialog(
         title,
         close,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel", close)
+            OtherButton(DocumentTexts.cancel(spoken), "document-cancel", close)
             MainButton(doneWords, "document-done", mayBeDone, onDone)
         },
     ) {

@@ -33,10 +33,10 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.NxtTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -60,7 +60,7 @@ internal fun Lane(
 ) {
     val colours = LocalRobotranColours.current
     val value = valueText(line, brick, at)
-    val spoken = value ?: stringResource(Res.string.run_chart_no_value)
+    val spoken = value ?: NxtTexts.runChartNoValue(spoken)
     val unit = line.unit.sign
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)

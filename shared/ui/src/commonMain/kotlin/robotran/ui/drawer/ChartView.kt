@@ -19,18 +19,19 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.MeasuringUnit
 import robotran.nxt.hardware.SonarDevice
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.RunEvent
@@ -42,7 +43,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
     if (state.untouched ||
         state.drawer.chart.lines.isEmpty()
     ) {
-        return EmptyDrawer(Res.string.run_chart_empty, EmptyPicture.CURVE, modifier)
+        return EmptyDrawer(RunTexts::chartEmpty, EmptyPicture.CURVE, modifier)
     }
     var zoom by rememberSaveable { mutableIntStateOf(0) }
     var touched by rememberSaveable { mutableStateOf<Long?>(null) }
@@ -60,7 +61,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
             }
             RunIconButton(
                 RunIcon.LESS,
-                stringResource(Res.string.run_chart_coarser),
+                RunTexts.chartCoarser(spoken),
                 "chart-coarser",
                 {
                     zoom--
@@ -69,7 +70,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
             )
             RunIconButton(
                 RunIcon.MORE,
-                stringResource(Res.string.run_chart_finer),
+                RunTexts.chartFiner(spoken),
                 "chart-finer",
                 { zoom++ },
                 enabled = zoom < MAX_ZOOM,
@@ -77,7 +78,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         }
         if (shown.isEmpty()) {
             return EmptyDrawer(
-                Res.string.run_chart_all_hidden,
+                RunTexts::chartAllHidden,
                 EmptyPicture.CURVE,
                 Modifier.fillMaxWidth(),
             )
@@ -105,10 +106,10 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 
 @Composable
 private fun laneName(lane: ChartLane): String = when {
-    lane.isMotor -> stringResource(Res.string.run_chart_motor, 'A' + lane.port)
-    lane.isDegrees -> stringResource(Res.string.run_chart_degrees, 'A' + lane.port)
-    lane == ChartLane.BATTERY -> stringResource(Res.string.run_chart_battery)
-    else -> stringResource(Res.string.run_chart_sensor, lane.port + 1)
+    lane.isMotor -> RunTexts.chartMotor(spoken, "${'A' + lane.port}")
+    lane.isDegrees -> NxtTexts.runChartDegrees(spoken, "${'A' + lane.port}")
+    lane == ChartLane.BATTERY -> NxtTexts.runChartBattery(spoken)
+    else -> RunTexts.chartSensor(spoken, lane.port + 1)
 }
 
 /**

@@ -21,9 +21,9 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.legofirmware.device.DatalogEntry
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.NqcTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -49,7 +49,7 @@ internal fun DatalogTable(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(
-                stringResource(Res.string.run_datalog),
+                NqcTexts.runDatalog(spoken),
                 Modifier.weight(1f).semantics { heading() },
                 color = colours.quiet,
                 fontSize = TextSizes.SMALL,
@@ -59,21 +59,21 @@ internal fun DatalogTable(
                 onSave,
                 Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("datalog-save").focusRing(),
             ) {
-                Text(stringResource(Res.string.run_datalog_save), color = colours.focus, fontSize = TextSizes.COMPACT)
+                Text(NqcTexts.runDatalogSave(spoken), color = colours.focus, fontSize = TextSizes.COMPACT)
             }
         }
         Column(Modifier.widthIn(max = MAX_WIDTH)) {
             val head = codeStyle(colours.quiet).copy(fontFamily = null, fontSize = TextSizes.SMALL)
             Cells(
-                stringResource(Res.string.run_datalog_number),
-                stringResource(Res.string.run_datalog_source),
-                stringResource(Res.string.run_datalog_value),
+                NqcTexts.runDatalogNumber(spoken),
+                NqcTexts.runDatalogSource(spoken),
+                NqcTexts.runDatalogValue(spoken),
                 head,
                 Modifier.clearAndSetSemantics { },
             )
             if (left > 0) {
                 Text(
-                    stringResource(Res.string.run_datalog_more, left),
+                    NqcTexts.runDatalogMore(spoken, left),
                     Modifier.padding(vertical = 4.dp),
                     color = colours.quiet,
                     fontSize = TextSizes.SMALL,
@@ -87,7 +87,7 @@ internal fun DatalogTable(
 @Composable
 private fun Entry(number: Int, entry: DatalogEntry, variables: Map<Int, String>) {
     val origin = entry.origin(variables)
-    val words = stringResource(Res.string.run_datalog_entry, number, origin, entry.value)
+    val words = NqcTexts.runDatalogEntry(spoken, number, origin, entry.value)
     val read = Modifier.testTag("datalog-$number").clearAndSetSemantics { contentDescription = words }
     Cells("$number", origin, "${entry.value}", codeStyle(), read)
 }

@@ -27,14 +27,14 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.SteadySize
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.word
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -47,7 +47,7 @@ import robotran.workshop.state.DrawerTab
 @Composable
 internal fun DrawerTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
-        RunIconButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
+        RunIconButton(RunIcon.DOWN, RunTexts.drawerClose(spoken), "drawer-close", { onTab(null) })
     }
 }
 
@@ -61,15 +61,15 @@ internal fun FootTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: M
 internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)? = null) {
     Row(Modifier.padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Text(
-            stringResource(tab.word),
+            tab.word(spoken),
             Modifier.weight(1f).padding(start = 8.dp).semantics { heading() },
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
             maxLines = 1,
         )
-        if (onTwo != null) RunIconButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
-        RunIconButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", onClose)
+        if (onTwo != null) RunIconButton(RunIcon.TWO, RunTexts.drawerTwo(spoken), "drawer-two", onTwo)
+        RunIconButton(RunIcon.DOWN, RunTexts.drawerClose(spoken), "drawer-close", onClose)
     }
 }
 
@@ -77,7 +77,7 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
-        RunIconButton(RunIcon.CLOSE, stringResource(Res.string.run_drawer_one), "beside-close", { onTab(null) })
+        RunIconButton(RunIcon.CLOSE, RunTexts.drawerOne(spoken), "beside-close", { onTab(null) })
     }
 }
 
@@ -149,7 +149,7 @@ private fun TabName(
         // The selected name is wider: tabs that stay shall not move.
         SteadySize(selected, if (isSteady) listOf(true, false) else emptyList()) {
             Text(
-                stringResource(tab.word),
+                tab.word(spoken),
                 color = if (it) colours.onPane else colours.quiet,
                 fontSize = TextSizes.COMPACT,
                 fontWeight = if (it) FontWeight.SemiBold else FontWeight.Medium,

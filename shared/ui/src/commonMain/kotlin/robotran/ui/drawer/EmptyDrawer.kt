@@ -2,12 +2,12 @@ package robotran.ui.drawer
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
 
 /** Explains how to get content for this tab. */
 @Composable
-internal fun EmptyDrawer(words: StringResource, picture: EmptyPicture, modifier: Modifier = Modifier) =
-    EmptyState(picture, stringResource(words), "drawer-empty", modifier)
+internal fun EmptyDrawer(words: Label, picture: EmptyPicture, modifier: Modifier = Modifier) =
+    EmptyState(picture, words(spoken), "drawer-empty", modifier)

@@ -24,12 +24,12 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
+import robotran.ui.language.spoken
 import robotran.ui.parts.SteadySize
-import robotran.ui.resources.*
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -56,20 +56,16 @@ internal fun GoalChip(
     if (goals.isEmpty()) return
     val colours = LocalRobotranColours.current
     val count = GoalCount.of(goals)
-    val allMet = stringResource(Res.string.run_goals_all)
-    val words = if (count.allMet) allMet else stringResource(Res.string.run_goals_count, count.met, count.all)
+    val allMet = RunTexts.goalsAll(spoken)
+    val words = if (count.allMet) allMet else RunTexts.goalsCount(spoken, count.met, count.all)
     val isLarge = LocalDensity.current.fontScale > LARGE
     val isShort = isLarge || isSlim
-    val name = if (isLarge) "" else stringResource(Res.string.run_tab_goals) + " "
+    val name = if (isLarge) "" else RunTexts.tabGoals(spoken) + " "
     val shown = if (isShort) "$name${count.met}/${count.all}" else words
     val longest = if (isShort) {
         "$name${count.all}/${count.all}"
     } else {
-        stringResource(
-            Res.string.run_goals_count,
-            count.all,
-            count.all,
-        )
+        RunTexts.goalsCount(spoken, count.all, count.all)
     }
     val icon = when {
         count.allMet -> RunIcon.DONE

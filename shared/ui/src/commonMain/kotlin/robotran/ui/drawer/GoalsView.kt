@@ -19,16 +19,16 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -49,7 +49,7 @@ internal fun GoalsView(
     shortfalls: List<ShortfallMark> = emptyList(),
     onEvent: (WorkshopEvent) -> Unit = {},
 ) {
-    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, EmptyPicture.FLAG, modifier)
+    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(RunTexts::goalsEmpty, EmptyPicture.FLAG, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
             val colour = LocalRobotranColours.current.onPane
@@ -63,7 +63,7 @@ internal fun GoalsView(
         }
         if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
-                stringResource(Res.string.run_goals_all),
+                RunTexts.goalsAll(spoken),
                 color = LocalRobotranColours.current.onPane,
                 fontSize = TextSizes.LEAD,
                 lineHeight = LineHeights.BODY,

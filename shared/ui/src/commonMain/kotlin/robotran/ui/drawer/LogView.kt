@@ -33,17 +33,18 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.log.LoggedCall
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
 import robotran.ui.runbar.Chip
+import robotran.ui.texts.Label
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -56,13 +57,13 @@ import robotran.workshop.state.LogState
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.total == 0L) {
-        val words = if (state.kind == BrickKind.RCX) Res.string.run_log_empty else Res.string.run_log_empty_calls
+        val words = if (state.kind == BrickKind.RCX) RunTexts::logEmpty else NxtTexts::runLogEmptyCalls
         return EmptyDrawer(words, EmptyPicture.LINES, modifier)
     }
     Column(modifier.padding(horizontal = 12.dp)) {
         LogTools(state, onEvent)
         if (state.entries.isEmpty() && state.isComplete) {
-            EmptyDrawer(Res.string.run_log_none, EmptyPicture.LINES, Modifier.fillMaxWidth())
+            EmptyDrawer(RunTexts::logNone, EmptyPicture.LINES, Modifier.fillMaxWidth())
         } else {
             LogEntries(state.entries, Modifier.weight(1f).fillMaxWidth())
         }
@@ -72,7 +73,7 @@ internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Mod
 @Composable
 private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     val filter = state.filter
-    val search = stringResource(Res.string.run_log_search)
+    val search = RunTexts.logSearch(spoken)
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Row(
@@ -94,15 +95,15 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
             singleLine = true,
         )
         Text(
-            stringResource(Res.string.run_log_count, state.entries.size, state.total.toInt()),
+            RunTexts.logCount(spoken, state.entries.size, state.total.toInt()),
             Modifier.testTag("log-count"),
             color = LocalRobotranColours.current.quiet,
             fontSize = TextSizes.SMALL,
             maxLines = 1,
         )
-        ToolButton(Res.string.run_log_copy, "log-copy") { onEvent(RunEvent.LogCopied) }
-        ToolButton(Res.string.run_log_save, "log-save") { onEvent(RunEvent.LogSaved) }
-        Chip(stringResource(Res.string.run_log_program), filter.sourceLines != null, "log-program") {
+        ToolButton(RunTexts::logCopy, "log-copy") { onEvent(RunEvent.LogCopied) }
+        ToolButton(RunTexts::logSave, "log-save") { onEvent(RunEvent.LogSaved) }
+        Chip(RunTexts.logProgram(spoken), filter.sourceLines != null, "log-program") {
             onEvent(
                 RunEvent.LogFiltered(
                     filter.copy(
@@ -115,12 +116,12 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
                 ),
             )
         }
-        Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
+        Chip(RunTexts.logTroubled(spoken), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
         for (group in CallGroup.of(state.kind)) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
-            Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
+            Chip(group.word(spoken), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
             }
         }
@@ -136,10 +137,10 @@ private fun CallLogFilter.switched(group: CallGroup): CallLogFilter {
 }
 
 @Composable
-private fun ToolButton(name: StringResource, tag: String, onClick: () -> Unit) {
+private fun ToolButton(name: Label, tag: String, onClick: () -> Unit) {
     TextButton(onClick, Modifier.testTag(tag).focusRing()) {
         Text(
-            stringResource(name),
+            name(spoken),
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.COMPACT,
             maxLines = 1,
@@ -195,9 +196,9 @@ private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
         }
         Text(
             when {
-                entry.isByLibrary -> stringResource(Res.string.run_log_library)
-                entry.sourceLine == 0 -> stringResource(Res.string.run_log_firmware)
-                else -> stringResource(Res.string.run_log_line, entry.sourceLine)
+                entry.isByLibrary -> NxtTexts.runLogLibrary(spoken)
+                entry.sourceLine == 0 -> RunTexts.logFirmware(spoken)
+                else -> RunTexts.logLine(spoken, entry.sourceLine)
             },
             Modifier.width(84.dp * scale),
             style = style.copy(color = colours.quiet),
@@ -209,17 +210,17 @@ private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
 /** The address and the arguments, as in a saved log. */
 private fun callText(entry: LoggedCall): String = entry.callText
 
-private val CallGroup.word: StringResource
+private val CallGroup.word: Label
     get() = when (this) {
-        CallGroup.SENSORS -> Res.string.run_log_group_sensors
-        CallGroup.MOTORS -> Res.string.run_log_group_motors
-        CallGroup.BUTTONS -> Res.string.run_log_group_buttons
-        CallGroup.DISPLAY -> Res.string.run_log_group_display
-        CallGroup.SOUND -> Res.string.run_log_group_sound
-        CallGroup.POWER -> Res.string.run_log_group_power
-        CallGroup.INFRARED -> Res.string.run_log_group_infrared
-        CallGroup.TIMER -> Res.string.run_log_group_timer
-        CallGroup.BLUETOOTH -> Res.string.run_log_group_bluetooth
-        CallGroup.SYSTEM -> Res.string.run_log_group_system
-        CallGroup.UNKNOWN -> Res.string.run_log_group_unknown
+        CallGroup.SENSORS -> RunTexts::logGroupSensors
+        CallGroup.MOTORS -> RunTexts::logGroupMotors
+        CallGroup.BUTTONS -> RunTexts::logGroupButtons
+        CallGroup.DISPLAY -> RunTexts::logGroupDisplay
+        CallGroup.SOUND -> RunTexts::logGroupSound
+        CallGroup.POWER -> RunTexts::logGroupPower
+        CallGroup.INFRARED -> RunTexts::logGroupInfrared
+        CallGroup.TIMER -> RunTexts::logGroupTimer
+        CallGroup.BLUETOOTH -> NxtTexts::runLogGroupBluetooth
+        CallGroup.SYSTEM -> NxtTexts::runLogGroupSystem
+        CallGroup.UNKNOWN -> RunTexts::logGroupUnknown
     }

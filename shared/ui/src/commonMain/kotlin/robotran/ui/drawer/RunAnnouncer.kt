@@ -19,9 +19,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.conflate
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
+import robotran.ui.texts.RunTexts
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
@@ -31,7 +31,7 @@ internal fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
     val robot = state.session.robots[state.watched]
     val pose = robot.robot.pose
     val place =
-        stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
+        RunTexts.saidPlace(spoken, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
     val stands = !state.untouched && !state.isSeeking && (!state.running || state.isPaused)
     val text by rememberUpdatedState(if (stands) place else "")
     var said by remember { mutableStateOf("") }

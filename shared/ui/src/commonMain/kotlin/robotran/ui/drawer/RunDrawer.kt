@@ -42,8 +42,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
@@ -161,7 +161,7 @@ private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (Worksho
 @Composable
 private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
     val colours = LocalRobotranColours.current
-    val description = stringResource(Res.string.run_drawer_height)
+    val description = RunTexts.drawerHeight(spoken)
     val now by rememberUpdatedState(height)
     val range = MIN_HEIGHT..maxOf(MIN_HEIGHT + 1, max)
     val density = LocalDensity.current.density

@@ -25,12 +25,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.sentenceFor
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetColours
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -47,7 +47,7 @@ import robotran.workshop.state.ShortfallMark
 internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val sentence = SimulationMessages.of(LocalLanguage.current).sentenceFor(mark.shortfall)
-    val help = stringResource(Res.string.shortfall_show)
+    val help = RunTexts.shortfallShow(spoken)
     val canShow = mark.shortfall.moment != null || mark.shortfall.place != null
     Row(
         modifier
@@ -93,10 +93,10 @@ private fun lineText(mark: ShortfallMark): String? {
     val file = moment.sourceFile
     val robot = moment.robot
     return when {
-        robot != null && file != null -> stringResource(Res.string.shortfall_line_of_robots_file, robot, line, file)
-        robot != null -> stringResource(Res.string.shortfall_line_of_robot, robot, line)
-        file != null -> stringResource(Res.string.shortfall_line_of_file, line, file)
-        else -> stringResource(Res.string.shortfall_line, line)
+        robot != null && file != null -> RunTexts.shortfallLineOfRobotsFile(spoken, robot, line, file)
+        robot != null -> RunTexts.shortfallLineOfRobot(spoken, robot, line)
+        file != null -> RunTexts.shortfallLineOfFile(spoken, line, file)
+        else -> RunTexts.shortfallLine(spoken, line)
     }
 }
 

@@ -22,9 +22,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
@@ -60,7 +60,7 @@ internal fun TaskAndGoals(
 @Composable
 private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current
-    val help = stringResource(if (shown) Res.string.task_hide else Res.string.task_show)
+    val help = if (shown) SheetTexts.taskHide(spoken) else SheetTexts.taskShow(spoken)
     Box(
         Modifier
             .testTag("task-chip")
@@ -77,7 +77,7 @@ private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) 
         Alignment.Center,
     ) {
         Text(
-            stringResource(Res.string.task),
+            SheetTexts.task(spoken),
             color = colours.onPane,
             fontSize = TextSizes.BODY,
             lineHeight = LineHeights.SMALL,

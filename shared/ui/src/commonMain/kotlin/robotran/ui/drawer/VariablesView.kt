@@ -26,17 +26,18 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.program.CallFrame
 import robotran.brick.program.ThreadActivity
 import robotran.brick.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.SectionName
+import robotran.ui.texts.Label
+import robotran.ui.texts.NqcTexts
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -54,7 +55,7 @@ import robotran.workshop.state.VariablesState
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.threads.isEmpty() && state.datalog.isEmpty() && state.scopes.isEmpty()) {
-        return EmptyDrawer(Res.string.run_variables_empty, EmptyPicture.BOXES, modifier)
+        return EmptyDrawer(RunTexts::variablesEmpty, EmptyPicture.BOXES, modifier)
     }
     val save = { onEvent(RunEvent.DatalogSaved) }
     if (state.threads.isEmpty()) {
@@ -92,14 +93,14 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
 private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier) {
     Column(modifier.padding(12.dp)) {
         if (state.threads.size > 1) {
-            SectionName(stringResource(if (state.hasTasks) Res.string.run_tasks else Res.string.run_threads))
+            SectionName(if (state.hasTasks) NqcTexts.runTasks(spoken) else RunTexts.threads(spoken))
             for (thread in state.threads) {
                 Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") {
                     onEvent(RunEvent.FrameChosen(thread.number, 0))
                 }
             }
         }
-        SectionName(stringResource(Res.string.run_calls))
+        SectionName(RunTexts.calls(spoken))
         state.threads.find { it.number == state.thread }?.callStack.orEmpty().forEachIndexed { place, frame ->
             Frame(frame, place == state.frame, place) { onEvent(RunEvent.FrameChosen(state.thread, place)) }
         }
@@ -122,7 +123,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Text(
-            stringResource(Res.string.run_frame, frame.name, frame.sourceLine),
+            RunTexts.frame(spoken, frame.name, frame.sourceLine),
             color = colours.onPane,
             fontSize = TextSizes.COMPACT,
             fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Normal,
@@ -136,7 +137,7 @@ private fun Scopes(scopes: List<ShownScope>, modifier: Modifier) {
         for (scope in scopes) Scope(scope)
         if (scopes.all { it.variables.isEmpty() }) {
             Text(
-                stringResource(Res.string.run_variables_none),
+                RunTexts.variablesNone(spoken),
                 color = LocalRobotranColours.current.quiet,
                 fontSize = TextSizes.COMPACT,
                 lineHeight = LineHeights.SMALL,
@@ -163,7 +164,7 @@ private fun Scope(scope: ShownScope) {
 @Composable
 private fun Variable(variable: ShownVariable) {
     val colours = LocalRobotranColours.current
-    val changed = stringResource(Res.string.run_variable_changed)
+    val changed = RunTexts.variableChanged(spoken)
     Row(
         Modifier
             .testTag("variable-${variable.name}")
@@ -185,14 +186,13 @@ private fun Variable(variable: ShownVariable) {
 }
 
 @Composable
-private fun threadText(thread: ThreadView): String =
-    stringResource(Res.string.run_thread, thread.name, stringResource(thread.activity.words))
+private fun threadText(thread: ThreadView): String = RunTexts.thread(spoken, thread.name, thread.activity.words(spoken))
 
-private val ThreadActivity.words: StringResource
+private val ThreadActivity.words: Label
     get() = when (this) {
-        ThreadActivity.RUNNABLE -> Res.string.run_thread_running
-        ThreadActivity.SLEEPING -> Res.string.run_thread_asleep
-        ThreadActivity.WAITING_FOR_MONITOR, ThreadActivity.WAITING_FOR_NOTIFICATION -> Res.string.run_thread_waits
+        ThreadActivity.RUNNABLE -> RunTexts::threadRunning
+        ThreadActivity.SLEEPING -> RunTexts::threadAsleep
+        ThreadActivity.WAITING_FOR_MONITOR, ThreadActivity.WAITING_FOR_NOTIFICATION -> RunTexts::threadWaits
     }
 
 /** From this width on calls and variables are side by side. */

@@ -10,12 +10,12 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.language.spoken
 import robotran.ui.program.PlugInButton
-import robotran.ui.resources.*
 import robotran.ui.runbar.SectionName
+import robotran.ui.texts.Label
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -34,16 +34,16 @@ internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modi
     }
     val several = state.world.robots.size > 1
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
-        if (why.deviationCauses.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
+        if (why.deviationCauses.isNotEmpty()) SectionName(RunTexts.whyInfluences(spoken))
         for (influence in why.deviationCauses) {
             Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
         }
-        if (why.remarks.isNotEmpty()) SectionName(stringResource(Res.string.run_why_remarks))
+        if (why.remarks.isNotEmpty()) SectionName(RunTexts.whyRemarks(spoken))
         for (remark in why.remarks) {
             val text = if (remark.sourceLine == 0) {
                 remark.message
             } else {
-                stringResource(Res.string.run_why_line, remark.sourceLine, remark.message)
+                RunTexts.whyLine(spoken, remark.sourceLine, remark.message)
             }
             Sentence(text, "why-remark")
             state.session.robots[state.watched].missingSensors?.takeIf { it.remark == remark }?.let { missing ->
@@ -54,8 +54,8 @@ internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modi
     }
 }
 
-private fun emptyWords(state: RunPaneState): StringResource =
-    if (state.world.realism == 0.0) Res.string.run_why_exact else Res.string.run_why_empty
+private fun emptyWords(state: RunPaneState): Label =
+    if (state.world.realism == 0.0) RunTexts::whyExact else RunTexts::whyEmpty
 
 @Composable
 private fun Sentence(text: String, tag: String) {

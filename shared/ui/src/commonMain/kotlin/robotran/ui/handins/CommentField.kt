@@ -12,10 +12,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.AssignmentLimits
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -36,8 +36,8 @@ internal fun CommentField(row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
         },
         Modifier.fillMaxWidth().tabLeaves().testTag("hand-in-comment"),
         textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
-        label = { Text(stringResource(Res.string.hand_in_comment, row.name)) },
-        supportingText = { Text(stringResource(Res.string.hand_in_comment_help), fontSize = TextSizes.SMALL) },
+        label = { Text(SchoolTexts.handInComment(spoken, row.name)) },
+        supportingText = { Text(SchoolTexts.handInCommentHelp(spoken), fontSize = TextSizes.SMALL) },
         minLines = MIN_LINES,
         shape = Shapes.MEDIUM,
         colors = fieldColours(),

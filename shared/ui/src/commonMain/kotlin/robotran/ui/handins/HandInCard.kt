@@ -23,9 +23,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -104,9 +104,9 @@ private fun CardWords(row: HandInRow, task: HandInTask) {
         Text(runsText(graded), color = colours.onPane, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
     }
     val figures = listOfNotNull(
-        row.lines.takeIf { it > 0 }?.let { stringResource(Res.string.hand_ins_lines, it) },
-        triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
-        row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
+        row.lines.takeIf { it > 0 }?.let { SchoolTexts.handInsLines(spoken, it) },
+        triesOf(row)?.let { SchoolTexts.handInsTries(spoken, it) },
+        row.results?.seconds?.let { SchoolTexts.handInsSeconds(spoken, secondsText(it)) },
     )
     if (figures.isNotEmpty()) {
         Text(

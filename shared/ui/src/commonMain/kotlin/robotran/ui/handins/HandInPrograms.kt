@@ -17,11 +17,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectProgram
+import robotran.ui.language.spoken
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -40,7 +40,7 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
     val solution = state.taskOf(row).solution
     val other = besideOf(state, chosen, solution)
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
-        PartTitle(Res.string.hand_in_program)
+        PartTitle(SchoolTexts::handInProgram)
         val choices = choicesOf(state, row)
         val hasOthers = state.comparable.isNotEmpty()
         if (choices.size > 1 || hasOthers) BesideChoice(choices, chosen, hasOthers, onEvent)
@@ -50,7 +50,7 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
         }
         val (title, programs) = other
         Text(
-            stringResource(Res.string.hand_in_equal_lines),
+            SchoolTexts.handInEqualLines(spoken),
             color = LocalRobotranColours.current.quiet,
             fontSize = TextSizes.SMALL,
             lineHeight = LineHeights.SMALL,
@@ -75,7 +75,7 @@ private fun besideOf(
     solution: List<ProjectProgram>,
 ): Pair<String, List<ProjectProgram>>? = when (chosen) {
     null -> null
-    "" -> stringResource(Res.string.hand_in_solution) to solution
+    "" -> SchoolTexts.handInSolution(spoken) to solution
     else -> state.rows.firstOrNull { it.id == chosen }?.let { it.name to it.programs }
 }?.takeIf { it.second.isNotEmpty() }
 
@@ -86,8 +86,8 @@ private fun choicesOf(state: HandInsState, row: HandInRow): List<Pair<String?, S
     val shown = state.comparable.filter { it.id in alike }.take(FEW) +
         state.comparable.filter { it.id == state.opened?.beside }
     return listOfNotNull(
-        null to stringResource(Res.string.hand_in_beside_none),
-        ("" to stringResource(Res.string.hand_in_solution)).takeIf { state.taskOf(row).solution.isNotEmpty() },
+        null to SchoolTexts.handInBesideNone(spoken),
+        ("" to SchoolTexts.handInSolution(spoken)).takeIf { state.taskOf(row).solution.isNotEmpty() },
     ) + shown.distinct().map { it.id to it.name }
 }
 
@@ -104,7 +104,7 @@ private fun BesideChoice(
 ) {
     val colours = LocalRobotranColours.current
     Text(
-        stringResource(Res.string.hand_in_beside),
+        SchoolTexts.handInBeside(spoken),
         Modifier.align(Alignment.CenterVertically),
         color = colours.quiet,
         fontSize = TextSizes.COMPACT,
@@ -127,7 +127,7 @@ private fun BesideChoice(
         }
     }
     if (hasOthers) {
-        QuietButton(stringResource(Res.string.hand_in_beside_other), "hand-in-beside-other", {
+        QuietButton(SchoolTexts.handInBesideOther(spoken), "hand-in-beside-other", {
             onEvent(HandInsEvent.ComparisonsRequested)
         })
     }

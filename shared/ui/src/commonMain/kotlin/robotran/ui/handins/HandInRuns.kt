@@ -18,19 +18,20 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
 import robotran.simulation.GoalReport
 import robotran.ui.assignment.worldName
+import robotran.ui.language.spoken
 import robotran.ui.learning.DONE_ICON
 import robotran.ui.learning.PLAY_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Space
@@ -47,9 +48,9 @@ internal fun HandInRuns(
     plan: GradingPlan,
     onEvent: (HandInsEvent) -> Unit,
 ) = Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM)) {
-    PartTitle(Res.string.hand_in_goals)
+    PartTitle(SchoolTexts::handInGoals)
     Text(
-        stringResource(Res.string.hand_in_runs_help),
+        SchoolTexts.handInRunsHelp(spoken),
         color = LocalRobotranColours.current.quiet,
         fontSize = TextSizes.SMALL,
         lineHeight = LineHeights.SMALL,
@@ -64,7 +65,7 @@ private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, on
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         val (met, unmet) = runs.partition { it.grade.passed }
         Text(
-            stringResource(Res.string.hand_in_world_runs, world, met.size, runs.size),
+            SchoolTexts.handInWorldRuns(spoken, world, met.size, runs.size),
             Modifier.semantics { heading() },
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
@@ -76,7 +77,7 @@ private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, on
         for (run in if (areAllShown) unmet else unmet.take(FEW)) UnmetRun(row, run, onEvent)
         val more = unmet.size - FEW
         if (more > 0 && !areAllShown) {
-            QuietButton(stringResource(Res.string.hand_in_more_runs, more), "hand-in-more-runs", {
+            QuietButton(SchoolTexts.handInMoreRuns(spoken, more), "hand-in-more-runs", {
                 areAllShown = true
             })
         }
@@ -89,7 +90,7 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
         val grade = run.grade
         Column(Modifier.weight(1f).padding(top = Space.SMALL), Arrangement.spacedBy(Space.TINY)) {
             Text(
-                stringResource(Res.string.hand_in_seed, grade.seed),
+                SchoolTexts.handInSeed(spoken, grade.seed),
                 color = LocalRobotranColours.current.quiet,
                 fontSize = TextSizes.SMALL,
                 fontWeight = FontWeight.Medium,
@@ -97,7 +98,7 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
             for (goal in grade.report.goals) GoalLine(goal)
             grade.report.error?.let { Reason(isMet = false, it) }
         }
-        val replay = stringResource(Res.string.hand_in_replay_seed, grade.seed)
+        val replay = SchoolTexts.handInReplaySeed(spoken, grade.seed)
         IconTouch(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}", {
             onEvent(HandInsEvent.ReplayRequested(row.id, HandInRun(run.world.name, grade.seed)))
         })
@@ -106,7 +107,7 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
 @Composable
 private fun GoalLine(goal: GoalReport) {
     val words = listOfNotNull(goal.goal, goal.shortfall?.takeIf { !goal.met }?.sentence).joinToString(" ")
-    val spoken = stringResource(if (goal.met) Res.string.run_mark_goal else Res.string.run_mark_goal_lost, words)
+    val spoken = if (goal.met) RunTexts.markGoal(spoken, words) else RunTexts.markGoalLost(spoken, words)
     Reason(goal.met, words, Modifier.clearAndSetSemantics { contentDescription = spoken })
 }
 

@@ -31,15 +31,15 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradingPlan
+import robotran.ui.language.spoken
 import robotran.ui.learning.PLAY_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -61,13 +61,13 @@ internal fun ColumnTitles(picture: DpSize) = Row(Modifier.fillMaxWidth().clearAn
         Alignment.Bottom,
     ) {
         Spacer(Modifier.width(picture.width))
-        Title(Res.string.hand_ins_column_name, Modifier.weight(NAME_WEIGHT))
-        Title(Res.string.hand_ins_column_result, Modifier.width(scaled(RESULT_WIDTH)))
-        Title(Res.string.hand_ins_column_runs, Modifier.width(scaled(RUNS_WIDTH)))
-        Title(Res.string.hand_ins_column_lines, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
-        Title(Res.string.hand_ins_column_tries, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
-        Title(Res.string.hand_ins_column_seconds, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
-        Title(Res.string.hand_ins_column_remarks, Modifier.weight(REMARKS_WEIGHT))
+        Title(SchoolTexts::handInsColumnName, Modifier.weight(NAME_WEIGHT))
+        Title(SchoolTexts::handInsColumnResult, Modifier.width(scaled(RESULT_WIDTH)))
+        Title(SchoolTexts::handInsColumnRuns, Modifier.width(scaled(RUNS_WIDTH)))
+        Title(SchoolTexts::handInsColumnLines, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(SchoolTexts::handInsColumnTries, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(SchoolTexts::handInsColumnSeconds, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(SchoolTexts::handInsColumnRemarks, Modifier.weight(REMARKS_WEIGHT))
     }
     Spacer(Modifier.width(Dimensions.TARGET * 2))
 }
@@ -125,7 +125,7 @@ internal fun HandInTableRow(
 /** Removes a hand-in, which can be undone. */
 @Composable
 internal fun RemoveRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
-    val words = stringResource(Res.string.hand_ins_remove_one, row.name)
+    val words = SchoolTexts.handInsRemoveOne(spoken, row.name)
     IconTouch(EditIcons.DELETE, words, "hand-in-row-remove-$index", { onEvent(HandInsEvent.HandInRemoved(row.id)) })
 }
 
@@ -152,7 +152,7 @@ internal fun CommentLine(row: HandInRow) {
 @Composable
 internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val graded = row.results ?: return Spacer(Modifier.width(Dimensions.TARGET))
-    IconTouch(PLAY_ICON, stringResource(Res.string.hand_ins_replay_of, row.name), "hand-in-row-replay-$index", {
+    IconTouch(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), "hand-in-row-replay-$index", {
         onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
     })
 }
@@ -214,8 +214,8 @@ private fun Figure(words: String) = Text(
 )
 
 @Composable
-private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = TextAlign.Start) = Text(
-    stringResource(words),
+private fun Title(words: Label, modifier: Modifier, align: TextAlign = TextAlign.Start) = Text(
+    words(spoken),
     modifier,
     color = LocalRobotranColours.current.quiet,
     fontSize = TextSizes.SMALL,

@@ -23,12 +23,12 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Space
@@ -88,12 +88,12 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             VerdictMark(row.verdict, inMiddle)
             row.results?.let { Words(runsText(it), inMiddle) }
             state.rows.getOrNull(index - 1)?.let { before ->
-                QuietButton(stringResource(Res.string.hand_in_previous, before.name), "hand-in-previous", {
+                QuietButton(SchoolTexts.handInPrevious(spoken, before.name), "hand-in-previous", {
                     show(before)
                 })
             }
             state.rows.getOrNull(index + 1)?.let { next ->
-                QuietButton(stringResource(Res.string.hand_in_next, next.name), "hand-in-next", { show(next) })
+                QuietButton(SchoolTexts.handInNext(spoken, next.name), "hand-in-next", { show(next) })
             }
         }
         for (remark in remarksOf(row)) Words(remark)
@@ -102,21 +102,21 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             verticalArrangement = Arrangement.spacedBy(Space.SMALL),
         ) {
             row.results?.let { graded ->
-                PrimaryButton(stringResource(Res.string.hand_in_replay), "hand-in-replay", {
+                PrimaryButton(SchoolTexts.handInReplay(spoken), "hand-in-replay", {
                     onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
                 })
             }
             if (row.hasInputs && row.results != null) {
-                SecondButton(stringResource(Res.string.hand_in_replay_own), "hand-in-replay-own", {
+                SecondButton(SchoolTexts.handInReplayOwn(spoken), "hand-in-replay-own", {
                     onEvent(HandInsEvent.ReplayRequested(row.id, null))
                 })
             }
             if (row.graded != null) {
-                SecondButton(stringResource(Res.string.hand_in_feedback), "hand-in-feedback", {
+                SecondButton(SchoolTexts.handInFeedback(spoken), "hand-in-feedback", {
                     onEvent(HandInsEvent.FeedbackFileRequested(row.id))
                 })
             }
-            QuietButton(stringResource(Res.string.hand_in_remove), "hand-in-remove", {
+            QuietButton(SchoolTexts.handInRemove(spoken), "hand-in-remove", {
                 onEvent(HandInsEvent.HandInRemoved(row.id))
             })
         }
@@ -137,8 +137,8 @@ private fun Results(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent)
 
 /** A title of a part of the page. */
 @Composable
-internal fun PartTitle(words: StringResource) = Text(
-    stringResource(words),
+internal fun PartTitle(words: Label) = Text(
+    words(spoken),
     Modifier.semantics { heading() },
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.LEAD,

@@ -1,7 +1,6 @@
 package robotran.ui.handins
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
 import robotran.assignments.grading.GradedHandIn
@@ -10,8 +9,10 @@ import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.secondsText
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage
@@ -20,10 +21,10 @@ import robotran.workshop.state.HandInsMessage
 @Composable
 internal fun runsText(graded: GradedHandIn.Graded): String {
     val goals = graded.runs.singleOrNull()?.grade?.goals
-        ?: return stringResource(Res.string.hand_ins_runs_of, graded.met, graded.runs.size)
+        ?: return SchoolTexts.handInsRunsOf(spoken, graded.met, graded.runs.size)
     val met = goals.size - graded.runs.single().grade.unmet.size
-    if (goals.size == 1) return stringResource(Res.string.hand_ins_runs_one, met)
-    return stringResource(Res.string.hand_ins_runs, met, goals.size)
+    if (goals.size == 1) return SchoolTexts.handInsRunsOne(spoken, met)
+    return SchoolTexts.handInsRuns(spoken, met, goals.size)
 }
 
 /** The same where the title of a column says the rest. */
@@ -39,11 +40,11 @@ internal fun shortRunsText(graded: GradedHandIn.Graded): String = if (graded.run
 internal fun spokenRow(row: HandInRow, plan: GradingPlan): String = (
     listOfNotNull(
         row.name,
-        stringResource(row.verdict.words),
+        row.verdict.words(spoken),
         row.results?.let { runsText(it) },
-        row.lines.takeIf { it > 0 }?.let { stringResource(Res.string.hand_ins_lines, it) },
-        triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
-        row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
+        row.lines.takeIf { it > 0 }?.let { SchoolTexts.handInsLines(spoken, it) },
+        triesOf(row)?.let { SchoolTexts.handInsTries(spoken, it) },
+        row.results?.seconds?.let { SchoolTexts.handInsSeconds(spoken, secondsText(it)) },
     ) + worldsOf(row, plan) + remarksOf(row) + listOfNotNull(commentOf(row))
 ).joinToString(". ") { it.removeSuffix(".") }
 
@@ -61,7 +62,7 @@ private fun worldsOf(row: HandInRow, plan: GradingPlan): List<String> {
 /** The comment in one line; null for none. */
 @Composable
 internal fun commentOf(row: HandInRow): String? = row.comment.trim().takeIf { it.isNotEmpty() }?.let {
-    stringResource(Res.string.hand_ins_commented, it.replace(LINE_ENDS, " "))
+    SchoolTexts.handInsCommented(spoken, it.replace(LINE_ENDS, " "))
 }
 
 /** What the teacher should know: why it cannot run, what is strange about it, which others are like it. */
@@ -75,10 +76,17 @@ internal fun remarksOf(row: HandInRow): List<String> {
         else -> listOfNotNull((submission as? Submission.Unusable)?.reason)
     }
     val alike = row.alike.groupBy({ it.isEqual }, { it.name }).map { (isEqual, names) ->
-        stringResource(if (isEqual) Res.string.hand_ins_equal else Res.string.hand_ins_alike, names.joinToString())
+        if (isEqual) {
+            SchoolTexts.handInsEqual(
+                spoken,
+                names.joinToString(),
+            )
+        } else {
+            SchoolTexts.handInsAlike(spoken, names.joinToString())
+        }
     }
     val namesake = listOfNotNull(
-        if (row.hasNamesake) stringResource(Res.string.hand_ins_namesake, submission.origin) else null,
+        if (row.hasNamesake) SchoolTexts.handInsNamesake(spoken, submission.origin) else null,
     )
     return reasons + namesake + alike + submission.remarks.map { messages.remark(it) }
 }
@@ -89,35 +97,32 @@ internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usab
 internal fun wordsFor(message: HandInsMessage): String = when (message) {
     is HandInsMessage.Brought -> {
         val counts = listOf(
-            Res.string.hand_ins_brought to message.count,
-            Res.string.hand_ins_brought_unusable to message.unusable,
-            Res.string.hand_ins_brought_known to message.others,
+            SchoolTexts::handInsBrought to message.count,
+            SchoolTexts::handInsBroughtUnusable to message.unusable,
+            SchoolTexts::handInsBroughtKnown to message.others,
         ).filterIndexed { index, (_, count) -> index == 0 || count > 0 }
-        (counts.map { (words, count) -> stringResource(words, count) } + message.notes).joinToString(" ")
+        (counts.map { (words, count) -> words(spoken, count) } + message.notes).joinToString(" ")
     }
 
     is HandInsMessage.NothingFound -> {
-        message.notes.joinToString(" ").ifEmpty { stringResource(Res.string.hand_ins_nothing_found) }
+        message.notes.joinToString(" ").ifEmpty { SchoolTexts.handInsNothingFound(spoken) }
     }
 
-    is HandInsMessage.Removed -> stringResource(Res.string.hand_ins_removed, message.name)
+    is HandInsMessage.Removed -> SchoolTexts.handInsRemoved(spoken, message.name)
 
     is HandInsMessage.NoCodes -> {
-        stringResource(if (message.isPhoto) Res.string.hand_ins_no_code_in_photo else Res.string.hand_ins_no_codes)
+        if (message.isPhoto) SchoolTexts.handInsNoCodeInPhoto(spoken) else SchoolTexts.handInsNoCodes(spoken)
     }
 
-    HandInsMessage.CameraNotAllowed -> stringResource(Res.string.hand_ins_camera_not_allowed)
-    HandInsMessage.NoCamera -> stringResource(Res.string.hand_ins_no_camera)
-    is HandInsMessage.TooMany -> stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
-    is HandInsMessage.NotKept -> stringResource(Res.string.hand_ins_not_kept, message.reason)
+    HandInsMessage.CameraNotAllowed -> SchoolTexts.handInsCameraNotAllowed(spoken)
+    HandInsMessage.NoCamera -> SchoolTexts.handInsNoCamera(spoken)
+    is HandInsMessage.TooMany -> SchoolTexts.handInsTooMany(spoken, message.max, message.maxMegabytes)
+    is HandInsMessage.NotKept -> SchoolTexts.handInsNotKept(spoken, message.reason)
     is HandInsMessage.Unreadable -> message.sentence
-    is HandInsMessage.Saved -> stringResource(Res.string.documents_saved, message.name)
+    is HandInsMessage.Saved -> DocumentTexts.saved(spoken, message.name)
 
     is HandInsMessage.NotSaved -> {
-        stringResource(
-            if (message.isFull) Res.string.documents_save_full else Res.string.documents_save_failed,
-            message.reason,
-        )
+        if (message.isFull) DocumentTexts.saveFull(spoken) else DocumentTexts.saveFailed(spoken, message.reason)
     }
 }
 

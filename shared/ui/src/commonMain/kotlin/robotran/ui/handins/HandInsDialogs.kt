@@ -25,14 +25,15 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.DialogFrame
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Space
@@ -58,18 +59,18 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
     var text by remember { mutableStateOf(TextFieldValue()) }
     val close = { onEvent(HandInsEvent.DialogClosed) }
     DialogFrame(
-        stringResource(Res.string.hand_ins_paste_title),
+        SchoolTexts.handInsPasteTitle(spoken),
         close,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "hand-ins-paste-cancel", close)
-            MainButton(stringResource(Res.string.hand_ins_paste_done), "hand-ins-paste-done", text.text.isNotBlank()) {
+            OtherButton(DocumentTexts.cancel(spoken), "hand-ins-paste-cancel", close)
+            MainButton(SchoolTexts.handInsPasteDone(spoken), "hand-ins-paste-done", text.text.isNotBlank()) {
                 onEvent(HandInsEvent.LinksPasted(text.text))
             }
         },
     ) {
         val focus = remember { FocusRequester() }
         LaunchedEffect(Unit) { focus.requestFocus() }
-        Explanation(stringResource(Res.string.hand_ins_paste_help))
+        Explanation(SchoolTexts.handInsPasteHelp(spoken))
         OutlinedTextField(
             text,
             { text = it },
@@ -79,7 +80,7 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
                 .focusRequester(focus)
                 .testTag("hand-ins-links"),
             textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
-            label = { Text(stringResource(Res.string.hand_ins_paste_label)) },
+            label = { Text(SchoolTexts.handInsPasteLabel(spoken)) },
             minLines = LINES,
             colors = fieldColours(),
         )
@@ -90,15 +91,15 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
 private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(HandInsEvent.DialogClosed) }
     DialogFrame(
-        stringResource(Res.string.hand_ins_remove_title),
+        SchoolTexts.handInsRemoveTitle(spoken),
         close,
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "hand-ins-remove-cancel", close)
-            MainButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove-done") {
+            OtherButton(DocumentTexts.cancel(spoken), "hand-ins-remove-cancel", close)
+            MainButton(SchoolTexts.handInsRemove(spoken), "hand-ins-remove-done") {
                 onEvent(HandInsEvent.RemovalConfirmed)
             }
         },
-    ) { Explanation(stringResource(Res.string.hand_ins_remove_help, count)) }
+    ) { Explanation(SchoolTexts.handInsRemoveHelp(spoken, count)) }
 }
 
 /** Asks which hand-in to put beside the open one. */
@@ -106,9 +107,9 @@ private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
 private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(HandInsEvent.DialogClosed) }
     DialogFrame(
-        stringResource(Res.string.hand_in_beside_title),
+        SchoolTexts.handInBesideTitle(spoken),
         close,
-        buttons = { OtherButton(stringResource(Res.string.documents_cancel), "hand-in-beside-cancel", close) },
+        buttons = { OtherButton(DocumentTexts.cancel(spoken), "hand-in-beside-cancel", close) },
     ) {
         Column(Modifier.fillMaxWidth().selectableGroup()) {
             val alike = state.openedRow?.alike.orEmpty().associate { it.id to it.isEqual }
@@ -130,9 +131,13 @@ private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) 
                         NameLines(row)
                         alike[row.id]?.let { isEqual ->
                             RemarkLine(
-                                stringResource(
-                                    if (isEqual) Res.string.hand_in_beside_equal else Res.string.hand_in_beside_alike,
-                                ),
+                                if (isEqual) {
+                                    SchoolTexts.handInBesideEqual(
+                                        spoken,
+                                    )
+                                } else {
+                                    SchoolTexts.handInBesideAlike(spoken)
+                                },
                             )
                         }
                     }

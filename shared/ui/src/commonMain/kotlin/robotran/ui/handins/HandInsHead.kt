@@ -16,13 +16,14 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -43,12 +44,12 @@ internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (Han
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         when (state.kind) {
             HandInsKind.WITH_CHECKS -> Unit
-            HandInsKind.WITHOUT_CHECKS -> Remark(stringResource(Res.string.hand_ins_no_checks))
-            HandInsKind.WORLD -> Remark(stringResource(Res.string.hand_ins_world))
+            HandInsKind.WITHOUT_CHECKS -> Remark(SchoolTexts.handInsNoChecks(spoken))
+            HandInsKind.WORLD -> Remark(SchoolTexts.handInsWorld(spoken))
         }
         if (hasActions) HandInsActions(state, onEvent)
         Text(
-            stringResource(Res.string.hand_ins_local),
+            SchoolTexts.handInsLocal(spoken),
             color = LocalRobotranColours.current.quiet,
             fontSize = TextSizes.SMALL,
             lineHeight = LineHeights.SMALL,
@@ -64,22 +65,22 @@ internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit
         horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
         verticalArrangement = Arrangement.spacedBy(Space.SMALL),
     ) {
-        PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
+        PrimaryButton(SchoolTexts.handInsChoose(spoken), "hand-ins-choose", {
             onEvent(HandInsEvent.FilesRequested)
         })
-        SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
+        SecondButton(SchoolTexts.handInsPaste(spoken), "hand-ins-paste", {
             onEvent(HandInsEvent.PastingRequested)
         })
         for (kind in state.scanners) ScanButton(kind, onEvent)
         if (state.rows.isEmpty()) return@FlowRow
-        SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
-        SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
+        SecondButton(SchoolTexts.handInsCsv(spoken), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
+        SecondButton(SchoolTexts.handInsHtml(spoken), "hand-ins-html", {
             onEvent(HandInsEvent.PageRequested)
         })
-        SecondButton(stringResource(Res.string.hand_ins_feedback), "hand-ins-feedback", {
+        SecondButton(SchoolTexts.handInsFeedback(spoken), "hand-ins-feedback", {
             onEvent(HandInsEvent.FeedbackRequested)
         })
-        QuietButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove", {
+        QuietButton(SchoolTexts.handInsRemove(spoken), "hand-ins-remove", {
             onEvent(HandInsEvent.RemovalRequested)
         })
     }
@@ -119,11 +120,11 @@ internal fun Told(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
             lineHeight = LineHeights.LABEL,
         )
         if (message is HandInsMessage.Removed) {
-            QuietButton(stringResource(Res.string.hand_ins_undo), "hand-ins-undo", {
+            QuietButton(SchoolTexts.handInsUndo(spoken), "hand-ins-undo", {
                 onEvent(HandInsEvent.RemovalUndone)
             })
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "hand-ins-told-close", {
+        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "hand-ins-told-close", {
             onEvent(HandInsEvent.MessageDismissed)
         })
     }

@@ -9,9 +9,10 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Page
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInsState
@@ -21,14 +22,14 @@ import robotran.workshop.state.HandInsState
 internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val row = state.openedRow
     val title = if (row == null) {
-        stringResource(Res.string.hand_ins_title, state.title)
+        SchoolTexts.handInsTitle(spoken, state.title)
     } else {
-        stringResource(Res.string.hand_ins_of, row.name, state.title)
+        SchoolTexts.handInsOf(spoken, row.name, state.title)
     }
     val close = { onEvent(if (row == null) HandInsEvent.Closed else HandInsEvent.HandInChosen(null)) }
     val list = rememberLazyGridState()
     val ofOne = rememberScrollState()
-    val words = if (row == null) Res.string.page_close else Res.string.hand_in_go_back
+    val words = if (row == null) ScreenTexts::pageClose else SchoolTexts::handInGoBack
     Page(title, "hand-ins", close, if (row == null) list else ofOne, MAX_WIDTH, words) {
         state.told?.let { Told(it, onEvent) }
         BoxWithConstraints(Modifier.weight(1f)) {

@@ -21,10 +21,11 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Space
@@ -43,7 +44,7 @@ internal fun HandInsSummary(state: HandInsState, onEvent: (HandInsEvent) -> Unit
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         val progress = state.progress
         when {
-            state.isReading -> Line(stringResource(Res.string.hand_ins_reading))
+            state.isReading -> Line(SchoolTexts.handInsReading(spoken))
             progress != null -> Progress(progress, onEvent)
             state.isStopped -> Stopped(state, onEvent)
         }
@@ -71,17 +72,17 @@ private fun Progress(progress: GradingProgress, onEvent: (HandInsEvent) -> Unit)
             val left = progress.secondsLeft
             Line(
                 when {
-                    left == null -> stringResource(Res.string.hand_ins_progress, progress.handIns, progress.of)
+                    left == null -> SchoolTexts.handInsProgress(spoken, progress.handIns, progress.of)
 
-                    left < SECONDS_SHOWN -> stringResource(
-                        Res.string.hand_ins_progress_seconds,
+                    left < SECONDS_SHOWN -> SchoolTexts.handInsProgressSeconds(
+                        spoken,
                         progress.handIns,
                         progress.of,
                         rounded(left),
                     )
 
-                    else -> stringResource(
-                        Res.string.hand_ins_progress_minutes,
+                    else -> SchoolTexts.handInsProgressMinutes(
+                        spoken,
                         progress.handIns,
                         progress.of,
                         (left + SECONDS_PER_MINUTE / 2) / SECONDS_PER_MINUTE,
@@ -96,7 +97,7 @@ private fun Progress(progress: GradingProgress, onEvent: (HandInsEvent) -> Unit)
                 trackColor = colours.line,
             )
         }
-        SecondButton(stringResource(Res.string.documents_cancel), "hand-ins-cancel", {
+        SecondButton(DocumentTexts.cancel(spoken), "hand-ins-cancel", {
             onEvent(HandInsEvent.GradingCancelled)
         })
     }
@@ -112,9 +113,9 @@ private fun rounded(seconds: Int): Int = if (seconds <= STEP) {
 private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
     Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM), Alignment.CenterVertically) {
         val waiting = state.counts[HandInVerdict.WAITING] ?: 0
-        val words = stringResource(Res.string.hand_ins_stopped, state.rows.size - waiting, state.rows.size)
+        val words = SchoolTexts.handInsStopped(spoken, state.rows.size - waiting, state.rows.size)
         Line(words, Modifier.weight(1f))
-        SecondButton(stringResource(Res.string.hand_ins_go_on), "hand-ins-go-on", {
+        SecondButton(SchoolTexts.handInsGoOn(spoken), "hand-ins-go-on", {
             onEvent(HandInsEvent.GradingResumed)
         })
     }
@@ -135,11 +136,11 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
 ) {
     val colours = LocalRobotranColours.current
     val choices = listOf(
-        HandInOrder.NAME to Res.string.hand_ins_order_name,
-        HandInOrder.VERDICT to Res.string.hand_ins_order_verdict,
+        HandInOrder.NAME to SchoolTexts::handInsOrderName,
+        HandInOrder.VERDICT to SchoolTexts::handInsOrderVerdict,
     )
     Text(
-        stringResource(Res.string.hand_ins_order),
+        SchoolTexts.handInsOrder(spoken),
         Modifier.align(Alignment.CenterVertically),
         color = colours.quiet,
         fontSize = TextSizes.COMPACT,
@@ -156,7 +157,7 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
             verticalAlignment = Alignment.CenterVertically,
         ) {
             RadioMark(value == order, Modifier.padding(Space.MEDIUM))
-            Text(stringResource(words), color = colours.onPane, fontSize = TextSizes.COMPACT)
+            Text(words(spoken), color = colours.onPane, fontSize = TextSizes.COMPACT)
         }
     }
 }

@@ -24,11 +24,11 @@ import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
+import robotran.ui.language.spoken
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Space
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
@@ -72,7 +72,7 @@ internal fun HandInsTable(
             whole("empty") {
                 EmptyState(
                     EmptyPicture.SHEETS,
-                    stringResource(Res.string.hand_ins_empty),
+                    SchoolTexts.handInsEmpty(spoken),
                     "hand-ins-empty",
                     Modifier.fillMaxWidth().height(EMPTY_HEIGHT),
                 )

@@ -19,9 +19,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradedRun
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -47,11 +47,15 @@ internal fun RunTouches(row: HandInRow, world: String, runs: List<GradedRun>, on
 @Composable
 private fun RunTouch(run: GradedRun, world: String, onReplay: () -> Unit) {
     val grade = run.grade
-    val words = stringResource(
-        if (grade.passed) Res.string.hand_in_run_met else Res.string.hand_in_run_missed,
-        world,
-        grade.seed,
-    )
+    val words = if (grade.passed) {
+        SchoolTexts.handInRunMet(
+            spoken,
+            world,
+            grade.seed,
+        )
+    } else {
+        SchoolTexts.handInRunMissed(spoken, world, grade.seed)
+    }
     val colours = LocalRobotranColours.current
     Column(
         Modifier

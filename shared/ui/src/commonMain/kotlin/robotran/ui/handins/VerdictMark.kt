@@ -12,12 +12,12 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.learning.DONE_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -50,7 +50,7 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
             )
         }
         Text(
-            stringResource(if (count == null || count == 1) verdict.words else verdict.wordsOfSeveral),
+            (if (count == null || count == 1) verdict.words else verdict.wordsOfSeveral)(spoken),
             color = colour,
             fontSize = TextSizes.COMPACT,
             lineHeight = LineHeights.TIGHT,
@@ -60,25 +60,25 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
 }
 
 /** As [words], behind a number greater than one. */
-private val HandInVerdict.wordsOfSeveral: StringResource
+private val HandInVerdict.wordsOfSeveral: Label
     get() = when (this) {
-        HandInVerdict.UNUSABLE -> Res.string.hand_ins_verdicts_unusable
-        HandInVerdict.HAS_MISTAKES -> Res.string.hand_ins_verdicts_mistakes
-        HandInVerdict.PARTLY -> Res.string.hand_ins_verdicts_partly
-        HandInVerdict.PASSED -> Res.string.hand_ins_verdicts_passed
-        HandInVerdict.WAITING -> Res.string.hand_ins_verdicts_waiting
+        HandInVerdict.UNUSABLE -> SchoolTexts::handInsVerdictsUnusable
+        HandInVerdict.HAS_MISTAKES -> SchoolTexts::handInsVerdictsMistakes
+        HandInVerdict.PARTLY -> SchoolTexts::handInsVerdictsPartly
+        HandInVerdict.PASSED -> SchoolTexts::handInsVerdictsPassed
+        HandInVerdict.WAITING -> SchoolTexts::handInsVerdictsWaiting
         HandInVerdict.NOT_GRADED, HandInVerdict.MISSED -> words
     }
 
-internal val HandInVerdict.words: StringResource
+internal val HandInVerdict.words: Label
     get() = when (this) {
-        HandInVerdict.UNUSABLE -> Res.string.hand_ins_verdict_unusable
-        HandInVerdict.NOT_GRADED -> Res.string.hand_ins_verdict_not_graded
-        HandInVerdict.HAS_MISTAKES -> Res.string.hand_ins_verdict_mistakes
-        HandInVerdict.MISSED -> Res.string.hand_ins_verdict_missed
-        HandInVerdict.PARTLY -> Res.string.hand_ins_verdict_partly
-        HandInVerdict.PASSED -> Res.string.hand_ins_verdict_passed
-        HandInVerdict.WAITING -> Res.string.hand_ins_verdict_waiting
+        HandInVerdict.UNUSABLE -> SchoolTexts::handInsVerdictUnusable
+        HandInVerdict.NOT_GRADED -> SchoolTexts::handInsVerdictNotGraded
+        HandInVerdict.HAS_MISTAKES -> SchoolTexts::handInsVerdictMistakes
+        HandInVerdict.MISSED -> SchoolTexts::handInsVerdictMissed
+        HandInVerdict.PARTLY -> SchoolTexts::handInsVerdictPartly
+        HandInVerdict.PASSED -> SchoolTexts::handInsVerdictPassed
+        HandInVerdict.WAITING -> SchoolTexts::handInsVerdictWaiting
     }
 
 /** Each has a shape of its own, so that nobody needs the colours. */

@@ -1,9 +1,11 @@
 package robotran.ui.learning
 
-import org.jetbrains.compose.resources.StringResource
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.NqcTexts
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.workshop.examples.examplesFor
 
 /**
@@ -11,11 +13,11 @@ import robotran.workshop.examples.examplesFor
  *
  * @property brick the brick that they are for; null for every brick.
  */
-internal enum class ExampleSet(val language: ProgramLanguage, val brick: BrickKind?, val title: StringResource) {
-    ROBOLANG(ProgramLanguage.ROBOLANG, null, Res.string.program_examples_robolang),
-    LEJOS(ProgramLanguage.JAVA, BrickKind.RCX, Res.string.program_examples_java),
-    NQC(ProgramLanguage.NQC, BrickKind.RCX, Res.string.program_examples_nqc),
-    NXJ(ProgramLanguage.JAVA, BrickKind.NXT, Res.string.program_examples_nxj),
+internal enum class ExampleSet(val language: ProgramLanguage, val brick: BrickKind?, val title: Label) {
+    ROBOLANG(ProgramLanguage.ROBOLANG, null, ScreenTexts::programExamplesRobolang),
+    LEJOS(ProgramLanguage.JAVA, BrickKind.RCX, ScreenTexts::programExamplesJava),
+    NQC(ProgramLanguage.NQC, BrickKind.RCX, NqcTexts::programExamplesNqc),
+    NXJ(ProgramLanguage.JAVA, BrickKind.NXT, NxtTexts::programExamplesNxj),
     ;
 
     val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.RCX)

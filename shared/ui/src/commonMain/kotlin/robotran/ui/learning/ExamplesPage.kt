@@ -19,12 +19,12 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -37,7 +37,7 @@ import robotran.workshop.event.LearningEvent
 internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
     val cards = rememberLazyGridState()
-    Page(stringResource(Res.string.learning_examples), "examples-page", {
+    Page(LearningTexts.examples(spoken), "examples-page", {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
         LazyVerticalGrid(
@@ -52,7 +52,7 @@ internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (
         ) {
             item(span = { GridItemSpan(maxLineSpan) }, key = "added") {
                 Text(
-                    stringResource(Res.string.learning_examples_added),
+                    LearningTexts.examplesAdded(spoken),
                     color = LocalRobotranColours.current.quiet,
                     fontSize = TextSizes.BODY,
                 )
@@ -68,7 +68,7 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
         val colour = LocalRobotranColours.current.onPane
         val words = Modifier.padding(top = 8.dp).semantics { heading() }
         Text(
-            stringResource(set.title),
+            set.title(spoken),
             words,
             color = colour,
             fontSize = TextSizes.LEAD,
@@ -76,7 +76,7 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
         )
     }
     items(set.programs.keys.toList(), key = { set.idOf(it) }) { name ->
-        ExampleCard(name, set.idOf(name), stringResource(aboutExample(set, name))) {
+        ExampleCard(name, set.idOf(name), aboutExample(set, name, spoken)) {
             onEvent(LearningEvent.ExampleChosen(set.language, name, set.brick ?: BrickKind.RCX))
         }
     }

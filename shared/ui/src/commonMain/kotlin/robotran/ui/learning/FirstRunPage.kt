@@ -31,14 +31,14 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.max
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.Page
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -59,7 +59,7 @@ import robotran.workshop.state.LearningPage
  */
 @Composable
 internal fun FirstRunPage(view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
-    Page(stringResource(Res.string.learning_welcome_title), "first-run", {
+    Page(LearningTexts.welcomeTitle(spoken), "first-run", {
         onEvent(LearningEvent.PageClosed)
     }, scroll = null, maxWidth = Dp.Infinity) {
         BoxWithConstraints {
@@ -109,7 +109,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             Arrangement.spacedBy(if (isLow) Space.SMALL else Space.MEDIUM),
         ) {
             Text(
-                stringResource(Res.string.learning_welcome),
+                LearningTexts.welcome(spoken),
                 color = colours.onPane,
                 fontSize = if (isLow) TextSizes.BODY else TextSizes.HEADING,
                 lineHeight = if (isLow) LineHeights.BODY else LineHeights.HEADING,
@@ -117,12 +117,12 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
-            QuietButton(stringResource(Res.string.learning_map_all), "try-lessons", {
+            QuietButton(LearningTexts.mapAll(spoken), "try-lessons", {
                 onEvent(LearningEvent.PageRequested(LearningPage.MAP))
             })
             if (room == WelcomeRoom.HIGH) {
                 Text(
-                    stringResource(Res.string.learning_welcome_again),
+                    LearningTexts.welcomeAgain(spoken),
                     color = colours.quiet,
                     fontSize = TextSizes.SMALL,
                     lineHeight = LineHeights.SMALL,
@@ -137,23 +137,23 @@ private fun Things(room: WelcomeRoom, onEvent: (LearningEvent) -> Unit, modifier
     val hasHelp = room != WelcomeRoom.LOW
     ElementRef(
         PLAY_ICON,
-        stringResource(Res.string.learning_try_square),
-        stringResource(Res.string.learning_try_square_help).takeIf { hasHelp },
+        LearningTexts.trySquare(spoken),
+        LearningTexts.trySquareHelp(spoken).takeIf { hasHelp },
         "try-square",
         modifier,
         isFirst = true,
     ) { onEvent(LearningEvent.FirstProgramTried) }
     ElementRef(
         Icon.BOOK,
-        stringResource(Res.string.learning_try_tutorial),
-        stringResource(Res.string.learning_try_tutorial_help).takeIf { hasHelp },
+        LearningTexts.tryTutorial(spoken),
+        LearningTexts.tryTutorialHelp(spoken).takeIf { hasHelp },
         "try-tutorial",
         modifier,
     ) { onEvent(LearningEvent.TutorialStarted) }
     ElementRef(
         Icon.WORLDS,
-        stringResource(Res.string.learning_try_worlds),
-        stringResource(Res.string.learning_try_worlds_help).takeIf { hasHelp },
+        LearningTexts.tryWorlds(spoken),
+        LearningTexts.tryWorldsHelp(spoken).takeIf { hasHelp },
         "try-worlds",
         modifier,
     ) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }

@@ -33,13 +33,13 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.learning.WordHelp
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.QuietButton
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -52,7 +52,7 @@ import robotran.workshop.state.LearningState
 @Composable
 internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val title = stringResource(Res.string.learning_help)
+    val title = LearningTexts.help(spoken)
     val focus = remember { FocusRequester() }
     LaunchedEffect(Unit) { focus.requestFocus() }
     Surface(
@@ -84,7 +84,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     lineHeight = LineHeights.HEADING,
                     fontWeight = FontWeight.SemiBold,
                 )
-                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", {
+                IconTouch(Icon.CLOSE, LearningTexts.helpClose(spoken), "help-close", {
                     onEvent(LearningEvent.PageClosed)
                 })
             }
@@ -107,15 +107,15 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
         )
         if (help.sentenceLanguage != state.language) {
             Text(
-                stringResource(Res.string.learning_help_in_english),
+                LearningTexts.helpInEnglish(spoken),
                 color = colours.quiet,
                 fontSize = TextSizes.COMPACT,
             )
         }
-        Label(stringResource(Res.string.learning_help_forms))
+        Label(LearningTexts.helpForms(spoken))
         Column { for (form in help.forms) Text(form, style = codeStyle()) }
         help.example?.let { example ->
-            Label(stringResource(Res.string.learning_help_example))
+            Label(LearningTexts.helpExample(spoken))
             val ground = Modifier.fillMaxWidth().background(colours.desk, Shapes.SMALL)
             Box(ground.horizontalScroll(rememberScrollState()).padding(12.dp)) {
                 Text(example.trimEnd(), Modifier.testTag("help-example"), style = codeStyle(), softWrap = false)
@@ -123,11 +123,11 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
             if (help.example != null) {
-                PrimaryButton(stringResource(Res.string.learning_help_try), "help-try", {
+                PrimaryButton(LearningTexts.helpTry(spoken), "help-try", {
                     onEvent(LearningEvent.ExampleTried)
                 })
             }
-            QuietButton(stringResource(Res.string.learning_help_all), "help-all", {
+            QuietButton(LearningTexts.helpAll(spoken), "help-all", {
                 onEvent(LearningEvent.WordChosen(null))
             })
         }
@@ -139,9 +139,9 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
 private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val word = state.help.word
     val text = if (word == null) {
-        stringResource(Res.string.learning_help_choose)
+        LearningTexts.helpChoose(spoken)
     } else {
-        stringResource(Res.string.learning_help_none, word)
+        LearningTexts.helpNone(spoken, word)
     }
     Text(
         text,

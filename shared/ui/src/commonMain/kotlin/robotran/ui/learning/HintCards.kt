@@ -15,12 +15,12 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Hint
 import robotran.learning.HintStage
+import robotran.ui.language.spoken
 import robotran.ui.parts.broughtIntoSight
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -50,9 +50,9 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
             .semantics(mergeDescendants = true) { liveRegion = LiveRegionMode.Polite },
         Arrangement.spacedBy(4.dp),
     ) {
-        val line = hint.line?.let { " · ${stringResource(Res.string.learning_hint_line, it)}" }.orEmpty()
+        val line = hint.line?.let { " · ${LearningTexts.hintLine(spoken, it)}" }.orEmpty()
         Text(
-            "${stringResource(hint.stage.title)}$line",
+            "${hint.stage.title(spoken)}$line",
             color = colours.onPane,
             fontSize = TextSizes.SMALL,
             fontWeight = FontWeight.SemiBold,
@@ -61,9 +61,9 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
     }
 }
 
-private val HintStage.title: StringResource
+private val HintStage.title: Label
     get() = when (this) {
-        HintStage.NUDGE -> Res.string.learning_hint_nudge
-        HintStage.PART -> Res.string.learning_hint_part
-        HintStage.SOLUTION -> Res.string.learning_hint_solution
+        HintStage.NUDGE -> LearningTexts::hintNudge
+        HintStage.PART -> LearningTexts::hintPart
+        HintStage.SOLUTION -> LearningTexts::hintSolution
     }

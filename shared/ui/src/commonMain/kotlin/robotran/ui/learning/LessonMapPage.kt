@@ -15,12 +15,12 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
 import robotran.learning.Strand
+import robotran.ui.language.spoken
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -37,7 +37,7 @@ internal fun LessonMapPage(state: LearningState, saved: SavedOwnCourse?, onEvent
             Lessons.strands.indexOf(Lessons.strandOf(Lessons.all[next]))
         } ?: 0,
     )
-    Page(stringResource(Res.string.learning_map), "map-page", {
+    Page(LearningTexts.map(spoken), "map-page", {
         onEvent(LearningEvent.PageClosed)
     }, strands, maxWidth = 960.dp) {
         LazyColumn(
@@ -78,7 +78,7 @@ private fun StrandOnMap(
             lineHeight = LineHeights.LABEL,
         )
         Text(
-            stringResource(Res.string.learning_steps_done, done, strand.lessons.size),
+            LearningTexts.stepsDone(spoken, done, strand.lessons.size),
             color = colours.quiet,
             fontSize = TextSizes.COMPACT,
         )

@@ -1,10 +1,10 @@
 package robotran.ui.learning
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.readyRobotName
 import robotran.ui.parts.readyRobotWithBrick
-import robotran.ui.resources.*
+import robotran.ui.texts.RobotTexts
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.World
@@ -13,7 +13,7 @@ import robotran.world.World
 @Composable
 internal fun robotOf(world: World): String {
     val robot = world.robots.first().description
-    return readyBase(robot)?.let { readyRobotWithBrick(it) } ?: stringResource(Res.string.robot_own, robot.brick.name)
+    return readyBase(robot)?.let { readyRobotWithBrick(it) } ?: RobotTexts.own(spoken, robot.brick.name)
 }
 
 /** The name of [robot] for people; in the pupil's language, if it is a ready one. */

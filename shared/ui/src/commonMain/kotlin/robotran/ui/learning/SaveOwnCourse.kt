@@ -7,10 +7,10 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.QuietButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SavedOwnCourse
@@ -19,9 +19,9 @@ import robotran.workshop.state.SavedOwnCourse
 @Composable
 internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     // Several such buttons on a page sound alike otherwise.
-    val words = stringResource(Res.string.course_save_own_of, title)
+    val words = SchoolTexts.courseSaveOwnOf(spoken, title)
     QuietButton(
-        stringResource(Res.string.course_save_own),
+        SchoolTexts.courseSaveOwn(spoken),
         "course-save-$name",
         { onEvent(CourseEvent.OwnCourseSaved(name)) },
         modifier = Modifier.semantics { contentDescription = words },
@@ -30,8 +30,8 @@ internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, 
     val error = saved.error
     val news = Modifier.testTag("course-saved-$name").semantics { liveRegion = LiveRegionMode.Polite }
     if (error == null) {
-        Explanation(stringResource(Res.string.hand_in_saved, saved.file.orEmpty()), news)
+        Explanation(SchoolTexts.handInSaved(spoken, saved.file.orEmpty()), news)
     } else {
-        Explanation(stringResource(Res.string.hand_in_not_saved, error).trim(), news, bad = true)
+        Explanation(SchoolTexts.handInNotSaved(spoken, error).trim(), news, bad = true)
     }
 }

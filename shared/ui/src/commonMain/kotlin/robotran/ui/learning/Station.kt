@@ -27,9 +27,9 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
@@ -56,13 +56,11 @@ internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = M
     val isDone = stop.isDone
     val isNext = stop.isNext
     val title = stop.title
-    val state = stringResource(
-        when {
-            isDone -> Res.string.learning_map_done
-            isNext -> Res.string.learning_map_next
-            else -> Res.string.learning_map_open
-        },
-    )
+    val state = when {
+        isDone -> LearningTexts.mapDone(spoken)
+        isNext -> LearningTexts.mapNext(spoken)
+        else -> LearningTexts.mapOpen(spoken)
+    }
     val condition = listOfNotNull(state, stop.note).joinToString(", ")
     Column(
         modifier

@@ -18,9 +18,8 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.ButtonSize
 import robotran.ui.parts.Icon
@@ -29,7 +28,8 @@ import robotran.ui.parts.MenuItem
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.LearningTexts
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -67,15 +67,15 @@ private enum class FootPart { LIKE_ALL, FOOT }
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.clearAndSetSemantics { }) {
-    val own = listOfNotNull(tutorial.first, Res.string.learning_begin_again.takeIf { tutorial.isLoaded }, tutorial.last)
-    val way = listOf(Res.string.learning_previous, tutorial.onward)
+    val own = listOfNotNull(tutorial.first, LearningTexts::beginAgain.takeIf { tutorial.isLoaded }, tutorial.last)
+    val way = listOf(LearningTexts::previous, tutorial.onward)
     Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
         for (row in if (isBroad) listOf(own + way) else listOf(own, way)) {
             FlowRow(
                 horizontalArrangement = Arrangement.spacedBy(8.dp),
                 verticalArrangement = Arrangement.spacedBy(8.dp),
             ) {
-                for (words in row) ButtonSize(stringResource(words))
+                for (words in row) ButtonSize(words(spoken))
             }
         }
     }
@@ -117,13 +117,13 @@ private fun Buttons(
 /** Run, once the step's program is loaded. */
 @Composable
 private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
-    val words = stringResource(tutorial.first)
+    val words = tutorial.first(spoken)
     if (tutorial.isLoaded) {
         SecondButton(words, "run-step", { onEvent(RunEvent.RunPressed) })
     } else {
         PrimaryButton(words, "try-step", {
             onEvent(LearningEvent.StepTried)
-        }, help = stringResource(Res.string.learning_try_step_help))
+        }, help = LearningTexts.tryStepHelp(spoken))
     }
 }
 
@@ -131,11 +131,11 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     if (tutorial.isLoaded) {
-        QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", {
+        QuietButton(LearningTexts.beginAgain(spoken), "begin-again", {
             onEvent(LearningEvent.StepRestarted)
         })
     }
-    QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialClosed) })
+    QuietButton(tutorial.last(spoken), "leave-tutorial", { onEvent(LearningEvent.TutorialClosed) })
 }
 
 /** The same as a menu, if there is too little room. */
@@ -147,21 +147,21 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        IconTouch(Icon.MORE, stringResource(Res.string.learning_step_more), "step-more", { open = true })
+        IconTouch(Icon.MORE, LearningTexts.stepMore(spoken), "step-more", { open = true })
         AppMenu(open, { open = false }) {
             if (tutorial.isLoaded) {
-                MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") {
+                MenuItem(LearningTexts.beginAgain(spoken), "begin-again") {
                     choose(LearningEvent.StepRestarted)
                 }
             }
-            MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialClosed) }
+            MenuItem(tutorial.last(spoken), "leave-tutorial") { choose(LearningEvent.TutorialClosed) }
         }
     }
 }
 
 @Composable
 private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) = QuietButton(
-    stringResource(Res.string.learning_previous),
+    LearningTexts.previous(spoken),
     "previous-step",
     { onEvent(LearningEvent.StepChosen(tutorial.step - 1)) },
     enabled = tutorial.step > 0,
@@ -170,7 +170,7 @@ private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
 /** After the last step, opens the worlds. */
 @Composable
 private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) {
-    val words = stringResource(tutorial.onward)
+    val words = tutorial.onward(spoken)
     val next = {
         onEvent(
             if (tutorial.isAtEnd) {
@@ -185,11 +185,11 @@ private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent
 
 private val TutorialState.isAtEnd: Boolean get() = step == Lessons.all.lastIndex
 
-private val TutorialState.first: StringResource
-    get() = if (isLoaded) Res.string.learning_run_step else Res.string.learning_try_step
+private val TutorialState.first: Label
+    get() = if (isLoaded) LearningTexts::runStep else LearningTexts::tryStep
 
-private val TutorialState.last: StringResource
-    get() = if (isLoaded) Res.string.learning_leave else Res.string.learning_close
+private val TutorialState.last: Label
+    get() = if (isLoaded) LearningTexts::leave else LearningTexts::close
 
-private val TutorialState.onward: StringResource
-    get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next
+private val TutorialState.onward: Label
+    get() = if (isAtEnd) LearningTexts::tryWorlds else LearningTexts::next

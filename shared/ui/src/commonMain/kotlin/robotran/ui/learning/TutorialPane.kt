@@ -22,9 +22,9 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -40,7 +40,7 @@ import robotran.workshop.state.TutorialState
 internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val tutorial = state.tutorial ?: return
     val colours = LocalRobotranColours.current
-    val title = stringResource(Res.string.learning_tutorial)
+    val title = LearningTexts.tutorial(spoken)
     BoxWithConstraints(modifier.background(colours.pane).testTag("tutorial").semantics { paneTitle = title }) {
         val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
         val maxFoot = maxHeight * FOOT_SHARE

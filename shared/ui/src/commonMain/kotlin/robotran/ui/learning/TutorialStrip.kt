@@ -33,15 +33,15 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.WordsBeside
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -76,8 +76,8 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
                     .padding(horizontal = 12.dp, vertical = 6.dp),
             ) {
                 val lessons = tutorial.strand.lessons
-                val name = stringResource(
-                    Res.string.learning_step_of,
+                val name = LearningTexts.stepOf(
+                    spoken,
                     tutorial.strand.title(state.language),
                     lessons.indexOf(tutorial.current) + 1,
                     lessons.size,
@@ -96,16 +96,16 @@ private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Un
     val folded = tutorial.isFolded
     if (folded && tutorial.hints.isNotEmpty()) {
         // After a try that failed, the hint is one touch away.
-        SecondButton(stringResource(Res.string.learning_hint), "folded-hint", {
+        SecondButton(LearningTexts.hint(spoken), "folded-hint", {
             onEvent(LearningEvent.TutorialFolded(false))
         })
     }
-    IconTouch(MAP_ICON, stringResource(Res.string.learning_map), "lesson-map", {
+    IconTouch(MAP_ICON, LearningTexts.map(spoken), "lesson-map", {
         onEvent(LearningEvent.PageRequested(LearningPage.MAP))
     })
     IconTouch(
         if (folded) UNFOLD_ICON else FOLD_ICON,
-        stringResource(if (folded) Res.string.learning_unfold else Res.string.learning_fold),
+        if (folded) LearningTexts.unfold(spoken) else LearningTexts.fold(spoken),
         "fold-tutorial",
         { onEvent(LearningEvent.TutorialFolded(!folded)) },
     )
@@ -140,7 +140,7 @@ private fun ReturnStrip(
         ) {
             SmallIcon(Icon.BACK, colours.onPane)
             Text(
-                "${stringResource(Res.string.learning_return)}: ${tutorial.current.text(state.language).title}",
+                "${LearningTexts.learningReturn(spoken)}: ${tutorial.current.text(state.language).title}",
                 color = colours.onPane,
                 fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.Medium,
@@ -148,7 +148,7 @@ private fun ReturnStrip(
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", {
+        IconTouch(Icon.CLOSE, LearningTexts.close(spoken), "leave-tutorial", {
             onEvent(LearningEvent.TutorialClosed)
         })
     }
@@ -168,11 +168,7 @@ private fun StepList(
             val done = step.name in state.stepsDone
             val title = step.text(state.language).title
             val named = if (done) {
-                stringResource(
-                    Res.string.learning_step_named_done,
-                    place + 1,
-                    title,
-                )
+                LearningTexts.stepNamedDone(spoken, place + 1, title)
             } else {
                 "${place + 1} $title"
             }
@@ -195,7 +191,7 @@ private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val lessons = state.tutorial?.strand?.lessons.orEmpty()
     val done = lessons.map { it.name in state.stepsDone }
-    val description = stringResource(Res.string.learning_steps_done, done.count { it }, done.size)
+    val description = LearningTexts.stepsDone(spoken, done.count { it }, done.size)
     Canvas(
         modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics {
             contentDescription = description

@@ -24,13 +24,13 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.ButtonSize
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.broughtIntoSight
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -65,9 +65,9 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             Alignment.CenterVertically,
         ) {
             if (state.isStepDone) SmallIcon(DONE_ICON, colours.onPane)
-            val title = if (state.isStepDone) Res.string.learning_task_done else Res.string.learning_task
+            val title = if (state.isStepDone) LearningTexts::taskDone else LearningTexts::task
             Text(
-                stringResource(title),
+                title(spoken),
                 color = colours.onPane,
                 fontSize = TextSizes.LEAD,
                 fontWeight = FontWeight.SemiBold,
@@ -106,7 +106,7 @@ internal fun TaskHelps(
     HintCards(help.hints.dropLast(1).reversed(), isInBlocks, hasLatest = false)
     if (help.solutionShown) {
         Text(
-            stringResource(Res.string.learning_solution_note),
+            LearningTexts.solutionNote(spoken),
             Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
                 liveRegion = LiveRegionMode.Polite
             },
@@ -121,18 +121,18 @@ internal fun TaskHelps(
 @Composable
 private fun Helps(help: TaskHelp, onHint: (Boolean) -> Unit, onSolution: (Boolean) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        val hintWords = listOf(Res.string.learning_hint, Res.string.learning_hint_more, Res.string.learning_hint_hide)
+        val hintWords = listOf(LearningTexts::hint, LearningTexts::hintMore, LearningTexts::hintHide)
         val hintWord = if (help.nextStage == null) hintWords.lastIndex else minOf(help.hints.size, 1)
         Help(hintWords, hintWord, "hint-wanted") { onHint(help.nextStage != null) }
-        val solutionWords = listOf(Res.string.learning_show_me, Res.string.learning_back_to_mine)
+        val solutionWords = listOf(LearningTexts::showMe, LearningTexts::backToMine)
         Help(solutionWords, if (help.solutionShown) 1 else 0, "solution-wanted") { onSolution(!help.solutionShown) }
     }
 }
 
 /** A button with the word at [index] of [labels], as wide as for the longest of them. */
 @Composable
-private fun Help(labels: List<StringResource>, index: Int, tag: String, onClick: () -> Unit) {
-    val words = labels.map { stringResource(it) }
+private fun Help(labels: List<Label>, index: Int, tag: String, onClick: () -> Unit) {
+    val words = labels.map { it(spoken) }
     Box {
         for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }
         SecondButton(words[index], tag, onClick, Modifier.matchParentSize())

@@ -28,10 +28,11 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
+import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -50,7 +51,7 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
     val colours = LocalRobotranColours.current
     Column(verticalArrangement = Arrangement.spacedBy(Space.SMALL)) {
         Text(
-            stringResource(Res.string.learning_view),
+            LearningTexts.view(spoken),
             Modifier.semantics { heading() },
             color = colours.onPane,
             fontSize = TextSizes.LEAD,
@@ -70,7 +71,7 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
         }
         if (withPictures) {
             Text(
-                stringResource(Res.string.learning_view_again),
+                LearningTexts.viewAgain(spoken),
                 color = colours.quiet,
                 fontSize = TextSizes.SMALL,
                 lineHeight = LineHeights.SMALL,
@@ -83,8 +84,8 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
 private fun Views(view: ProgramView, withPictures: Boolean, onView: (ProgramView) -> Unit, modifier: Modifier) {
     OneView(
         view == ProgramView.BLOCKS,
-        stringResource(Res.string.blocks_view_blocks),
-        stringResource(Res.string.learning_view_blocks),
+        BlockTexts.viewBlocks(spoken),
+        LearningTexts.viewBlocks(spoken),
         "first-blocks",
         { onView(ProgramView.BLOCKS) },
         modifier,
@@ -92,8 +93,8 @@ private fun Views(view: ProgramView, withPictures: Boolean, onView: (ProgramView
     ) { BlocksPicture() }
     OneView(
         view == ProgramView.TEXT,
-        stringResource(Res.string.blocks_view_text),
-        stringResource(Res.string.learning_view_text),
+        BlockTexts.viewText(spoken),
+        LearningTexts.viewText(spoken),
         "first-text",
         { onView(ProgramView.TEXT) },
         modifier,

@@ -22,12 +22,13 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
+import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
+import robotran.ui.texts.NxtTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -69,9 +70,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
                 val name = if (language == ProgramLanguage.JAVA) {
-                    stringResource(
-                        if (brick == BrickKind.NXT) Res.string.learning_help_nxj else Res.string.learning_help_java,
-                    )
+                    if (brick == BrickKind.NXT) NxtTexts.learningHelpNxj(spoken) else LearningTexts.helpJava(spoken)
                 } else {
                     language.ownName
                 }

@@ -10,14 +10,14 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
+import robotran.ui.language.spoken
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -35,7 +35,7 @@ internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String
         Text(shown.title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(
-                stringResource(world.level.title),
+                world.level.title(spoken),
                 color = colours.quiet,
                 fontSize = TextSizes.COMPACT,
                 fontWeight = FontWeight.Medium,
@@ -51,8 +51,8 @@ internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String
 @Composable
 private fun Harder(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
     val title = remember(world, language) { world.world(language).title }
-    val words = stringResource(Res.string.learning_harder, title)
-    val mark = if (isDone) " · ${stringResource(Res.string.learning_world_done_mark)}" else ""
+    val words = LearningTexts.harder(spoken, title)
+    val mark = if (isDone) " · ${LearningTexts.worldDoneMark(spoken)}" else ""
     SecondButton("$words$mark", "world-${world.name}", onClick, Modifier.fillMaxWidth())
 }
 
@@ -61,16 +61,16 @@ private fun DoneMark() {
     val colours = LocalRobotranColours.current
     Row(horizontalArrangement = Arrangement.spacedBy(4.dp), verticalAlignment = Alignment.CenterVertically) {
         SmallIcon(DONE_ICON, colours.onPane, size = 18.dp)
-        val done = stringResource(Res.string.learning_world_done_mark)
+        val done = LearningTexts.worldDoneMark(spoken)
         Text(done, color = colours.onPane, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
     }
 }
 
-private val WorldLevel.title: StringResource
+private val WorldLevel.title: Label
     get() = when (this) {
-        WorldLevel.EASY -> Res.string.learning_level_easy
-        WorldLevel.MEDIUM -> Res.string.learning_level_medium
-        WorldLevel.HARD -> Res.string.learning_level_hard
+        WorldLevel.EASY -> LearningTexts::levelEasy
+        WorldLevel.MEDIUM -> LearningTexts::levelMedium
+        WorldLevel.HARD -> LearningTexts::levelHard
     }
 
 private const val PICTURE_ASPECT = 16f / 10f

@@ -33,18 +33,18 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.course.OwnCourses
 import robotran.brick.kind.BrickKind
 import robotran.learning.WorldGallery
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
-import robotran.ui.resources.*
 import robotran.ui.runbar.Chip
+import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -64,7 +64,7 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             .filter { brick == null || it.plainWorld.robots.first().description.brick == brick }
     }
     val cards = rememberLazyGridState()
-    Page(stringResource(Res.string.learning_worlds), "worlds-page", {
+    Page(LearningTexts.worlds(spoken), "worlds-page", {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
         LazyVerticalGrid(
@@ -78,7 +78,7 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             verticalArrangement = Arrangement.spacedBy(16.dp),
         ) {
             item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
-                Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = TextSizes.BODY)
+                Text(LearningTexts.worldsKept(spoken), color = colours.quiet, fontSize = TextSizes.BODY)
             }
             item(span = { GridItemSpan(maxLineSpan) }, key = "search") {
                 Column(verticalArrangement = Arrangement.spacedBy(8.dp)) {
@@ -94,7 +94,7 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             } else {
                 item(span = { GridItemSpan(maxLineSpan) }, key = "save") {
                     Column {
-                        SaveOwnCourse(OwnCourses.WORLDS, stringResource(Res.string.learning_worlds), saved, onEvent)
+                        SaveOwnCourse(OwnCourses.WORLDS, LearningTexts.worlds(spoken), saved, onEvent)
                     }
                 }
             }
@@ -106,7 +106,7 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
-    val all = stringResource(Res.string.learning_worlds_all)
+    val all = LearningTexts.worldsAll(spoken)
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
         for (choice in listOf<BrickKind?>(null) + BrickKind.entries) {
             val tag = "worlds-${choice?.name?.lowercase() ?: "all"}"
@@ -124,13 +124,13 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
         onValueChange = onAsk,
         modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag("world-search"),
         textStyle = TextStyle(fontSize = TextSizes.BODY),
-        label = { Text(stringResource(Res.string.learning_worlds_search)) },
+        label = { Text(LearningTexts.worldsSearch(spoken)) },
         singleLine = true,
         trailingIcon = if (query.isEmpty()) {
             null
         } else {
             {
-                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", {
+                IconTouch(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear", {
                     onAsk("")
                     // Whoever clears it wants to type something else.
                     field.requestFocus()
@@ -153,7 +153,7 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
 @Composable
 private fun NothingFound() = EmptyState(
     EmptyPicture.GLASS,
-    stringResource(Res.string.learning_worlds_none),
+    LearningTexts.worldsNone(spoken),
     "worlds-none",
     Modifier.fillMaxWidth().height(NOTHING_HEIGHT).semantics { liveRegion = LiveRegionMode.Polite },
 )

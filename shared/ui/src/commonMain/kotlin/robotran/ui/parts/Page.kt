@@ -45,9 +45,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -68,7 +68,7 @@ internal fun Page(
     onClose: () -> Unit,
     scroll: ScrollableState?,
     maxWidth: Dp = 720.dp,
-    closeWords: StringResource = Res.string.page_close,
+    closeWords: Label = ScreenTexts::pageClose,
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -97,7 +97,7 @@ internal fun Page(
             .focusable(),
     ) {
         Row(Modifier.fillMaxWidth().padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
-            IconTouch(Icon.BACK, stringResource(closeWords), "$tag-close", onClose)
+            IconTouch(Icon.BACK, closeWords(spoken), "$tag-close", onClose)
             Text(
                 title,
                 Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },

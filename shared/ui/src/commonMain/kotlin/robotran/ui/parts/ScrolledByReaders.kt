@@ -12,8 +12,8 @@ import androidx.compose.ui.semantics.CustomAccessibilityAction
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import kotlinx.coroutines.launch
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 
 /**
  * Actions by which a screen reader scrolls a lazy list. It knows only elements that are visible, and a web page has no
@@ -24,8 +24,8 @@ import robotran.ui.resources.*
 @Composable
 internal fun Modifier.scrolledByReaders(list: ScrollableState, height: () -> Int): Modifier {
     val coroutines = rememberCoroutineScope()
-    val further = stringResource(Res.string.list_further)
-    val back = stringResource(Res.string.list_back)
+    val further = ScreenTexts.listFurther(spoken)
+    val back = ScreenTexts.listBack(spoken)
     val canGoOn by remember(list) { derivedStateOf { list.canScrollForward } }
     val canGoBack by remember(list) { derivedStateOf { list.canScrollBackward } }
     val by = { words: String, part: Float ->

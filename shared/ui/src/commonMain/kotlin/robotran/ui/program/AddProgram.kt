@@ -17,13 +17,14 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Plus
 import robotran.ui.parts.RoundButton
-import robotran.ui.resources.*
+import robotran.ui.texts.NqcTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -42,26 +43,26 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        RoundButton(Plus, stringResource(Res.string.program_add), "add-program") { open = true }
+        RoundButton(Plus, ScreenTexts.programAdd(spoken), "add-program") { open = true }
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
             modifier = Modifier.widthIn(min = 300.dp),
         ) {
-            if (state.hasRoom) NewPrograms(state.brick, choose) else Note(stringResource(Res.string.program_no_room))
+            if (state.hasRoom) NewPrograms(state.brick, choose) else Note(ScreenTexts.programNoRoom(spoken))
             when (state.program.language) {
-                ProgramLanguage.JAVA -> Res.string.program_new_class
-                ProgramLanguage.NQC -> Res.string.program_new_file
+                ProgramLanguage.JAVA -> ScreenTexts::programNewClass
+                ProgramLanguage.NQC -> NqcTexts::programNewFile
                 ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> null
-            }?.let { words -> Choice(stringResource(words), "new-class") { choose(ProgramEvent.FileAdded) } }
+            }?.let { words -> Choice(words(spoken), "new-class") { choose(ProgramEvent.FileAdded) } }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
-                Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") {
+                Choice(ScreenTexts.programReopenNamed(spoken, closed), "reopen-closed") {
                     choose(ProgramEvent.ProgramReopened)
                 }
             }
             if (state.hasRoom) {
                 HorizontalDivider(color = LocalRobotranColours.current.line)
-                Choice(stringResource(Res.string.program_examples), "examples") {
+                Choice(ScreenTexts.programExamples(spoken), "examples") {
                     choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
                 }
             }
@@ -80,9 +81,9 @@ private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
     val languages = allowed.filter { brick == BrickKind.RCX || it !in OF_LEGO_FIRMWARE }
     for ((language, words) in WORDS_OF_NEW.filterKeys { it in languages }) {
         if (language == ProgramLanguage.LASM && languages.size > 1 && !hasMore) {
-            Choice(stringResource(Res.string.program_new_more), "new-more") { hasMore = true }
+            Choice(NqcTexts.programNewMore(spoken), "new-more") { hasMore = true }
         } else {
-            Choice(stringResource(words), "new-${language.name.lowercase()}") {
+            Choice(words(spoken), "new-${language.name.lowercase()}") {
                 onEvent(ProgramEvent.NewProgramRequested(language))
             }
         }
@@ -93,10 +94,10 @@ private val OF_LEGO_FIRMWARE = setOf(ProgramLanguage.NQC, ProgramLanguage.LASM)
 
 /** In the order in which they are offered. */
 private val WORDS_OF_NEW = mapOf(
-    ProgramLanguage.ROBOLANG to Res.string.program_new_robolang,
-    ProgramLanguage.JAVA to Res.string.program_new_java,
-    ProgramLanguage.NQC to Res.string.program_new_nqc,
-    ProgramLanguage.LASM to Res.string.program_new_lasm,
+    ProgramLanguage.ROBOLANG to ScreenTexts::programNewRobolang,
+    ProgramLanguage.JAVA to ScreenTexts::programNewJava,
+    ProgramLanguage.NQC to NqcTexts::programNewNqc,
+    ProgramLanguage.LASM to NqcTexts::programNewLasm,
 )
 
 @Composable

@@ -33,10 +33,10 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.source.Diagnostic
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.AddBar
 import robotran.ui.program.blocks.AddRail
 import robotran.ui.program.blocks.BlockDragging
@@ -58,7 +58,7 @@ import robotran.ui.program.blocks.sheets.ChoosingBar
 import robotran.ui.program.blocks.sheets.GroupRail
 import robotran.ui.program.blocks.sheets.SheetPlace
 import robotran.ui.program.blocks.zoomsBlocks
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -124,7 +124,7 @@ internal fun BlocksPane(
     val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
     val own = remember { FocusRequester() }
     val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
-    val label = stringResource(Res.string.blocks_label_keys)
+    val label = BlockTexts.labelKeys(spoken)
     val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
     dragging.takeFocus = (focus ?: own)::requestFocus
     var hadSheet by remember { mutableStateOf(false) }

@@ -17,10 +17,10 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -46,7 +46,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(
-                stringResource(Res.string.program_closed, name),
+                ScreenTexts.programClosed(spoken, name),
                 Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
                 fontSize = TextSizes.BODY,
@@ -56,11 +56,11 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                     { onEvent(ProgramEvent.ProgramReopened) },
                     Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("reopen-program").focusRing(),
                 ) {
-                    val words = stringResource(Res.string.program_reopen)
+                    val words = ScreenTexts.programReopen(spoken)
                     Text(words, color = colours.focus, fontSize = TextSizes.BODY, fontWeight = FontWeight.SemiBold)
                 }
             }
-            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", {
+            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "closed-program-close", {
                 onEvent(ProgramEvent.ClosedMessageDismissed)
             })
         }

@@ -18,10 +18,11 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.source.Diagnostic
+import robotran.ui.language.spoken
 import robotran.ui.program.editor.FixButton
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -61,9 +62,9 @@ internal fun DiagnosticStrip(
                 val count = diagnostics.size
                 Text(
                     if (count == 1) {
-                        stringResource(Res.string.editor_mistake_one)
+                        EditorTexts.mistakeOne(spoken)
                     } else {
-                        stringResource(Res.string.editor_mistakes, count)
+                        EditorTexts.mistakes(spoken, count)
                     },
                     Modifier.weight(1f),
                     color = colours.error,
@@ -74,7 +75,7 @@ internal fun DiagnosticStrip(
                     onNext,
                     Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("next-mistake").focusRing(),
                 ) {
-                    val words = stringResource(Res.string.editor_next_mistake)
+                    val words = EditorTexts.nextMistake(spoken)
                     Text(words, color = colours.focus, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
                 }
             }
@@ -87,8 +88,8 @@ private fun Elsewhere(diagnostic: Diagnostic, program: PupilProgram, onFix: (Dia
     val line = diagnostic.range?.line
     val words = when {
         diagnostic.file.isEmpty() -> diagnostic.message
-        line == null -> stringResource(Res.string.mistake_in_file, diagnostic.file, diagnostic.message)
-        else -> stringResource(Res.string.mistake_in_line_of_file, diagnostic.file, line, diagnostic.message)
+        line == null -> ScreenTexts.mistakeInFile(spoken, diagnostic.file, diagnostic.message)
+        else -> ScreenTexts.mistakeInLineOfFile(spoken, diagnostic.file, line, diagnostic.message)
     }
     Row(
         Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),

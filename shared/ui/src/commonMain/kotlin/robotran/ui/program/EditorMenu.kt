@@ -16,13 +16,13 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.Label
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -43,7 +43,7 @@ import robotran.workshop.state.TranslationKind
 internal fun EditorMenu(
     hasText: Boolean,
     hasFind: Boolean,
-    sendWords: StringResource,
+    sendWords: Label,
     onSend: (() -> Unit)?,
     hasLayout: Boolean,
     translations: List<TranslationKind>,
@@ -55,7 +55,7 @@ internal fun EditorMenu(
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
     Box {
-        RoundButton(StrokeIcons.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
+        RoundButton(StrokeIcons.MORE, EditorTexts.more(spoken), "editor-more", SIGN) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             // An open menu would keep the keyboard focus from what the tool opens.
             DisposableEffect(Unit) {
@@ -97,15 +97,15 @@ internal fun EditorMenu(
 }
 
 @Composable
-private fun WordsItem(words: StringResource, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
+private fun WordsItem(words: Label, tag: String, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(words(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )
 
 @Composable
 private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
+    text = { Text(tool.words(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
     trailingIcon = if (tool.keys.isEmpty()) {
@@ -128,7 +128,7 @@ private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
  */
 private class Tool(
     val command: EditorCommand.Plain,
-    val words: StringResource,
+    val words: Label,
     val keys: String,
     val closesMenu: Boolean = true,
     val isForText: Boolean = false,
@@ -140,30 +140,30 @@ private fun toolsFor(hasText: Boolean, hasFind: Boolean, hasLayout: Boolean): Li
         .map { group -> group.filter { hasLayout || it.command != EditorCommand.Plain.FORMAT } }
         .filter { it.isNotEmpty() }
 
-private val FIND = Tool(EditorCommand.Plain.FIND, Res.string.editor_find, "Ctrl F")
+private val FIND = Tool(EditorCommand.Plain.FIND, EditorTexts::find, "Ctrl F")
 
 private val TOOLS: List<List<Tool>> = listOf(
     listOf(
-        Tool(EditorCommand.Plain.FORMAT, Res.string.editor_format, "Alt F"),
-        Tool(EditorCommand.Plain.COMPLETE, Res.string.editor_complete, "Ctrl Space", isForText = true),
-        Tool(EditorCommand.Plain.HELP, Res.string.editor_help_on_word, "F1"),
-        Tool(EditorCommand.Plain.TOGGLE_BREAKPOINT, Res.string.editor_breakpoint, "F9"),
+        Tool(EditorCommand.Plain.FORMAT, EditorTexts::format, "Alt F"),
+        Tool(EditorCommand.Plain.COMPLETE, EditorTexts::complete, "Ctrl Space", isForText = true),
+        Tool(EditorCommand.Plain.HELP, EditorTexts::helpOnWord, "F1"),
+        Tool(EditorCommand.Plain.TOGGLE_BREAKPOINT, EditorTexts::breakpoint, "F9"),
     ),
     listOf(
-        Tool(EditorCommand.Plain.TOGGLE_COMMENT, Res.string.editor_comment, "Ctrl /", isForText = true),
-        Tool(EditorCommand.Plain.INDENT, Res.string.editor_indent, "Tab", closesMenu = false, isForText = true),
+        Tool(EditorCommand.Plain.TOGGLE_COMMENT, EditorTexts::comment, "Ctrl /", isForText = true),
+        Tool(EditorCommand.Plain.INDENT, EditorTexts::indent, "Tab", closesMenu = false, isForText = true),
         Tool(
             EditorCommand.Plain.UNINDENT,
-            Res.string.editor_unindent,
+            EditorTexts::unindent,
             "Shift Tab",
             closesMenu = false,
             isForText = true,
         ),
     ),
     listOf(
-        Tool(EditorCommand.Plain.LARGER, Res.string.editor_larger, "Ctrl +", closesMenu = false),
-        Tool(EditorCommand.Plain.SMALLER, Res.string.editor_smaller, "Ctrl −", closesMenu = false),
-        Tool(EditorCommand.Plain.RENAME, Res.string.editor_rename, "F2"),
+        Tool(EditorCommand.Plain.LARGER, EditorTexts::larger, "Ctrl +", closesMenu = false),
+        Tool(EditorCommand.Plain.SMALLER, EditorTexts::smaller, "Ctrl −", closesMenu = false),
+        Tool(EditorCommand.Plain.RENAME, EditorTexts::rename, "F2"),
     ),
 )
 

@@ -12,13 +12,13 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
+import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
@@ -42,14 +42,14 @@ internal fun EditorTools(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            RoundButton(StrokeIcons.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) {
+            RoundButton(StrokeIcons.UNDO, EditorTexts.undo(spoken), "undo", SIGN, state.canUndo) {
                 onCommand(EditorCommand.Plain.UNDO)
             }
-            RoundButton(StrokeIcons.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) {
+            RoundButton(StrokeIcons.REDO, EditorTexts.redo(spoken), "redo", SIGN, state.canRedo) {
                 onCommand(EditorCommand.Plain.REDO)
             }
             if (places.hasFind) {
-                RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) {
+                RoundButton(StrokeIcons.FIND, EditorTexts.find(spoken), "find-open", SIGN) {
                     onCommand(EditorCommand.Plain.FIND)
                 }
             }
@@ -59,7 +59,7 @@ internal fun EditorTools(
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
             if (translation != null && places.hasTranslation) {
-                PaneChip(stringResource(translation.words), "translation-switch", state.translationShown) {
+                PaneChip(translation.words(spoken), "translation-switch", state.translationShown) {
                     onTranslation(!state.translationShown, translation)
                 }
                 Spacer(Modifier.width(ToolSizes.GAP))

@@ -19,8 +19,8 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -34,7 +34,7 @@ import robotran.ui.theme.focusRing
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
 internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () -> Unit, onRename: (() -> Unit)? = null) {
-    val rename = stringResource(Res.string.editor_rename)
+    val rename = EditorTexts.rename(spoken)
     val colours = LocalRobotranColours.current
     Box(
         Modifier

@@ -37,15 +37,15 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.source.SourceSpan
 import robotran.textediting.find.Search
+import robotran.ui.language.spoken
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -111,7 +111,7 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
             .padding(horizontal = 8.dp, vertical = 4.dp),
     ) {
         Row(verticalAlignment = Alignment.CenterVertically) {
-            val words = stringResource(Res.string.editor_find)
+            val words = EditorTexts.find(spoken)
             val change = { typed: String -> state.search = state.search.copy(text = typed) }
             LineField(
                 state.search.text,
@@ -122,30 +122,30 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
                 Modifier.weight(1f).focusRequester(first),
                 actions::next,
             )
-            val before = stringResource(Res.string.editor_find_previous)
+            val before = EditorTexts.findPrevious(spoken)
             RoundButton(StrokeIcons.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
             RoundButton(
                 StrokeIcons.DOWN,
-                stringResource(Res.string.editor_find_next),
+                EditorTexts.findNext(spoken),
                 "find-next",
                 enabled = count > 0,
                 onClick = actions::next,
             )
-            RoundButton(Cross, stringResource(Res.string.editor_find_close), "find-close", onClick = actions::close)
+            RoundButton(Cross, EditorTexts.findClose(spoken), "find-close", onClick = actions::close)
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
-            val words = stringResource(Res.string.editor_replace)
+            val words = EditorTexts.replace(spoken)
             LineField(state.replacement, words, "replace", {
                 state.replacement = it
             }, actions, Modifier.weight(1f), actions::replaceOne)
-            FindButton(stringResource(Res.string.editor_replace_one), "replace-one", count > 0, actions::replaceOne)
-            FindButton(stringResource(Res.string.editor_replace_all), "replace-all", count > 0, actions::replaceAll)
+            FindButton(EditorTexts.replaceOne(spoken), "replace-one", count > 0, actions::replaceOne)
+            FindButton(EditorTexts.replaceAll(spoken), "replace-all", count > 0, actions::replaceAll)
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            PaneChip(stringResource(Res.string.editor_find_case), "find-case", state.search.matchCase) {
+            PaneChip(EditorTexts.findCase(spoken), "find-case", state.search.matchCase) {
                 state.search = state.search.copy(matchCase = !state.search.matchCase)
             }
-            PaneChip(stringResource(Res.string.editor_find_words), "find-words", state.search.wholeWords) {
+            PaneChip(EditorTexts.findWords(spoken), "find-words", state.search.wholeWords) {
                 state.search = state.search.copy(wholeWords = !state.search.wholeWords)
             }
             Text(
@@ -160,9 +160,9 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
 
 @Composable
 private fun countText(count: Int, place: Int): String = if (count == 0) {
-    stringResource(Res.string.editor_find_none)
+    EditorTexts.findNone(spoken)
 } else {
-    stringResource(Res.string.editor_find_count, place, count)
+    EditorTexts.findCount(spoken, place, count)
 }
 
 @Composable

@@ -16,9 +16,9 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.NxtTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -29,8 +29,8 @@ import robotran.ui.theme.focusRing
 internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
     val colours = LocalRobotranColours.current
     val (sentence, action) = when (brick) {
-        BrickKind.RCX -> Res.string.program_for_rcx to Res.string.program_use_rcx
-        BrickKind.NXT -> Res.string.program_for_nxt to Res.string.program_use_nxt
+        BrickKind.RCX -> NxtTexts::programForRcx to NxtTexts::programUseRcx
+        BrickKind.NXT -> NxtTexts::programForNxt to NxtTexts::programUseNxt
     }
     Column(
         Modifier
@@ -40,7 +40,7 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
             .padding(start = 16.dp, end = 8.dp),
     ) {
         Text(
-            stringResource(sentence, robot),
+            sentence(spoken, robot),
             Modifier.padding(top = 8.dp).semantics { liveRegion = LiveRegionMode.Polite },
             color = colours.error,
             fontSize = TextSizes.BODY,
@@ -54,7 +54,7 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
                 .focusRing(),
         ) {
             Text(
-                stringResource(action),
+                action(spoken),
                 color = colours.focus,
                 fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.SemiBold,

@@ -9,9 +9,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.MissingSensors
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -21,8 +21,8 @@ import robotran.ui.theme.focusRing
 @Composable
 internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modifier: Modifier = Modifier) {
     val ports = missing.sensors.map { it.port }
-    val description = ports.singleOrNull()?.let { stringResource(Res.string.run_plug_in_port, it) }
-        ?: stringResource(Res.string.run_plug_in_ports, portNumbers(ports))
+    val description = ports.singleOrNull()?.let { RunTexts.plugInPort(spoken, it) }
+        ?: RunTexts.plugInPorts(spoken, portNumbers(ports))
     TextButton(
         { onPlug(missing) },
         modifier
@@ -32,7 +32,7 @@ internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> U
             .focusRing(),
     ) {
         Text(
-            stringResource(if (ports.size == 1) Res.string.run_plug_in else Res.string.run_plug_in_several),
+            if (ports.size == 1) RunTexts.plugIn(spoken) else RunTexts.plugInSeveral(spoken),
             color = LocalRobotranColours.current.focus,
             fontSize = TextSizes.BODY,
             fontWeight = FontWeight.SemiBold,

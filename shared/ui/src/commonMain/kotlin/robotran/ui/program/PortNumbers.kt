@@ -1,13 +1,13 @@
 package robotran.ui.program
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
 
 /** The numbers of one to three [ports], as in `1, 2 and 3`. */
 @Composable
 internal fun portNumbers(ports: List<Int>): String = when (ports.size) {
     1 -> "${ports.single()}"
-    2 -> stringResource(Res.string.run_ports_two, ports[0], ports[1])
-    else -> stringResource(Res.string.run_ports_three, ports[0], ports[1], ports[2])
+    2 -> RunTexts.portsTwo(spoken, ports[0], ports[1])
+    else -> RunTexts.portsThree(spoken, ports[0], ports[1], ports[2])
 }

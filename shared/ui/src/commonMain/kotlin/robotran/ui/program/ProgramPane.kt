@@ -19,14 +19,13 @@ import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
 import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.helpKey
 import robotran.ui.program.blocks.sheets.PaneHeight
@@ -37,7 +36,9 @@ import robotran.ui.program.editor.EditorControl
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorView
 import robotran.ui.program.editor.KeyRow
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.NqcTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -257,7 +258,7 @@ private fun ShownFile(
                                 control = control,
                                 view = view,
                                 draft = state.draft,
-                                hint = stringResource(hintFor(state.program.language)),
+                                hint = hintFor(state.program.language)(spoken),
                                 marks = marks,
                                 notes = notes,
                                 pointedOut = state.errorPointedOut,
@@ -327,9 +328,9 @@ private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>):
     )
 }
 
-private fun hintFor(language: ProgramLanguage): StringResource = when (language) {
-    ProgramLanguage.ROBOLANG -> Res.string.program_hint
-    ProgramLanguage.JAVA -> Res.string.program_hint_java
-    ProgramLanguage.NQC -> Res.string.program_hint_nqc
-    ProgramLanguage.LASM -> Res.string.program_hint_lasm
+private fun hintFor(language: ProgramLanguage): Label = when (language) {
+    ProgramLanguage.ROBOLANG -> ScreenTexts::programHint
+    ProgramLanguage.JAVA -> ScreenTexts::programHintJava
+    ProgramLanguage.NQC -> NqcTexts::programHintNqc
+    ProgramLanguage.LASM -> NqcTexts::programHintLasm
 }

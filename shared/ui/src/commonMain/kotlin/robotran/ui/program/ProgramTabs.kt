@@ -21,12 +21,12 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.layout.onPlaced
 import androidx.compose.ui.layout.positionInParent
 import androidx.compose.ui.platform.LocalDensity
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SCROLL_HINT_DEPTH
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
@@ -65,12 +65,12 @@ internal fun ProgramTabs(
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
-                val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
+                val title = if (several) ScreenTexts.programTab(spoken, slot, program.name) else program.name
                 Row(Modifier.keptInSight(shown, state.programs.size, scroll)) {
                     val rename = onRename.takeIf { shown && state.shownFile == 0 }
                     FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
-                        val close = stringResource(Res.string.program_close, program.name)
+                        val close = ScreenTexts.programClose(spoken, program.name)
                         RoundButton(Cross, close, "close-program") { onEvent(ProgramEvent.ProgramClosed(slot)) }
                     }
                 }

@@ -19,12 +19,12 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -75,7 +75,7 @@ internal fun RemarkList(
                     }
                 }
             }
-            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "remarks-close", { isClosed = true })
+            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "remarks-close", { isClosed = true })
         }
     }
 }
@@ -85,7 +85,7 @@ private fun textOf(remark: RuntimeWarning): String {
     val file = remark.sourceFile
     return when {
         remark.sourceLine == 0 -> remark.message
-        file == null -> stringResource(Res.string.mistake, remark.sourceLine, remark.message)
-        else -> stringResource(Res.string.mistake_in_line_of_file, file, remark.sourceLine, remark.message)
+        file == null -> ScreenTexts.mistake(spoken, remark.sourceLine, remark.message)
+        else -> ScreenTexts.mistakeInLineOfFile(spoken, file, remark.sourceLine, remark.message)
     }
 }

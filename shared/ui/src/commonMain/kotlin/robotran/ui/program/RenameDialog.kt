@@ -20,12 +20,13 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.ui.documents.DialogFrame
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.NqcTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -45,11 +46,11 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
     val take = { if (problem == null) onName(typed.text) }
     val focus = remember { FocusRequester() }
     DialogFrame(
-        stringResource(Res.string.editor_rename),
+        EditorTexts.rename(spoken),
         onLeave,
         buttons = {
-            DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave)
-            DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() }
+            DialogButton(EditorTexts.renameCancel(spoken), "rename-cancel", true, onLeave)
+            DialogButton(EditorTexts.renameDone(spoken), "rename-done", problem == null) { take() }
         },
     ) {
         // A dialog is composed separately: only now does the field exist.
@@ -58,9 +59,9 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
             typed,
             { typed = it },
             Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
-            label = { Text(stringResource(Res.string.editor_name)) },
+            label = { Text(EditorTexts.name(spoken)) },
             suffix = { Text(ending) },
-            supportingText = { problem?.let { Text(stringResource(wordsFor(it))) } },
+            supportingText = { problem?.let { Text(wordsFor(it)(spoken)) } },
             isError = problem != null,
             singleLine = true,
             keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
@@ -69,8 +70,8 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         )
         if (state.program.files.size > 1) {
             val isJava = state.program.language == ProgramLanguage.JAVA
-            val remove = if (isJava) Res.string.editor_remove_class else Res.string.editor_remove_file
-            DialogButton(stringResource(remove), "remove-class", true, onRemove)
+            val remove = if (isJava) EditorTexts::removeClass else NqcTexts::editorRemoveFile
+            DialogButton(remove(spoken), "remove-class", true, onRemove)
         }
     }
 }
@@ -83,9 +84,9 @@ private fun DialogButton(words: String, tag: String, enabled: Boolean, onClick: 
     }
 }
 
-private fun wordsFor(problem: NameProblem): StringResource = when (problem) {
-    NameProblem.EMPTY -> Res.string.editor_name_empty
-    NameProblem.TAKEN -> Res.string.editor_name_taken
-    NameProblem.NO_CLASS_NAME -> Res.string.editor_name_no_class
-    NameProblem.STRANGE_CHARACTER -> Res.string.editor_name_strange
+private fun wordsFor(problem: NameProblem): Label = when (problem) {
+    NameProblem.EMPTY -> EditorTexts::nameEmpty
+    NameProblem.TAKEN -> EditorTexts::nameTaken
+    NameProblem.NO_CLASS_NAME -> EditorTexts::nameNoClass
+    NameProblem.STRANGE_CHARACTER -> EditorTexts::nameStrange
 }

@@ -19,10 +19,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
 import robotran.ui.sheet.RobotColours
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -48,7 +48,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
     ) {
         for (robot in state.robots) {
             PaneChip(
-                stringResource(Res.string.editor_robot, robot.name),
+                EditorTexts.robot(spoken, robot.name),
                 "robot-${robot.name}",
                 robot.name == state.shownRobot,
                 {
@@ -61,7 +61,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
         }
         if (state.isWorldsOwn) {
             Text(
-                stringResource(Res.string.editor_worlds_own),
+                EditorTexts.worldsOwn(spoken),
                 color = colours.quiet,
                 fontSize = TextSizes.SMALL,
                 maxLines = 1,

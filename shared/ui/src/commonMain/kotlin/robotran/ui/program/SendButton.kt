@@ -2,13 +2,14 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
+import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.LocalRobotranColours
 
 /**
@@ -18,8 +19,8 @@ import robotran.ui.theme.LocalRobotranColours
  * @param hasRoom whether there is room for its words.
  */
 @Composable
-internal fun SendButton(words: StringResource, hasRoom: Boolean, onClick: () -> Unit) =
-    SendButton(stringResource(words), hasRoom, onClick)
+internal fun SendButton(words: Label, hasRoom: Boolean, onClick: () -> Unit) =
+    SendButton(words(spoken), hasRoom, onClick)
 
 @Composable
 private fun SendButton(words: String, hasRoom: Boolean, onClick: () -> Unit) {
@@ -32,9 +33,9 @@ private fun SendButton(words: String, hasRoom: Boolean, onClick: () -> Unit) {
 }
 
 /** What the button for a real robot with a [brick] is called. */
-internal fun sendWords(brick: BrickKind): StringResource = when (brick) {
-    BrickKind.RCX -> Res.string.send_robot
-    BrickKind.NXT -> Res.string.documents_kit
+internal fun sendWords(brick: BrickKind): Label = when (brick) {
+    BrickKind.RCX -> SendTexts::robot
+    BrickKind.NXT -> DocumentTexts::kit
 }
 
 private val SIGN = 16.dp

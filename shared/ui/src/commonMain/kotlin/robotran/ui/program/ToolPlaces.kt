@@ -6,8 +6,8 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.TextSizes
 
@@ -28,12 +28,7 @@ internal data class ToolPlaces(val send: SendPlace, val hasTranslation: Boolean,
  * @param translationWords the name of the switch for another text; null if there is none.
  */
 @Composable
-internal fun toolPlaces(
-    width: Dp,
-    hasViews: Boolean,
-    translationWords: StringResource?,
-    sendWords: StringResource,
-): ToolPlaces {
+internal fun toolPlaces(width: Dp, hasViews: Boolean, translationWords: Label?, sendWords: Label): ToolPlaces {
     val send = chipWidth(sendWords) + ToolSizes.SIGN
     val translation = if (translationWords != null) chipWidth(translationWords) + ToolSizes.GAP else 0.dp
     val view = if (hasViews) VIEW_WORDS.maxOf { chipWidth(it) } + ToolSizes.SIGN + ToolSizes.GAP else 0.dp
@@ -50,9 +45,9 @@ internal fun toolPlaces(
 }
 
 @Composable
-private fun chipWidth(words: StringResource): Dp {
+private fun chipWidth(words: Label): Dp {
     val style = LocalTextStyle.current.copy(fontSize = TextSizes.SMALL)
-    val text = rememberTextMeasurer().measure(stringResource(words), style, maxLines = 1).size.width
+    val text = rememberTextMeasurer().measure(words(spoken), style, maxLines = 1).size.width
     return with(LocalDensity.current) { text.toDp() } + CHIP
 }
 

@@ -29,12 +29,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
+import robotran.ui.language.spoken
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
 import robotran.ui.program.editor.EditorSurface
@@ -44,7 +44,7 @@ import robotran.ui.program.editor.listenFor
 import robotran.ui.program.editor.listenForZoom
 import robotran.ui.program.editor.rememberLineLayouts
 import robotran.ui.program.editor.scrolls
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -90,9 +90,9 @@ internal fun TranslationPane(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val title = when {
-                translation == null -> stringResource(kind.noneYet)
+                translation == null -> kind.noneYet(spoken)
                 isNow -> translation.fileName
-                else -> stringResource(Res.string.editor_translation_old)
+                else -> EditorTexts.translationOld(spoken)
             }
             Text(
                 title,
@@ -108,7 +108,7 @@ internal fun TranslationPane(
                     Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("translation-keep").focusRing(),
                 ) {
                     Text(
-                        stringResource(Res.string.editor_translation_keep),
+                        EditorTexts.translationKeep(spoken),
                         color = colours.focus,
                         fontSize = TextSizes.SMALL,
                         maxLines = 1,
@@ -138,7 +138,7 @@ private fun TranslatedText(
     onZoom: (Float) -> Unit,
     modifier: Modifier,
 ) {
-    val label = stringResource(translation.kind.label)
+    val label = translation.kind.label(spoken)
     val view = remember { EditorView() }
     val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
     val language = translation.language

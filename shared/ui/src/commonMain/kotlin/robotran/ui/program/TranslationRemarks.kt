@@ -19,9 +19,9 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -54,7 +54,7 @@ internal fun TranslationRemarks(remarks: List<TranslationRemark>, onRemark: (Tra
                 Alignment.CenterStart,
             ) {
                 Text(
-                    stringResource(Res.string.mistake, remark.line, remark.message),
+                    ScreenTexts.mistake(spoken, remark.line, remark.message),
                     color = colours.onPane,
                     fontSize = TextSizes.SMALL,
                     lineHeight = LineHeights.SMALL,

@@ -1,29 +1,30 @@
 package robotran.ui.program
 
-import org.jetbrains.compose.resources.StringResource
-import robotran.ui.resources.*
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.NqcTexts
 import robotran.workshop.state.TranslationKind
 
 /** The name of the switch that shows a program as this. */
-internal val TranslationKind.words: StringResource
+internal val TranslationKind.words: Label
     get() = when (this) {
-        TranslationKind.JAVA -> Res.string.editor_translation
-        TranslationKind.NQC -> Res.string.editor_nqc
-        TranslationKind.ASSEMBLY -> Res.string.editor_assembly
+        TranslationKind.JAVA -> EditorTexts::translation
+        TranslationKind.NQC -> NqcTexts::editorNqc
+        TranslationKind.ASSEMBLY -> NqcTexts::editorAssembly
     }
 
 /** What screen readers call the text. */
-internal val TranslationKind.label: StringResource
+internal val TranslationKind.label: Label
     get() = when (this) {
-        TranslationKind.JAVA -> Res.string.editor_translation_label
-        TranslationKind.NQC -> Res.string.editor_nqc_label
-        TranslationKind.ASSEMBLY -> Res.string.editor_assembly_label
+        TranslationKind.JAVA -> EditorTexts::translationLabel
+        TranslationKind.NQC -> NqcTexts::editorNqcLabel
+        TranslationKind.ASSEMBLY -> NqcTexts::editorAssemblyLabel
     }
 
 /** What is there instead before the first errors are fixed. */
-internal val TranslationKind.noneYet: StringResource
+internal val TranslationKind.noneYet: Label
     get() = when (this) {
-        TranslationKind.JAVA -> Res.string.editor_translation_none
-        TranslationKind.NQC -> Res.string.editor_nqc_none
-        TranslationKind.ASSEMBLY -> Res.string.editor_assembly_none
+        TranslationKind.JAVA -> EditorTexts::translationNone
+        TranslationKind.NQC -> NqcTexts::editorNqcNone
+        TranslationKind.ASSEMBLY -> NqcTexts::editorAssemblyNone
     }

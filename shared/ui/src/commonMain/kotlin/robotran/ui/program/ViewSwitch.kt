@@ -7,14 +7,14 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.MenuItem
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.Label
 import robotran.ui.theme.LocalRobotranColours
 
 /** Chooses between blocks, text, and both. It shows what the program is shown as now. */
@@ -23,15 +23,15 @@ internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
     var isOpen by remember { mutableStateOf(false) }
     Box {
         PaneChip(
-            stringResource(wordFor(view)),
+            wordFor(view)(spoken),
             "view-switch",
             on = view != ProgramView.TEXT,
-            others = VIEW_WORDS.map { stringResource(it) },
+            others = VIEW_WORDS.map { it(spoken) },
             picture = { SignPicture(StrokeIcons.DOWN, LocalRobotranColours.current.onPane, SIGN) },
         ) { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {
-                MenuItem(stringResource(wordFor(choice)), "view-${choice.name.lowercase()}") {
+                MenuItem(wordFor(choice)(spoken), "view-${choice.name.lowercase()}") {
                     isOpen = false
                     onView(choice)
                 }
@@ -40,10 +40,10 @@ internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
     }
 }
 
-private fun wordFor(view: ProgramView): StringResource = when (view) {
-    ProgramView.TEXT -> Res.string.blocks_view_text
-    ProgramView.BLOCKS -> Res.string.blocks_view_blocks
-    ProgramView.BOTH -> Res.string.blocks_view_both
+private fun wordFor(view: ProgramView): Label = when (view) {
+    ProgramView.TEXT -> BlockTexts::viewText
+    ProgramView.BLOCKS -> BlockTexts::viewBlocks
+    ProgramView.BOTH -> BlockTexts::viewBoth
 }
 
 private val SIGN = 12.dp

@@ -1,7 +1,6 @@
 package robotran.ui.robot
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
@@ -10,7 +9,8 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.portsOf
 import robotran.robotediting.thingsOn
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RobotTexts
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.NumberRow
 import robotran.world.BumperPart
@@ -32,7 +32,7 @@ internal fun PartFields(scope: RobotScope, number: Int) {
             PlaceRows(scope, RobotElement.Part(number))
             Centimetres(
                 scope,
-                Res.string.robot_bumper_width,
+                RobotTexts::bumperWidth,
                 part.width,
                 RobotLimits.BUMPER_WIDTHS,
                 "robot-bumper-width",
@@ -41,7 +41,7 @@ internal fun PartFields(scope: RobotScope, number: Int) {
             }
             Centimetres(
                 scope,
-                Res.string.robot_bumper_depth,
+                RobotTexts::bumperDepth,
                 part.depth,
                 RobotLimits.BUMPER_DEPTHS,
                 "robot-bumper-depth",
@@ -49,8 +49,8 @@ internal fun PartFields(scope: RobotScope, number: Int) {
                 scope.changePart(number, "depth") { old -> (old as BumperPart).copy(depth = it) }
             }
             val sides =
-                listOf<Pair<BumperSide?, String>>(null to stringResource(Res.string.robot_no_name)) + sideWords()
-            ChipRow(stringResource(Res.string.robot_side), sides, part.side, "robot-side") {
+                listOf<Pair<BumperSide?, String>>(null to RobotTexts.noName(spoken)) + sideWords()
+            ChipRow(RobotTexts.side(spoken), sides, part.side, "robot-side") {
                 scope.changePart(number, null) { old -> (old as BumperPart).copy(side = it) }
             }
         }
@@ -58,7 +58,7 @@ internal fun PartFields(scope: RobotScope, number: Int) {
         is SensorPart -> SensorFields(scope, number, part)
 
         is RotationPart -> {
-            ChipRow(stringResource(Res.string.robot_wheel), sideWords(), part.wheel, "robot-wheel") {
+            ChipRow(RobotTexts.wheel(spoken), sideWords(), part.wheel, "robot-wheel") {
                 scope.changePart(number, null) { old -> (old as RotationPart).copy(wheel = it) }
             }
         }
@@ -73,16 +73,16 @@ internal fun PartFields(scope: RobotScope, number: Int) {
 @Composable
 private fun PortChips(scope: RobotScope, number: Int) {
     val ports = scope.robot.portsOf(number)
-    val choices = listOf<Pair<Int?, String>>(null to stringResource(Res.string.robot_port_none)) +
+    val choices = listOf<Pair<Int?, String>>(null to RobotTexts.portNone(spoken)) +
         (1..scope.robot.brick.inputPorts).map { port ->
             val other = scope.robot.thingsOn(port).firstOrNull { it != number }?.let { scope.robot.things[it] }
             port to if (other == null) {
                 "$port"
             } else {
-                stringResource(Res.string.robot_port_taken, port, stringResource(partWord(other)))
+                RobotTexts.portTaken(spoken, port, partWord(other)(spoken))
             }
         }
-    ChipRow(stringResource(Res.string.robot_port), choices, ports.firstOrNull(), "robot-port") {
+    ChipRow(RobotTexts.port(spoken), choices, ports.firstOrNull(), "robot-port") {
         scope.make(RobotEdit.SetPort(it))
     }
 }
@@ -94,14 +94,14 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
     }
     if (part.sensor.seesSurfaces) {
         val words = listOfNotNull(
-            Facing.Down to stringResource(Res.string.robot_looks_down),
+            Facing.Down to RobotTexts.looksDown(spoken),
             Facing.Ahead((part.facing as? Facing.Ahead)?.direction ?: 0.0) to
-                stringResource(Res.string.robot_looks_ahead),
-            (Facing.Free to stringResource(Res.string.robot_looks_free)).takeIf {
+                RobotTexts.looksAhead(spoken),
+            (Facing.Free to RobotTexts.looksFree(spoken)).takeIf {
                 part.facing == Facing.Free || (part.sensor == SensorKind.LIGHT && scope.robot.brick == BrickKind.RCX)
             },
         )
-        ChipRow(stringResource(Res.string.robot_looks), words, part.facing, "robot-looks") { facing ->
+        ChipRow(RobotTexts.looks(spoken), words, part.facing, "robot-looks") { facing ->
             val height = if (facing is Facing.Ahead) {
                 maxOf(
                     part.height,
@@ -115,13 +115,13 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
     }
     (part.facing as? Facing.Ahead)?.let { Direction(scope, number, it.direction) }
     PlaceRows(scope, RobotElement.Part(number))
-    Centimetres(scope, Res.string.robot_eye_height, part.height, RobotLimits.SENSOR_HEIGHTS, "robot-eye-height") {
+    Centimetres(scope, RobotTexts::eyeHeight, part.height, RobotLimits.SENSOR_HEIGHTS, "robot-eye-height") {
         change("height") { old -> old.copy(height = it) }
     }
     if (scope.robot.brick == BrickKind.NXT || part.turret != null) {
-        val motors = listOf<Pair<MotorPort?, String>>(null to stringResource(Res.string.robot_fixed)) +
+        val motors = listOf<Pair<MotorPort?, String>>(null to RobotTexts.fixed(spoken)) +
             MotorPort.entries.map { it to it.name }
-        ChipRow(stringResource(Res.string.robot_turret), motors, part.turret, "robot-turret") {
+        ChipRow(RobotTexts.turret(spoken), motors, part.turret, "robot-turret") {
             change(null) { old -> old.copy(turret = it) }
         }
     }
@@ -129,7 +129,7 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
 
 @Composable
 private fun Direction(scope: RobotScope, number: Int, direction: Double) = NumberRow(
-    stringResource(Res.string.robot_direction),
+    RobotTexts.direction(spoken),
     direction,
     -180.0..180.0,
     "robot-direction",
@@ -149,8 +149,8 @@ private fun Direction(scope: RobotScope, number: Int, direction: Double) = Numbe
 
 @Composable
 private fun sideWords(): List<Pair<BumperSide, String>> = listOf(
-    BumperSide.LEFT to stringResource(Res.string.robot_side_left),
-    BumperSide.RIGHT to stringResource(Res.string.robot_side_right),
+    BumperSide.LEFT to RobotTexts.sideLeft(spoken),
+    BumperSide.RIGHT to RobotTexts.sideRight(spoken),
 )
 
 /** In centimetres, where a sensor looks over the floor, and into it. */

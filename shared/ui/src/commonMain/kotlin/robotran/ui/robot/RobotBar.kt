@@ -21,11 +21,12 @@ import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -48,28 +49,28 @@ internal fun RobotBar(scope: RobotScope, view: PlanView, isOnSheet: Boolean, wit
             Modifier.weight(1f).horizontalScroll(rememberScrollState()),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            Step(EditIcons.UNDO, stringResource(Res.string.worldedit_undo), "robot-undo", history.canUndo, withWords) {
+            Step(EditIcons.UNDO, WorldEditorTexts.undo(spoken), "robot-undo", history.canUndo, withWords) {
                 scope.make(RobotEdit.Undo)
             }
-            Step(EditIcons.REDO, stringResource(Res.string.worldedit_redo), "robot-redo", history.canRedo, withWords) {
+            Step(EditIcons.REDO, WorldEditorTexts.redo(spoken), "robot-redo", history.canRedo, withWords) {
                 scope.make(RobotEdit.Redo)
             }
             IconTouch(
                 ON_SHEET,
-                stringResource(Res.string.robot_on_sheet),
+                RobotTexts.onSheet(spoken),
                 "robot-on-sheet",
                 { scope.perform(RobotEditEvent.SheetShown(!isOnSheet)) },
                 Modifier
                     .semantics { toggleableState = if (isOnSheet) ToggleableState.On else ToggleableState.Off }
                     .background(if (isOnSheet) colours.runningLine else colours.pane, Shapes.MEDIUM),
-                label = stringResource(Res.string.robot_on_sheet).takeIf { withWords },
+                label = RobotTexts.onSheet(spoken).takeIf { withWords },
             )
             IconTouch(
                 EditIcons.GROUP,
-                stringResource(Res.string.robot_fit),
+                RobotTexts.fit(spoken),
                 "robot-fit",
                 { view.fit(scope.robot) },
-                label = stringResource(Res.string.robot_fit).takeIf { withWords },
+                label = RobotTexts.fit(spoken).takeIf { withWords },
             )
         }
         Button(
@@ -83,7 +84,7 @@ internal fun RobotBar(scope: RobotScope, view: PlanView, isOnSheet: Boolean, wit
             colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
         ) {
             Text(
-                stringResource(Res.string.worldedit_done),
+                WorldEditorTexts.done(spoken),
                 fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,

@@ -33,12 +33,12 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.language.spoken
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.resources.*
+import robotran.ui.texts.RobotTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.CarriedSign
 import robotran.workshop.event.WorkshopEvent
@@ -60,7 +60,7 @@ internal fun RobotEditPane(
     val scope = RobotScope(state.editing, onEvent)
     val view = remember(state.number) { PlanView(state.editing.robot) }
     val focus = remember { FocusRequester() }
-    val title = stringResource(Res.string.robot_bench)
+    val title = RobotTexts.bench(spoken)
     var corner by remember { mutableStateOf(Offset.Zero) }
     BoxWithConstraints(
         modifier

@@ -7,15 +7,16 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.MotorPort
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.placeOf
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.settings.SwitchRow
+import robotran.ui.texts.Label
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.EditIcons
 import robotran.ui.worldedit.IconWord
@@ -44,20 +45,20 @@ internal fun RobotElementActions(scope: RobotScope, element: RobotElement) {
         element == RobotElement.Chassis
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         if (!stays) {
-            IconWord(EditIcons.DELETE, stringResource(Res.string.worldedit_delete), "robot-remove", {
+            IconWord(EditIcons.DELETE, WorldEditorTexts.delete(spoken), "robot-remove", {
                 scope.make(RobotEdit.Remove)
             })
         }
         if (turns) {
-            IconWord(EditIcons.TURN_LEFT, stringResource(Res.string.worldedit_turn_left), "robot-turn-left", {
+            IconWord(EditIcons.TURN_LEFT, WorldEditorTexts.turnLeft(spoken), "robot-turn-left", {
                 scope.make(RobotEdit.TurnBy(RobotSnapping.DEGREES))
             })
-            IconWord(EditIcons.TURN_RIGHT, stringResource(Res.string.worldedit_turn_right), "robot-turn-right", {
+            IconWord(EditIcons.TURN_RIGHT, WorldEditorTexts.turnRight(spoken), "robot-turn-right", {
                 scope.make(RobotEdit.TurnBy(-RobotSnapping.DEGREES))
             })
         }
         if (element is RobotElement.Corner) {
-            IconWord(EditIcons.LARGER, stringResource(Res.string.worldedit_add_corner), "robot-add-corner", {
+            IconWord(EditIcons.LARGER, WorldEditorTexts.addCorner(spoken), "robot-add-corner", {
                 scope.make(RobotEdit.AddCorner)
             })
         }
@@ -72,15 +73,15 @@ internal fun RobotElementFields(scope: RobotScope, element: RobotElement) {
         RobotElement.Wheels -> WheelFields(scope)
 
         RobotElement.Pen -> {
-            Remark(stringResource(Res.string.robot_pen_help))
-            MotorChips(Res.string.robot_motor, robot.pen?.motor, "robot-pen-motor") {
+            Remark(RobotTexts.penHelp(spoken))
+            MotorChips(RobotTexts::motor, robot.pen?.motor, "robot-pen-motor") {
                 scope.changeAtOnce(robot.copy(pen = PenMount(it)))
             }
         }
 
         RobotElement.Brick -> {
             PlaceRows(scope, element)
-            SwitchRow(stringResource(Res.string.robot_brick_turned), robot.brickAt.turned, "robot-brick-turned") {
+            SwitchRow(RobotTexts.brickTurned(spoken), robot.brickAt.turned, "robot-brick-turned") {
                 scope.changeAtOnce(robot.copy(brickAt = robot.brickAt.copy(turned = it)))
             }
         }
@@ -95,10 +96,10 @@ internal fun RobotElementFields(scope: RobotScope, element: RobotElement) {
 @Composable
 internal fun PlaceRows(scope: RobotScope, element: RobotElement) {
     val at = scope.robot.placeOf(element) ?: return
-    Centimetres(scope, Res.string.robot_ahead, at.x, RobotLimits.COORDINATES, "robot-x") {
+    Centimetres(scope, RobotTexts::ahead, at.x, RobotLimits.COORDINATES, "robot-x") {
         scope.make(RobotEdit.Nudge(it - at.x, 0.0))
     }
-    Centimetres(scope, Res.string.robot_leftwards, at.y, RobotLimits.COORDINATES, "robot-y") {
+    Centimetres(scope, RobotTexts::leftwards, at.y, RobotLimits.COORDINATES, "robot-y") {
         scope.make(RobotEdit.Nudge(0.0, it - at.y))
     }
 }
@@ -106,13 +107,13 @@ internal fun PlaceRows(scope: RobotScope, element: RobotElement) {
 @Composable
 internal fun Centimetres(
     scope: RobotScope,
-    title: StringResource,
+    title: Label,
     value: Double,
     range: ClosedFloatingPointRange<Double>,
     tag: String,
     step: Double = RobotSnapping.CENTIMETRES,
     onChange: (Double) -> Unit,
-) = NumberRow(stringResource(title), shown(value), range, tag, onChange, scope::settle, step, unit = "cm")
+) = NumberRow(title(spoken), shown(value), range, tag, onChange, scope::settle, step, unit = "cm")
 
 /** The track of the penbot has more digits than anybody wants to read. */
 internal fun shown(value: Double): Double = round(value * HUNDREDTHS) / HUNDREDTHS
@@ -124,26 +125,26 @@ private fun WheelFields(scope: RobotScope) {
     val atOnce = { changed: Drive -> scope.changeAtOnce(scope.robot.copy(drive = changed)) }
     val figures = RobotFigures.of(scope.robot)
     Remark(
-        stringResource(
-            Res.string.robot_speed,
+        RobotTexts.speed(
+            spoken,
             written(round(figures.topSpeed)),
             written(round(figures.wheelCircumference * TENTHS) / TENTHS),
         ),
     )
     val diameters = RobotLimits.WHEEL_DIAMETERS
-    Centimetres(scope, Res.string.robot_wheel_diameter, drive.wheelDiameter, diameters, "robot-diameter") {
+    Centimetres(scope, RobotTexts::wheelDiameter, drive.wheelDiameter, diameters, "robot-diameter") {
         change("diameter", drive.copy(wheelDiameter = it))
     }
-    Centimetres(scope, Res.string.robot_tyre, drive.wheelWidth, RobotLimits.WHEEL_WIDTHS, "robot-tyre") {
+    Centimetres(scope, RobotTexts::tyre, drive.wheelWidth, RobotLimits.WHEEL_WIDTHS, "robot-tyre") {
         change("tyre", drive.copy(wheelWidth = it))
     }
-    Centimetres(scope, Res.string.robot_track, drive.track, RobotLimits.TRACKS, "robot-track") {
+    Centimetres(scope, RobotTexts::track, drive.track, RobotLimits.TRACKS, "robot-track") {
         change("track", drive.copy(track = it))
     }
-    MotorChips(Res.string.robot_left_motor, drive.left, "robot-left-motor") { atOnce(drive.copy(left = it)) }
-    MotorChips(Res.string.robot_right_motor, drive.right, "robot-right-motor") { atOnce(drive.copy(right = it)) }
+    MotorChips(RobotTexts::leftMotor, drive.left, "robot-left-motor") { atOnce(drive.copy(left = it)) }
+    MotorChips(RobotTexts::rightMotor, drive.right, "robot-right-motor") { atOnce(drive.copy(right = it)) }
     NumberRow(
-        stringResource(Res.string.robot_gear),
+        RobotTexts.gear(spoken),
         shown(drive.gear),
         RobotLimits.GEARS,
         "robot-gear",
@@ -152,7 +153,7 @@ private fun WheelFields(scope: RobotScope) {
         step = 0.5,
     )
     NumberRow(
-        stringResource(Res.string.robot_grip),
+        RobotTexts.grip(spoken),
         drive.tyreFriction,
         RobotLimits.TYRE_FRICTIONS,
         "robot-grip",
@@ -160,7 +161,7 @@ private fun WheelFields(scope: RobotScope) {
         scope::settle,
         step = 0.1,
     )
-    SwitchRow(stringResource(Res.string.robot_reversed), drive.reversed, "robot-reversed") {
+    SwitchRow(RobotTexts.reversed(spoken), drive.reversed, "robot-reversed") {
         atOnce(drive.copy(reversed = it))
     }
 }
@@ -168,9 +169,9 @@ private fun WheelFields(scope: RobotScope) {
 @Composable
 private fun MassFields(scope: RobotScope) {
     val chassis = scope.robot.chassis
-    Remark(stringResource(Res.string.robot_mass_side))
+    Remark(RobotTexts.massSide(spoken))
     NumberRow(
-        stringResource(Res.string.robot_mass_kg),
+        RobotTexts.massKg(spoken),
         chassis.mass,
         RobotLimits.MASSES,
         "robot-mass",
@@ -179,7 +180,7 @@ private fun MassFields(scope: RobotScope) {
         step = 0.1,
         unit = "kg",
     )
-    Centimetres(scope, Res.string.robot_ahead, chassis.massAt.x, RobotLimits.COORDINATES, "robot-x") {
+    Centimetres(scope, RobotTexts::ahead, chassis.massAt.x, RobotLimits.COORDINATES, "robot-x") {
         scope.changeChassis("mass place", chassis.copy(massAt = Point(it, chassis.massAt.y)))
     }
 }
@@ -191,20 +192,20 @@ private fun ChassisFields(scope: RobotScope) {
     val (back, front) = corners.minOf { it.x } to corners.maxOf { it.x }
     val (right, left) = corners.minOf { it.y } to corners.maxOf { it.y }
     val sides = RobotLimits.OUTLINE_SIDES
-    Centimetres(scope, Res.string.robot_length, front - back, sides, "robot-length") { length ->
+    Centimetres(scope, RobotTexts::length, front - back, sides, "robot-length") { length ->
         if (front > back) {
             val scaled = corners.map { Point(back + (it.x - back) * length / (front - back), it.y) }
             scope.changeChassis("length", chassis.copy(outline = scaled))
         }
     }
-    Centimetres(scope, Res.string.robot_width, left - right, sides, "robot-width", step = 1.0) { width ->
+    Centimetres(scope, RobotTexts::width, left - right, sides, "robot-width", step = 1.0) { width ->
         if (left > right) {
             val middle = (left + right) / 2
             val scaled = corners.map { Point(it.x, middle + (it.y - middle) * width / (left - right)) }
             scope.changeChassis("width", chassis.copy(outline = scaled))
         }
     }
-    Centimetres(scope, Res.string.robot_height, chassis.height, RobotLimits.HEIGHTS, "robot-height") {
+    Centimetres(scope, RobotTexts::height, chassis.height, RobotLimits.HEIGHTS, "robot-height") {
         scope.changeChassis("height", chassis.copy(height = it))
     }
 }
@@ -212,8 +213,8 @@ private fun ChassisFields(scope: RobotScope) {
 private fun RobotScope.changeChassis(what: String, chassis: Chassis) = change(robot.copy(chassis = chassis), what)
 
 @Composable
-internal fun MotorChips(title: StringResource, motor: MotorPort?, tag: String, onChoose: (MotorPort) -> Unit) =
-    ChipRow(stringResource(title), MotorPort.entries.map { it to it.name }, motor ?: MotorPort.B, tag, onChoose)
+internal fun MotorChips(title: Label, motor: MotorPort?, tag: String, onChoose: (MotorPort) -> Unit) =
+    ChipRow(title(spoken), MotorPort.entries.map { it to it.name }, motor ?: MotorPort.B, tag, onChoose)
 
 private const val TENTHS = 10.0
 private const val HUNDREDTHS = 100.0

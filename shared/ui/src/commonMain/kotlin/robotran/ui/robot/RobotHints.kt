@@ -19,17 +19,19 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.portsOf
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -60,8 +62,8 @@ internal fun RobotHints(
     val here = ElementRef(ElementKind.ROBOT, state.robot)
     val sentences = listOfNotNull(
         state.fileError,
-        editing.error?.let { stringResource(robotEditErrorText(it)) },
-        stringResource(Res.string.robot_save_refused).takeIf { state.isSavingRefused },
+        editing.error?.let { robotEditErrorText(it)(spoken) },
+        RobotTexts.saveRefused(spoken).takeIf { state.isSavingRefused },
     ) + editing.errors.take(MAX_ERRORS).map { it.sentence(language) } +
         world.editing.errors.filter { it.thing == here }.take(1).map { validationErrorText(world.world, it) }
     val remarks = listOfNotNull(unpluggedHint(editing))
@@ -89,12 +91,12 @@ internal fun RobotHints(
             for (sentence in sentences + remarks) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
             val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
             if (element != null && element != editing.chosen) {
-                WordButton(stringResource(Res.string.worldedit_show_trouble), "robot-show-trouble", {
+                WordButton(WorldEditorTexts.showTrouble(spoken), "robot-show-trouble", {
                     scope.make(RobotEdit.Choose(element))
                 })
             }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "robot-hints-close", {
+        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "robot-hints-close", {
             scope.perform(RobotEditEvent.HintsClosed)
         })
     }
@@ -105,8 +107,8 @@ internal fun RobotHints(
 private fun unpluggedHint(editing: RobotEditing): String? {
     val part = (editing.chosen as? RobotElement.Part) ?: return null
     if (editing.robot.portsOf(part.number).isNotEmpty()) return null
-    val name = editing.robot.things.getOrNull(part.number)?.let { stringResource(partWord(it)) } ?: return null
-    return stringResource(Res.string.robot_hint_unplugged, name)
+    val name = editing.robot.things.getOrNull(part.number)?.let { partWord(it)(spoken) } ?: return null
+    return RobotTexts.hintUnplugged(spoken, name)
 }
 
 private val MAX_WIDTH = 560.dp

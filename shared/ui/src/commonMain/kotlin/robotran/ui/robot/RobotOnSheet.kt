@@ -12,14 +12,14 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
 import robotran.ui.sheet.transform
+import robotran.ui.texts.RobotTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.initialStateOf
 import robotran.workshop.state.RobotEditState
@@ -44,7 +44,7 @@ internal fun RobotOnSheet(state: RobotEditState, world: World, session: SessionS
     val zoom = remember(shown) { SheetZoom(shown) }
     val resting = remember(shown, session.brick) { initialStateOf(shown, session) }
     val labels = rememberTextMeasurer()
-    val name = stringResource(Res.string.robot_on_sheet)
+    val name = RobotTexts.onSheet(spoken)
     Canvas(
         modifier.fillMaxSize().testTag("robot-sheet").semantics { contentDescription = name }.clipToBounds(),
     ) {

@@ -30,9 +30,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
+import robotran.ui.language.spoken
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.worldedit.CarriedItem
@@ -75,7 +75,7 @@ internal fun RobotPalette(
 private fun PaletteItem(scope: RobotScope, view: PlanView, item: RobotItem, upright: Boolean, onPut: () -> Unit) {
     val ink = LocalRobotranColours.current.onPane
     var corner by remember { mutableStateOf(Offset.Zero) }
-    val word = stringResource(itemWord(item))
+    val word = itemWord(item)(spoken)
     val width = ITEM_WIDTH * LocalDensity.current.fontScale.coerceIn(1f, MAX_STRETCH)
     val put = rememberUpdatedState { at: Point? ->
         scope.make(RobotEdit.Add(item, at))

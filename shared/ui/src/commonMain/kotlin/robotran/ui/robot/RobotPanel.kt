@@ -32,18 +32,19 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.elements
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.readyRobotWithBrick
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -62,10 +63,10 @@ import robotran.world.RobotLimits
 import robotran.world.messages.sentence
 
 /** The tabs of the workbench's panel. */
-internal enum class RobotTab(val title: StringResource) {
-    CHOSEN(Res.string.robot_tab_chosen),
-    PARTS(Res.string.robot_tab_parts),
-    ROBOT(Res.string.robot_tab_robot),
+internal enum class RobotTab(val title: Label) {
+    CHOSEN(RobotTexts::tabChosen),
+    PARTS(RobotTexts::tabParts),
+    ROBOT(RobotTexts::tabRobot),
 }
 
 /** @param tab null if none is open. */
@@ -97,7 +98,7 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
                 Alignment.CenterHorizontally,
             ) {
                 Text(
-                    stringResource(each.title),
+                    each.title(spoken),
                     Modifier.padding(top = 12.dp, bottom = 8.dp),
                     color = if (isOpen) colours.onPane else colours.quiet,
                     fontSize = TextSizes.COMPACT,
@@ -120,7 +121,7 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
         FieldPanel("robot-panel", errors.map { it.sentence(language) }, "robot-chosen-trouble", modifier) {
             when (tab) {
                 RobotTab.CHOSEN -> if (chosen == null) {
-                    Remark(stringResource(Res.string.robot_choose_first))
+                    Remark(RobotTexts.chooseFirst(spoken))
                 } else {
                     ChosenElement(scope, chosen)
                 }
@@ -150,7 +151,7 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
 @Composable
 private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
     val colours = LocalRobotranColours.current
-    Remark(stringResource(Res.string.robot_parts_help))
+    Remark(RobotTexts.partsHelp(spoken))
     scope.robot.elements().forEachIndexed { row, element ->
         val isChosen = element == scope.editing.chosen
         Row(
@@ -187,7 +188,7 @@ private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
 private fun WholeRobotPanel(scope: RobotScope) {
     val robot = scope.robot
     TextRow(
-        stringResource(Res.string.worldedit_name),
+        WorldEditorTexts.name(spoken),
         robot.title,
         RobotLimits.MAXIMUM_TITLE_CHARACTERS,
         "robot-title",
@@ -195,7 +196,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
         scope::settle,
     )
     ChipRow(
-        stringResource(Res.string.robot_brick),
+        RobotTexts.brick(spoken),
         BrickKind.entries.map { it to it.name },
         robot.brick,
         "robot-brick",
@@ -204,8 +205,8 @@ private fun WholeRobotPanel(scope: RobotScope) {
             scope.changeAtOnce(robot.copy(brick = brick, base = ReadyRobots.defaultOf(brick).base))
         }
     }
-    RowHeading(stringResource(Res.string.robot_ready))
-    Remark(stringResource(Res.string.robot_ready_help))
+    RowHeading(RobotTexts.ready(spoken))
+    Remark(RobotTexts.readyHelp(spoken))
     for ((name, ready) in ReadyRobots.all) {
         WordButton(
             readyRobotWithBrick(name),
@@ -216,13 +217,13 @@ private fun WholeRobotPanel(scope: RobotScope) {
     }
     HorizontalDivider(Modifier.padding(vertical = 8.dp), color = LocalRobotranColours.current.line)
     WordButton(
-        stringResource(Res.string.robot_open),
+        RobotTexts.open(spoken),
         "robot-open",
         { scope.perform(RobotEditEvent.OpenRequested) },
         Modifier.fillMaxWidth(),
     )
     WordButton(
-        stringResource(Res.string.robot_save),
+        RobotTexts.save(spoken),
         "robot-save",
         { scope.perform(RobotEditEvent.SaveRequested) },
         Modifier.fillMaxWidth(),

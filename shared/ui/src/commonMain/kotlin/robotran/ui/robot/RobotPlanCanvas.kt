@@ -22,9 +22,9 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.RobotPlan
+import robotran.ui.texts.RobotTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.world.RobotColour
@@ -42,7 +42,7 @@ internal fun RobotPlanCanvas(
     val plan = remember(scope.robot) { RobotPlan(scope.robot) }
     val measurer = rememberTextMeasurer()
     val latest = rememberUpdatedState(scope)
-    val name = stringResource(Res.string.robot_plan)
+    val name = RobotTexts.plan(spoken)
     val chosen = chosenText(scope.editing)
     Canvas(
         modifier

@@ -1,8 +1,6 @@
 package robotran.ui.robot
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.sensors.SensorKind
 import robotran.robotediting.RobotEditError
 import robotran.robotediting.RobotEditing
@@ -12,7 +10,9 @@ import robotran.robotediting.elementOf
 import robotran.robotediting.placeOf
 import robotran.robotediting.portsOf
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.RobotTexts
 import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.RobotDescription
@@ -23,52 +23,52 @@ import robotran.world.robot.things
 import robotran.worldediting.written
 import kotlin.math.abs
 
-internal fun itemWord(item: RobotItem): StringResource = when (item) {
-    RobotItem.BUMPER -> Res.string.robot_item_bumper
-    RobotItem.LIGHT -> Res.string.robot_item_light
-    RobotItem.COLOUR -> Res.string.robot_item_colour
-    RobotItem.ULTRASONIC -> Res.string.robot_item_ultrasonic
-    RobotItem.SOUND -> Res.string.robot_item_sound
-    RobotItem.GYRO -> Res.string.robot_item_gyro
-    RobotItem.COMPASS -> Res.string.robot_item_compass
-    RobotItem.ROTATION -> Res.string.robot_item_rotation
-    RobotItem.TEMPERATURE -> Res.string.robot_item_temperature
-    RobotItem.HITECHNIC_COLOUR -> Res.string.robot_item_hitechnic_colour
-    RobotItem.MINDSENSORS_COMPASS -> Res.string.robot_item_mindsensors_compass
-    RobotItem.HITECHNIC_ACCELERATION -> Res.string.robot_item_hitechnic_acceleration
-    RobotItem.MINDSENSORS_ACCELERATION -> Res.string.robot_item_mindsensors_acceleration
-    RobotItem.RCX_LIGHT -> Res.string.robot_item_rcx_light
-    RobotItem.RCX_LINK -> Res.string.robot_item_rcx_link
-    RobotItem.NXT_TEMPERATURE -> Res.string.robot_item_nxt_temperature
-    RobotItem.INFRARED_SEEKER -> Res.string.robot_item_infrared_seeker
-    RobotItem.INFRARED_SEEKER_2 -> Res.string.robot_item_infrared_seeker_2
-    RobotItem.OPTICAL_DISTANCE -> Res.string.robot_item_optical_distance
-    RobotItem.FINGER_TOUCH -> Res.string.robot_item_finger_touch
-    RobotItem.CASTER -> Res.string.robot_caster
-    RobotItem.PEN -> Res.string.robot_pen
+internal fun itemWord(item: RobotItem): Label = when (item) {
+    RobotItem.BUMPER -> RobotTexts::itemBumper
+    RobotItem.LIGHT -> RobotTexts::itemLight
+    RobotItem.COLOUR -> RobotTexts::itemColour
+    RobotItem.ULTRASONIC -> RobotTexts::itemUltrasonic
+    RobotItem.SOUND -> RobotTexts::itemSound
+    RobotItem.GYRO -> RobotTexts::itemGyro
+    RobotItem.COMPASS -> RobotTexts::itemCompass
+    RobotItem.ROTATION -> RobotTexts::itemRotation
+    RobotItem.TEMPERATURE -> RobotTexts::itemTemperature
+    RobotItem.HITECHNIC_COLOUR -> RobotTexts::itemHitechnicColour
+    RobotItem.MINDSENSORS_COMPASS -> RobotTexts::itemMindsensorsCompass
+    RobotItem.HITECHNIC_ACCELERATION -> RobotTexts::itemHitechnicAcceleration
+    RobotItem.MINDSENSORS_ACCELERATION -> RobotTexts::itemMindsensorsAcceleration
+    RobotItem.RCX_LIGHT -> RobotTexts::itemRcxLight
+    RobotItem.RCX_LINK -> RobotTexts::itemRcxLink
+    RobotItem.NXT_TEMPERATURE -> RobotTexts::itemNxtTemperature
+    RobotItem.INFRARED_SEEKER -> RobotTexts::itemInfraredSeeker
+    RobotItem.INFRARED_SEEKER_2 -> RobotTexts::itemInfraredSeeker2
+    RobotItem.OPTICAL_DISTANCE -> RobotTexts::itemOpticalDistance
+    RobotItem.FINGER_TOUCH -> RobotTexts::itemFingerTouch
+    RobotItem.CASTER -> RobotTexts::caster
+    RobotItem.PEN -> RobotTexts::pen
 }
 
 /** What a part is, without its port. */
-internal fun partWord(part: RobotPart): StringResource = when (part.kind) {
-    SensorKind.TOUCH -> if (part is BumperPart) Res.string.robot_item_bumper else Res.string.robot_item_finger_touch
-    SensorKind.LIGHT -> Res.string.robot_item_light
-    SensorKind.COLOUR -> Res.string.robot_item_colour
-    SensorKind.ULTRASONIC -> Res.string.robot_item_ultrasonic
-    SensorKind.SOUND -> Res.string.robot_item_sound
-    SensorKind.GYRO -> Res.string.robot_item_gyro
-    SensorKind.COMPASS -> Res.string.robot_item_compass
-    SensorKind.ROTATION -> Res.string.robot_item_rotation
-    SensorKind.TEMPERATURE -> Res.string.robot_item_temperature
-    SensorKind.HITECHNIC_COLOUR -> Res.string.robot_item_hitechnic_colour
-    SensorKind.MINDSENSORS_COMPASS -> Res.string.robot_item_mindsensors_compass
-    SensorKind.HITECHNIC_ACCELERATION -> Res.string.robot_item_hitechnic_acceleration
-    SensorKind.MINDSENSORS_ACCELERATION -> Res.string.robot_item_mindsensors_acceleration
-    SensorKind.RCX_LIGHT -> Res.string.robot_item_rcx_light
-    SensorKind.RCX_LINK -> Res.string.robot_item_rcx_link
-    SensorKind.NXT_TEMPERATURE -> Res.string.robot_item_nxt_temperature
-    SensorKind.INFRARED_SEEKER -> Res.string.robot_item_infrared_seeker
-    SensorKind.INFRARED_SEEKER_2 -> Res.string.robot_item_infrared_seeker_2
-    SensorKind.OPTICAL_DISTANCE -> Res.string.robot_item_optical_distance
+internal fun partWord(part: RobotPart): Label = when (part.kind) {
+    SensorKind.TOUCH -> if (part is BumperPart) RobotTexts::itemBumper else RobotTexts::itemFingerTouch
+    SensorKind.LIGHT -> RobotTexts::itemLight
+    SensorKind.COLOUR -> RobotTexts::itemColour
+    SensorKind.ULTRASONIC -> RobotTexts::itemUltrasonic
+    SensorKind.SOUND -> RobotTexts::itemSound
+    SensorKind.GYRO -> RobotTexts::itemGyro
+    SensorKind.COMPASS -> RobotTexts::itemCompass
+    SensorKind.ROTATION -> RobotTexts::itemRotation
+    SensorKind.TEMPERATURE -> RobotTexts::itemTemperature
+    SensorKind.HITECHNIC_COLOUR -> RobotTexts::itemHitechnicColour
+    SensorKind.MINDSENSORS_COMPASS -> RobotTexts::itemMindsensorsCompass
+    SensorKind.HITECHNIC_ACCELERATION -> RobotTexts::itemHitechnicAcceleration
+    SensorKind.MINDSENSORS_ACCELERATION -> RobotTexts::itemMindsensorsAcceleration
+    SensorKind.RCX_LIGHT -> RobotTexts::itemRcxLight
+    SensorKind.RCX_LINK -> RobotTexts::itemRcxLink
+    SensorKind.NXT_TEMPERATURE -> RobotTexts::itemNxtTemperature
+    SensorKind.INFRARED_SEEKER -> RobotTexts::itemInfraredSeeker
+    SensorKind.INFRARED_SEEKER_2 -> RobotTexts::itemInfraredSeeker2
+    SensorKind.OPTICAL_DISTANCE -> RobotTexts::itemOpticalDistance
 }
 
 /** An element, with its port. */
@@ -76,33 +76,33 @@ internal fun partWord(part: RobotPart): StringResource = when (part.kind) {
 internal fun robotElementText(robot: RobotDescription, element: RobotElement): String = when (element) {
     is RobotElement.Part -> robot.things.getOrNull(element.number)?.let { part ->
         val ports = robot.portsOf(element.number)
-        val name = stringResource(partWord(part))
+        val name = partWord(part)(spoken)
         if (ports.isEmpty()) {
-            stringResource(Res.string.robot_unplugged, name)
+            RobotTexts.unplugged(spoken, name)
         } else {
-            stringResource(Res.string.robot_on_port, name, ports.joinToString())
+            RobotTexts.onPort(spoken, name, ports.joinToString())
         }
     }.orEmpty()
 
-    is RobotElement.Caster -> stringResource(Res.string.robot_caster_numbered, element.number + 1)
-    is RobotElement.Corner -> stringResource(Res.string.robot_corner_numbered, element.number + 1)
-    RobotElement.Wheels -> stringResource(Res.string.robot_wheels)
-    RobotElement.Pen -> stringResource(Res.string.robot_pen)
-    RobotElement.Brick -> stringResource(Res.string.robot_brick)
-    RobotElement.Mass -> stringResource(Res.string.robot_mass)
-    RobotElement.Chassis -> stringResource(Res.string.robot_chassis)
+    is RobotElement.Caster -> RobotTexts.casterNumbered(spoken, element.number + 1)
+    is RobotElement.Corner -> RobotTexts.cornerNumbered(spoken, element.number + 1)
+    RobotElement.Wheels -> RobotTexts.wheels(spoken)
+    RobotElement.Pen -> RobotTexts.pen(spoken)
+    RobotElement.Brick -> RobotTexts.brick(spoken)
+    RobotElement.Mass -> RobotTexts.mass(spoken)
+    RobotElement.Chassis -> RobotTexts.chassis(spoken)
 }
 
 /** What is chosen, where it is, and what is wrong with it: what a screen reader says after each change. */
 @Composable
 internal fun chosenText(editing: RobotEditing): String {
-    val element = editing.chosen ?: return stringResource(Res.string.robot_none_chosen)
+    val element = editing.chosen ?: return RobotTexts.noneChosen(spoken)
     val language = LocalLanguage.current
     val place = editing.robot.placeOf(element)
     val errors = editing.errors.filter { editing.robot.elementOf(it) == element }.map { it.sentence(language) }
     val words = listOfNotNull(
-        stringResource(Res.string.robot_chosen, robotElementText(editing.robot, element)),
-        place?.let { stringResource(Res.string.robot_place, written(it.x), written(it.y)) },
+        RobotTexts.chosen(spoken, robotElementText(editing.robot, element)),
+        place?.let { RobotTexts.place(spoken, written(it.x), written(it.y)) },
         ((element as? RobotElement.Part)?.let { editing.robot.things.getOrNull(it.number) } as? SensorPart)
             ?.let { directionText(it) },
     )
@@ -113,23 +113,23 @@ internal fun chosenText(editing: RobotEditing): String {
 @Composable
 private fun directionText(part: SensorPart): String? = when (val facing = part.facing) {
     Facing.Free -> null
-    Facing.Down -> stringResource(Res.string.robot_looks_at_floor)
+    Facing.Down -> RobotTexts.looksAtFloor(spoken)
 
     is Facing.Ahead -> when {
-        facing.direction == 0.0 -> stringResource(Res.string.robot_looks_straight)
-        abs(facing.direction) == BACK -> stringResource(Res.string.robot_looks_back)
-        facing.direction > 0 -> stringResource(Res.string.robot_looks_at, written(facing.direction))
-        else -> stringResource(Res.string.robot_looks_at_right, written(-facing.direction))
+        facing.direction == 0.0 -> RobotTexts.looksStraight(spoken)
+        abs(facing.direction) == BACK -> RobotTexts.looksBack(spoken)
+        facing.direction > 0 -> RobotTexts.looksAt(spoken, written(facing.direction))
+        else -> RobotTexts.looksAtRight(spoken, written(-facing.direction))
     }
 }
 
 private const val BACK = 180.0
 
-internal fun robotEditErrorText(error: RobotEditError): StringResource = when (error) {
-    RobotEditError.TOO_MANY_PARTS -> Res.string.robot_refusal_parts
-    RobotEditError.TOO_MANY_CASTERS -> Res.string.robot_refusal_casters
-    RobotEditError.TOO_MANY_CORNERS -> Res.string.robot_refusal_corners
-    RobotEditError.TOO_FEW_CORNERS -> Res.string.robot_refusal_few_corners
-    RobotEditError.SAME_THING -> Res.string.robot_refusal_same
-    RobotEditError.NEEDED -> Res.string.robot_refusal_needed
+internal fun robotEditErrorText(error: RobotEditError): Label = when (error) {
+    RobotEditError.TOO_MANY_PARTS -> RobotTexts::refusalParts
+    RobotEditError.TOO_MANY_CASTERS -> RobotTexts::refusalCasters
+    RobotEditError.TOO_MANY_CORNERS -> RobotTexts::refusalCorners
+    RobotEditError.TOO_FEW_CORNERS -> RobotTexts::refusalFewCorners
+    RobotEditError.SAME_THING -> RobotTexts::refusalSame
+    RobotEditError.NEEDED -> RobotTexts::refusalNeeded
 }

@@ -2,26 +2,27 @@ package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.compositionLocalOf
-import org.jetbrains.compose.resources.StringResource
 import robotran.brick.kind.BrickKind
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RunTexts
 import robotran.workshop.state.DrawerTab
 
 /** The kind of brick of the watched robot. */
 internal val LocalBrickKind = compositionLocalOf { BrickKind.RCX }
 
 /** The name of the tab. */
-internal val DrawerTab.word: StringResource
+internal val DrawerTab.word: Label
     @Composable get() = when (this) {
-        DrawerTab.VARIABLES -> Res.string.run_tab_variables
+        DrawerTab.VARIABLES -> RunTexts::tabVariables
 
         DrawerTab.LOG -> if (LocalBrickKind.current == BrickKind.RCX) {
-            Res.string.run_tab_log
+            RunTexts::tabLog
         } else {
-            Res.string.run_tab_calls
+            NxtTexts::runTabCalls
         }
 
-        DrawerTab.CHART -> Res.string.run_tab_chart
-        DrawerTab.GOALS -> Res.string.run_tab_goals
-        DrawerTab.WHY -> Res.string.run_tab_why
+        DrawerTab.CHART -> RunTexts::tabChart
+        DrawerTab.GOALS -> RunTexts::tabGoals
+        DrawerTab.WHY -> RunTexts::tabWhy
     }

@@ -1,20 +1,20 @@
 package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.MarkKind
 import robotran.runcontrol.TimelineMark
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
 
 /** The text of a mark. */
 @Composable
 internal fun markText(mark: TimelineMark): String = when (mark.kind) {
-    MarkKind.START -> stringResource(Res.string.run_mark_start)
-    MarkKind.END -> stringResource(Res.string.run_mark_end)
+    MarkKind.START -> RunTexts.markStart(spoken)
+    MarkKind.END -> RunTexts.markEnd(spoken)
     MarkKind.FAILURE, MarkKind.REMARK -> mark.text
-    MarkKind.GOAL -> stringResource(Res.string.run_mark_goal, mark.text)
-    MarkKind.GOAL_LOST -> stringResource(Res.string.run_mark_goal_lost, mark.text)
-    MarkKind.BUMP -> stringResource(Res.string.run_mark_bump)
-    MarkKind.BEEP -> stringResource(Res.string.run_mark_beep)
-    MarkKind.MESSAGE -> stringResource(Res.string.run_mark_message)
+    MarkKind.GOAL -> RunTexts.markGoal(spoken, mark.text)
+    MarkKind.GOAL_LOST -> RunTexts.markGoalLost(spoken, mark.text)
+    MarkKind.BUMP -> RunTexts.markBump(spoken)
+    MarkKind.BEEP -> RunTexts.markBeep(spoken)
+    MarkKind.MESSAGE -> RunTexts.markMessage(spoken)
 }

@@ -16,9 +16,9 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.Breakpoint
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -68,7 +68,7 @@ internal fun RunBar(
                     StatusPlace.ABOVE -> {}
                 }
                 if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
-                RunIconButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
+                RunIconButton(RunIcon.SETTINGS, RunTexts.more(spoken), "run-more", { panelOpen = true })
                 more?.invoke()
             }
             if (!inOneRow) Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())

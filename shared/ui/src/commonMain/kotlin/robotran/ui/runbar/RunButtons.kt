@@ -30,8 +30,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.Motion
 import robotran.ui.theme.RobotranColours
@@ -50,8 +51,8 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
             ring.snapTo(0f)
         }
     }
-    val help = stringResource(Res.string.run_help)
-    val word = stringResource(Res.string.run)
+    val help = ScreenTexts.runHelp(spoken)
+    val word = ScreenTexts.run(spoken)
     Button(
         onClick = onClick,
         modifier = modifier
@@ -84,7 +85,7 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
 @Composable
 internal fun runButtonWidth(): Dp {
     val style = LocalTextStyle.current.copy(fontSize = RUN_SIZE, fontWeight = FontWeight.SemiBold)
-    val text = rememberTextMeasurer().measure(stringResource(Res.string.run), style, maxLines = 1).size.width
+    val text = rememberTextMeasurer().measure(ScreenTexts.run(spoken), style, maxLines = 1).size.width
     return maxOf(MIN_RUN_WIDTH, with(LocalDensity.current) { text.toDp() } + RUN_SIGN + BAR_PADDING_WIDTH)
 }
 
@@ -93,8 +94,8 @@ internal fun runButtonWidth(): Dp {
 internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) =
     BarButton(
         RunIcon.STOP,
-        stringResource(Res.string.stop),
-        stringResource(Res.string.stop_help),
+        ScreenTexts.stop(spoken),
+        ScreenTexts.stopHelp(spoken),
         "stop",
         onClick,
         modifier,
@@ -111,9 +112,9 @@ internal fun PauseButton(
     modifier: Modifier = Modifier,
     room: Boolean = true,
 ) {
-    val words = listOf(stringResource(Res.string.run_pause), stringResource(Res.string.run_go_on))
+    val words = listOf(RunTexts.pause(spoken), RunTexts.goOn(spoken))
     val word = if (paused) words.last() else words.first()
-    val help = stringResource(if (paused) Res.string.run_go_on_help else Res.string.run_pause_help)
+    val help = if (paused) RunTexts.goOnHelp(spoken) else RunTexts.pauseHelp(spoken)
     BarButton(if (paused) RunIcon.PLAY else RunIcon.PAUSE, word, help, "pause", onClick, modifier, enabled, room, words)
 }
 

@@ -25,12 +25,12 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -67,23 +67,23 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
         ) {
             Row(verticalAlignment = Alignment.CenterVertically) {
                 Text(
-                    stringResource(Res.string.run_more),
+                    RunTexts.more(spoken),
                     Modifier.weight(1f).semantics { heading() },
                     color = colours.onPane,
                     fontSize = TextSizes.HEADING,
                     fontWeight = FontWeight.SemiBold,
                 )
-                RunIconButton(RunIcon.CLOSE, stringResource(Res.string.run_close), "run-panel-close", onClose)
+                RunIconButton(RunIcon.CLOSE, RunTexts.close(spoken), "run-panel-close", onClose)
             }
-            Section(Res.string.run_speed) {
+            Section(RunTexts::speed) {
                 for (speed in RunSpeed.entries) {
-                    Chip(stringResource(speed.word), speed == state.speed, "panel-speed-${speed.name.lowercase()}") {
+                    Chip(speed.word(spoken), speed == state.speed, "panel-speed-${speed.name.lowercase()}") {
                         onEvent(RunEvent.SpeedChosen(speed))
                     }
                 }
             }
             if (state.world.robots.size > 1) {
-                Section(Res.string.run_robot) {
+                Section(RunTexts::robot) {
                     state.world.robots.forEachIndexed { number, robot ->
                         Chip(robot.name, number == state.watched, "robot-$number") {
                             onEvent(RunEvent.RobotWatched(number))
@@ -91,28 +91,28 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                     }
                 }
             }
-            Section(Res.string.run_look) {
+            Section(RunTexts::look) {
                 for (tab in DrawerTab.entries) {
-                    Chip(stringResource(tab.word), tab == state.drawer.tab, "panel-${tab.name.lowercase()}") {
+                    Chip(tab.word(spoken), tab == state.drawer.tab, "panel-${tab.name.lowercase()}") {
                         andClose(RunEvent.DrawerChosen(tab))
                     }
                 }
             }
-            Section(Res.string.run_steps) {
-                PanelAction(Res.string.run_step_over, Res.string.run_step_over_help, "panel-step-over") {
+            Section(RunTexts::steps) {
+                PanelAction(RunTexts::stepOver, RunTexts::stepOverHelp, "panel-step-over") {
                     andClose(RunEvent.StepPressed(StepKind.OVER))
                 }
-                PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") {
+                PanelAction(RunTexts::stepOut, RunTexts::stepOutHelp, "panel-step-out") {
                     andClose(RunEvent.StepPressed(StepKind.OUT))
                 }
-                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") {
+                PanelAction(RunTexts::toLine, RunTexts::toLineHelp, "panel-to-line") {
                     andClose(RunEvent.RunToLine(cursor))
                 }
-                PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") {
+                PanelAction(RunTexts::startOver, RunTexts::startOverHelp, "start-over") {
                     andClose(RunEvent.StartedOver)
                 }
                 if (state.hasRecording) {
-                    PanelAction(Res.string.run_play_recording, Res.string.run_play_recording_help, "play-recording") {
+                    PanelAction(RunTexts::playRecording, RunTexts::playRecordingHelp, "play-recording") {
                         andClose(RunEvent.RecordingPlayed)
                     }
                 }
@@ -124,9 +124,9 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Section(name: StringResource, content: @Composable () -> Unit) {
+private fun Section(name: Label, content: @Composable () -> Unit) {
     Column {
-        SectionName(stringResource(name))
+        SectionName(name(spoken))
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) { content() }
     }
 }
@@ -155,12 +155,12 @@ internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> U
 }
 
 @Composable
-private fun PanelAction(name: StringResource, help: StringResource, tag: String, onClick: () -> Unit) {
+private fun PanelAction(name: Label, help: Label, tag: String, onClick: () -> Unit) {
     TextButton(
         onClick,
         Modifier.testTag(tag).focusRing().fillMaxWidth(),
         shape = Shapes.MEDIUM,
     ) {
-        Box(Modifier.fillMaxWidth()) { Choice(stringResource(name), stringResource(help)) }
+        Box(Modifier.fillMaxWidth()) { Choice(name(spoken), help(spoken)) }
     }
 }

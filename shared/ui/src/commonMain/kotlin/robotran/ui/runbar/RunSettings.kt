@@ -28,13 +28,13 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.projects.ProjectSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -54,11 +54,11 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
         Realism(state.world.realism) { change(settings.copy(realism = it)) }
         Seed(state.world.seed) { change(settings.copy(seed = it)) }
         Column {
-            SectionName(stringResource(Res.string.run_java))
+            SectionName(RunTexts.java(spoken))
             val isNxt = state.world.robots[state.watched].description.brick == BrickKind.NXT
             Setting(
-                Res.string.run_java_forgiving,
-                if (isNxt) Res.string.run_java_forgiving_help_nxt else Res.string.run_java_forgiving_help,
+                RunTexts::javaForgiving,
+                if (isNxt) RunTexts::javaForgivingHelpNxt else RunTexts::javaForgivingHelp,
                 "java-forgiving",
                 settings.java.mode == TinyVmMode.FORGIVING,
             ) {
@@ -69,8 +69,8 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
                 )
             }
             Setting(
-                Res.string.run_java_fast,
-                Res.string.run_java_fast_help,
+                RunTexts::javaFast,
+                RunTexts::javaFastHelp,
                 "java-fast",
                 settings.java.speed == TinyVmSpeed.UNLIMITED,
             ) {
@@ -87,8 +87,8 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
 @Composable
 private fun Realism(realism: Double, onRealism: (Double) -> Unit) {
     var wanted by remember(realism) { mutableFloatStateOf(realism.toFloat()) }
-    val name = stringResource(Res.string.run_realism)
-    val value = stringResource(Res.string.run_realism_value, (wanted * PER_CENT).roundToInt())
+    val name = RunTexts.realism(spoken)
+    val value = RunTexts.realismValue(spoken, (wanted * PER_CENT).roundToInt())
     Column {
         SectionName("$name: $value")
         Slider(
@@ -101,14 +101,14 @@ private fun Realism(realism: Double, onRealism: (Double) -> Unit) {
             steps = REALISM_STEPS - 1,
             onValueChangeFinished = { onRealism((wanted * REALISM_STEPS).roundToInt() / REALISM_STEPS.toDouble()) },
         )
-        Help(Res.string.run_realism_help)
+        Help(RunTexts::realismHelp)
     }
 }
 
 @Composable
 private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
     var written by remember(seed) { mutableStateOf(seed.toString()) }
-    val name = stringResource(Res.string.run_seed)
+    val name = RunTexts.seed(spoken)
     Column {
         SectionName(name)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -122,7 +122,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                 singleLine = true,
                 keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
-            RunIconButton(RunIcon.NEXT, stringResource(Res.string.run_seed_next), "seed-next", {
+            RunIconButton(RunIcon.NEXT, RunTexts.seedNext(spoken), "seed-next", {
                 onSeed(
                     if (seed == Int.MAX_VALUE) {
                         1
@@ -132,12 +132,12 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                 )
             })
         }
-        Help(Res.string.run_seed_help)
+        Help(RunTexts::seedHelp)
     }
 }
 
 @Composable
-private fun Setting(name: StringResource, help: StringResource, tag: String, on: Boolean, onSwitch: (Boolean) -> Unit) {
+private fun Setting(name: Label, help: Label, tag: String, on: Boolean, onSwitch: (Boolean) -> Unit) {
     Row(
         Modifier
             .testTag(tag)
@@ -148,15 +148,15 @@ private fun Setting(name: StringResource, help: StringResource, tag: String, on:
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Column(Modifier.weight(1f)) { Choice(stringResource(name), stringResource(help)) }
+        Column(Modifier.weight(1f)) { Choice(name(spoken), help(spoken)) }
         Switch(on, onCheckedChange = null)
     }
 }
 
 @Composable
-private fun Help(text: StringResource) {
+private fun Help(text: Label) {
     Text(
-        stringResource(text),
+        text(spoken),
         Modifier.padding(top = 4.dp),
         color = LocalRobotranColours.current.quiet,
         fontSize = TextSizes.SMALL,

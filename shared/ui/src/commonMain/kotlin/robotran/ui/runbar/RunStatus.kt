@@ -15,8 +15,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -73,9 +74,9 @@ private fun isWrong(status: WorkshopStatus): Boolean =
 
 @Composable
 private fun Clock(run: RunPaneState) {
-    val now = stringResource(Res.string.clock, secondsText(run.time))
+    val now = ScreenTexts.clock(spoken, secondsText(run.time))
     Text(
-        if (run.inPast) stringResource(Res.string.run_clock_of, now, secondsText(run.length)) else now,
+        if (run.inPast) RunTexts.clockOf(spoken, now, secondsText(run.length)) else now,
         Modifier.testTag("clock"),
         color = LocalRobotranColours.current.quiet,
         fontSize = TextSizes.SMALL,
@@ -89,13 +90,13 @@ private fun Clock(run: RunPaneState) {
 private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String? {
     val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {
-        run.isSeeking -> stringResource(Res.string.run_status_seeking, secondsText(run.time))
+        run.isSeeking -> RunTexts.statusSeeking(spoken, secondsText(run.time))
 
         // Where the program stopped says more than a tone that begins at the same moment.
         status is WorkshopStatus.Paused && mark != null && (run.inPast || status.line == 0) -> markText(mark)
 
         run.isPaused && run.inPast && !run.running -> mark?.let { markText(it) }
-            ?: stringResource(Res.string.run_status_past)
+            ?: RunTexts.statusPast(spoken)
 
         else -> null
     }

@@ -21,8 +21,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -30,8 +30,8 @@ import robotran.ui.theme.focusRing
 /** Turns the brick's sound on or off: a loudspeaker with waves, or crossed out. */
 @Composable
 internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Modifier = Modifier) {
-    val name = stringResource(Res.string.sound)
-    val word = stringResource(if (on) Res.string.sound_on else Res.string.sound_off)
+    val name = ScreenTexts.sound(spoken)
+    val word = if (on) ScreenTexts.soundOn(spoken) else ScreenTexts.soundOff(spoken)
     val colours = LocalRobotranColours.current
     Box(
         modifier

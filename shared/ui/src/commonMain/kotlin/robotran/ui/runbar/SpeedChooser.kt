@@ -18,13 +18,13 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.RunSpeed
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.SteadySize
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -35,8 +35,8 @@ import robotran.ui.theme.focusRing
 @Composable
 internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
-    val name = stringResource(Res.string.run_speed)
-    val word = stringResource(speed.word)
+    val name = RunTexts.speed(spoken)
+    val word = speed.word(spoken)
     Box(modifier) {
         TextButton(
             { open = true },
@@ -69,7 +69,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
 internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     for (choice in RunSpeed.entries) {
         DropdownMenuItem(
-            text = { Text(stringResource(choice.word), fontSize = TextSizes.BODY) },
+            text = { Text(choice.word(spoken), fontSize = TextSizes.BODY) },
             onClick = { onSpeed(choice) },
             modifier = Modifier
                 .testTag("speed-${choice.name.lowercase()}")
@@ -94,14 +94,14 @@ private val RunSpeed.sign: String
     }
 
 /** The speed in one or two words. */
-internal val RunSpeed.word: StringResource
+internal val RunSpeed.word: Label
     get() = when (this) {
-        RunSpeed.TENTH -> Res.string.run_speed_tenth
-        RunSpeed.QUARTER -> Res.string.run_speed_quarter
-        RunSpeed.HALF -> Res.string.run_speed_half
-        RunSpeed.REAL_TIME -> Res.string.run_speed_real
-        RunSpeed.DOUBLE -> Res.string.run_speed_double
-        RunSpeed.FIVEFOLD -> Res.string.run_speed_fivefold
-        RunSpeed.TENFOLD -> Res.string.run_speed_tenfold
-        RunSpeed.FASTEST -> Res.string.run_speed_fastest
+        RunSpeed.TENTH -> RunTexts::speedTenth
+        RunSpeed.QUARTER -> RunTexts::speedQuarter
+        RunSpeed.HALF -> RunTexts::speedHalf
+        RunSpeed.REAL_TIME -> RunTexts::speedReal
+        RunSpeed.DOUBLE -> RunTexts::speedDouble
+        RunSpeed.FIVEFOLD -> RunTexts::speedFivefold
+        RunSpeed.TENFOLD -> RunTexts::speedTenfold
+        RunSpeed.FASTEST -> RunTexts::speedFastest
     }

@@ -1,11 +1,11 @@
 package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
-import robotran.language.Language
-import robotran.language.withComma
+import robotran.language.decimal
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.messages.sentence
@@ -15,41 +15,41 @@ import kotlin.math.roundToLong
 /** [status] in simple words for pupils. */
 @Composable
 internal fun statusText(status: WorkshopStatus): String = when (status) {
-    WorkshopStatus.Ready -> stringResource(Res.string.status_ready)
-    WorkshopStatus.Empty -> stringResource(Res.string.status_empty)
-    WorkshopStatus.Changed -> stringResource(Res.string.status_changed)
-    WorkshopStatus.Solved -> stringResource(Res.string.status_solved)
-    is WorkshopStatus.TimeUp -> stringResource(Res.string.time_up, status.seconds)
-    WorkshopStatus.Off -> stringResource(Res.string.status_off)
-    WorkshopStatus.Compiling -> stringResource(Res.string.status_compiling)
-    WorkshopStatus.NoCompiler -> stringResource(Res.string.status_no_compiler)
-    WorkshopStatus.CompilerFailed -> stringResource(Res.string.status_compiler_failed)
+    WorkshopStatus.Ready -> ScreenTexts.statusReady(spoken)
+    WorkshopStatus.Empty -> ScreenTexts.statusEmpty(spoken)
+    WorkshopStatus.Changed -> ScreenTexts.statusChanged(spoken)
+    WorkshopStatus.Solved -> RunTexts.statusSolved(spoken)
+    is WorkshopStatus.TimeUp -> RunTexts.timeUp(spoken, status.seconds)
+    WorkshopStatus.Off -> ScreenTexts.statusOff(spoken)
+    WorkshopStatus.Compiling -> ScreenTexts.statusCompiling(spoken)
+    WorkshopStatus.NoCompiler -> ScreenTexts.statusNoCompiler(spoken)
+    WorkshopStatus.CompilerFailed -> ScreenTexts.statusCompilerFailed(spoken)
     is WorkshopStatus.HasErrors -> mistakenText(status.line, status.file)
     is WorkshopStatus.RobotImpossible -> status.draft.error.sentence(LocalLanguage.current)
 
     is WorkshopStatus.OffPaper -> {
-        status.robot?.let { stringResource(Res.string.status_off_paper_robot, it) }
-            ?: stringResource(Res.string.status_off_paper)
+        status.robot?.let { ScreenTexts.statusOffPaperRobot(spoken, it) }
+            ?: ScreenTexts.statusOffPaper(spoken)
     }
 
     is WorkshopStatus.Running -> {
         if (status.line > 0) {
-            stringResource(Res.string.status_running_line, status.line)
+            ScreenTexts.statusRunningLine(spoken, status.line)
         } else {
-            stringResource(Res.string.status_running)
+            ScreenTexts.statusRunning(spoken)
         }
     }
 
     is WorkshopStatus.Paused -> {
         if (status.line > 0) {
-            stringResource(Res.string.run_status_paused_line, status.line)
+            RunTexts.statusPausedLine(spoken, status.line)
         } else {
-            stringResource(Res.string.run_status_paused)
+            RunTexts.statusPaused(spoken)
         }
     }
 
     is WorkshopStatus.Ended -> {
-        if (status.stopped) stringResource(Res.string.status_stopped) else endedText(status.goals)
+        if (status.stopped) ScreenTexts.statusStopped(spoken) else endedText(status.goals)
     }
 
     is WorkshopStatus.Failed -> failedText(status.line, status.file, status.message)
@@ -58,24 +58,24 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 /** Reports success only if the goals are met, too. */
 @Composable
 private fun endedText(goals: GoalCount): String = when {
-    goals.allMet -> stringResource(Res.string.status_ended)
-    goals.failed == 0 -> stringResource(Res.string.status_ended_undecided)
-    goals.all == 1 -> stringResource(Res.string.status_ended_goal_not_met)
-    else -> stringResource(Res.string.status_ended_goals_not_met, goals.met, goals.all)
+    goals.allMet -> ScreenTexts.statusEnded(spoken)
+    goals.failed == 0 -> ScreenTexts.statusEndedUndecided(spoken)
+    goals.all == 1 -> ScreenTexts.statusEndedGoalNotMet(spoken)
+    else -> ScreenTexts.statusEndedGoalsNotMet(spoken, goals.met, goals.all)
 }
 
 @Composable
 private fun mistakenText(line: Int, file: String?): String = when {
-    line == 0 -> stringResource(Res.string.status_mistake_anywhere)
-    file == null -> stringResource(Res.string.status_mistake, line)
-    else -> stringResource(Res.string.status_mistake_in_file, line, file)
+    line == 0 -> ScreenTexts.statusMistakeAnywhere(spoken)
+    file == null -> ScreenTexts.statusMistake(spoken, line)
+    else -> ScreenTexts.statusMistakeInFile(spoken, line, file)
 }
 
 @Composable
 private fun failedText(line: Int, file: String?, message: String): String = when {
     line == 0 -> message
-    file == null -> stringResource(Res.string.status_failed, line, message)
-    else -> stringResource(Res.string.mistake_in_line_of_file, file, line, message)
+    file == null -> ScreenTexts.statusFailed(spoken, line, message)
+    else -> ScreenTexts.mistakeInLineOfFile(spoken, file, line, message)
 }
 
 /** [value] with exactly one decimal, such as `-0.5` or `12.0`, the same on every platform. */
@@ -91,8 +91,6 @@ internal fun secondsText(milliseconds: Long): String = secondsText(milliseconds 
 
 /** [seconds] with one decimal place, as the reader's language writes it. */
 @Composable
-internal fun secondsText(seconds: Double): String = oneDecimal(seconds).let {
-    if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
-}
+internal fun secondsText(seconds: Double): String = LocalLanguage.current.decimal(oneDecimal(seconds))
 
 private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -16,12 +16,12 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -40,8 +40,8 @@ internal fun StepButton(
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         BarButton(
             RunIcon.STEP,
-            stringResource(Res.string.run_step),
-            stringResource(Res.string.run_step_help),
+            RunTexts.step(spoken),
+            RunTexts.stepHelp(spoken),
             "step",
             { onEvent(RunEvent.StepPressed(StepKind.INTO)) },
             room = room,
@@ -54,7 +54,7 @@ internal fun StepButton(
 private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        RunIconButton(RunIcon.DOWN, stringResource(Res.string.run_steps), "steps", { open = true })
+        RunIconButton(RunIcon.DOWN, RunTexts.steps(spoken), "steps", { open = true })
         AppMenu(open, { open = false }) {
             StepChoices(cursor) {
                 open = false
@@ -70,27 +70,27 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     val choices = listOf(
         StepChoice(
             "step-into",
-            Res.string.run_step_into,
-            Res.string.run_step_into_help,
+            RunTexts::stepInto,
+            RunTexts::stepIntoHelp,
             RunEvent.StepPressed(StepKind.INTO),
         ),
         StepChoice(
             "step-over",
-            Res.string.run_step_over,
-            Res.string.run_step_over_help,
+            RunTexts::stepOver,
+            RunTexts::stepOverHelp,
             RunEvent.StepPressed(StepKind.OVER),
         ),
         StepChoice(
             "step-out",
-            Res.string.run_step_out,
-            Res.string.run_step_out_help,
+            RunTexts::stepOut,
+            RunTexts::stepOutHelp,
             RunEvent.StepPressed(StepKind.OUT),
         ),
-        StepChoice("step-to-line", Res.string.run_to_line, Res.string.run_to_line_help, RunEvent.RunToLine(cursor)),
+        StepChoice("step-to-line", RunTexts::toLine, RunTexts::toLineHelp, RunEvent.RunToLine(cursor)),
     )
     for (choice in choices) {
         DropdownMenuItem(
-            text = { Choice(stringResource(choice.name), stringResource(choice.help)) },
+            text = { Choice(choice.name(spoken), choice.help(spoken)) },
             onClick = { onEvent(choice.event) },
             modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Dimensions.TARGET),
         )
@@ -107,4 +107,4 @@ internal fun Choice(name: String, help: String) {
     }
 }
 
-private class StepChoice(val tag: String, val name: StringResource, val help: StringResource, val event: RunEvent)
+private class StepChoice(val tag: String, val name: Label, val help: Label, val event: RunEvent)

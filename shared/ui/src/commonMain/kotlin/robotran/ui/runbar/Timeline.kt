@@ -26,9 +26,9 @@ import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
-import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.TimelineMark
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -44,7 +44,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
             ?: 0L.takeIf { state.time > 0 && !state.untouched }
         RunIconButton(
             RunIcon.PREVIOUS,
-            stringResource(Res.string.run_mark_previous),
+            RunTexts.markPrevious(spoken),
             "mark-previous",
             { previous?.let(onScrub) },
             enabled = previous != null,
@@ -55,7 +55,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
                 ?: state.length.takeIf { state.inPast }
         RunIconButton(
             RunIcon.NEXT,
-            stringResource(Res.string.run_mark_next),
+            RunTexts.markNext(spoken),
             "mark-next",
             { next?.let(onScrub) },
             enabled = next != null,
@@ -66,8 +66,8 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
 @Composable
 private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier) {
     val colours = LocalRobotranColours.current
-    val name = stringResource(Res.string.run_timeline)
-    val place = stringResource(Res.string.run_timeline_place, secondsText(state.time), secondsText(state.length))
+    val name = RunTexts.timeline(spoken)
+    val place = RunTexts.timelinePlace(spoken, secondsText(state.time), secondsText(state.length))
     val here = markAt(state.marks, state.time)?.let { markText(it) }
     val now by rememberUpdatedState(state)
     val scrub by rememberUpdatedState(onScrub)

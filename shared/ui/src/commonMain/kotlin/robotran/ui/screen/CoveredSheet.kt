@@ -18,12 +18,12 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.language.spoken
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
@@ -202,7 +202,7 @@ private fun ClosableHint(run: RunPaneState, onWholeBrick: (() -> Unit)?, modifie
             if (onWholeBrick != null) {
                 IconTouch(
                     PaneIcons.BRICK_WHOLE,
-                    stringResource(Res.string.brick_whole),
+                    ScreenTexts.brickWhole(spoken),
                     "brick-hint-whole",
                     onWholeBrick,
                 )

@@ -20,17 +20,17 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.drawer.RunAnnouncer
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.BarButton
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusSpace
 import robotran.ui.runbar.StopButton
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -97,8 +97,8 @@ private fun EmbedBar(run: RunPaneState, status: WorkshopStatus, onEvent: (Worksh
                 StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
                 BarButton(
                     RunIcon.PREVIOUS,
-                    stringResource(Res.string.run_start_over),
-                    stringResource(Res.string.run_start_over_help),
+                    RunTexts.startOver(spoken),
+                    RunTexts.startOverHelp(spoken),
                     "start-over",
                     { onEvent(RunEvent.StartedOver) },
                     enabled = !run.untouched,

@@ -16,9 +16,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -32,13 +32,13 @@ internal fun FullPaneButtons(full: Pane?, onEvent: (WorkshopEvent) -> Unit) {
     val put = { pane: Pane, isFull: Boolean -> onEvent(WorkshopEvent.PaneFilled(pane.takeIf { isFull })) }
     FullPaneButton(
         PaneIcons.PROGRAM_FULL,
-        stringResource(Res.string.full_program),
+        ScreenTexts.fullProgram(spoken),
         "full-program",
         full == Pane.PROGRAM,
     ) {
         put(Pane.PROGRAM, it)
     }
-    FullPaneButton(PaneIcons.WORLD_FULL, stringResource(Res.string.full_world), "full-world", full == Pane.WORLD) {
+    FullPaneButton(PaneIcons.WORLD_FULL, ScreenTexts.fullWorld(spoken), "full-world", full == Pane.WORLD) {
         put(Pane.WORLD, it)
     }
 }

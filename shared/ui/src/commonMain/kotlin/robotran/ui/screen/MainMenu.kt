@@ -17,17 +17,20 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.ProjectMenuEntry
 import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.MenuDivider
 import robotran.ui.parts.MenuItem
 import robotran.ui.parts.SmallIcon
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.SchoolTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -79,35 +82,35 @@ internal fun MainMenu(
 
 @Composable
 private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit) {
-    MenuItem(stringResource(Res.string.learn), "menu-learn") {
+    MenuItem(ScreenTexts.learn(spoken), "menu-learn") {
         choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
     }
-    MenuItem(stringResource(Res.string.learning_map), "menu-map") {
+    MenuItem(LearningTexts.map(spoken), "menu-map") {
         choose(LearningEvent.PageRequested(LearningPage.MAP))
     }
-    MenuItem(stringResource(Res.string.worlds), "menu-worlds") {
+    MenuItem(ScreenTexts.worlds(spoken), "menu-worlds") {
         choose(LearningEvent.PageRequested(LearningPage.WORLDS))
     }
-    MenuItem(stringResource(Res.string.course_list), "menu-courses") { choose(CourseEvent.ListRequested) }
-    MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
+    MenuItem(SchoolTexts.courseList(spoken), "menu-courses") { choose(CourseEvent.ListRequested) }
+    MenuItem(LearningTexts.examples(spoken), "menu-examples") {
         choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
     }
-    MenuItem(stringResource(Res.string.learning_help), "menu-words") {
+    MenuItem(LearningTexts.help(spoken), "menu-words") {
         choose(LearningEvent.PageRequested(LearningPage.HELP))
     }
     if (!isEditingWorld) {
-        MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
-        MenuItem(stringResource(Res.string.robot_build_menu), "menu-build-robot") {
+        MenuItem(ScreenTexts.editWorld(spoken), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
+        MenuItem(RobotTexts.buildMenu(spoken), "menu-build-robot") {
             choose(RobotEditEvent.BenchOpened())
         }
     }
-    MenuItem(stringResource(Res.string.first_page), "menu-first-page") {
+    MenuItem(ScreenTexts.firstPage(spoken), "menu-first-page") {
         choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
     }
     MenuDivider()
-    val sound = if (soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
-    MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!soundOn)) }
-    MenuItem(stringResource(Res.string.settings_title), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
+    val sound = if (soundOn) ScreenTexts::soundSwitchOff else ScreenTexts::soundSwitchOn
+    MenuItem(sound(spoken), "menu-sound") { choose(SettingsEvent.SoundSwitched(!soundOn)) }
+    MenuItem(ScreenTexts.settingsTitle(spoken), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
 }
 
 /** Marked if the menu contains the project and autosave fails. */
@@ -123,14 +126,14 @@ private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: (
             drawCircle(sign, SIGN.toPx() / 2, Offset(size.width - SIGN.toPx(), SIGN.toPx()))
         }
     }
-    IconTouch(Icon.MENU, stringResource(Res.string.menu), "menu", onClick, modifier)
+    IconTouch(Icon.MENU, ScreenTexts.menu(spoken), "menu", onClick, modifier)
 }
 
 /** Returns from a submenu to the main list. */
 @Composable
 private fun BackItem(onClick: () -> Unit) = DropdownMenuItem(
     text = {
-        Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+        Text(ScreenTexts.menu(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
     },
     onClick = onClick,
     modifier = Modifier.testTag("menu-back").heightIn(min = Dimensions.TARGET),

@@ -25,7 +25,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.howFar
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
@@ -34,13 +33,14 @@ import robotran.ui.documents.AutosaveBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
+import robotran.ui.language.spoken
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.IconTouch
 import robotran.ui.program.ProgramPane
 import robotran.ui.program.blocks.LocalSheetPicture
-import robotran.ui.resources.*
 import robotran.ui.runbar.RunBar
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.world.MiniSheet
 import robotran.workshop.event.LearningEvent
@@ -207,7 +207,7 @@ private fun WorldTaskAndGoals(
 private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, onWholeBrick: () -> Unit) {
     Row(Modifier.padding(start = 12.dp, top = 8.dp, bottom = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Strip(run, onEvent, isLow = true)
-        IconTouch(PaneIcons.BRICK_WHOLE, stringResource(Res.string.brick_whole), "brick-size", onWholeBrick)
+        IconTouch(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), "brick-size", onWholeBrick)
     }
 }
 

@@ -22,10 +22,10 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -67,7 +67,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                     fontSize = TextSizes.BODY,
                 )
                 if (isBeside) action?.let { ActionButton(it, onEvent) }
-                IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {
+                IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "notice-close", {
                     onEvent(WorkshopEvent.NoticeDismissed)
                 }, colour = colour)
             }
@@ -91,7 +91,7 @@ private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit)
     Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
 ) {
     Text(
-        stringResource(noticeActionText(action)),
+        noticeActionText(action)(spoken),
         color = LocalRobotranColours.current.focus,
         fontSize = TextSizes.BODY,
         fontWeight = FontWeight.SemiBold,

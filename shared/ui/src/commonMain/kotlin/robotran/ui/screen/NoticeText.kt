@@ -1,13 +1,19 @@
 package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.learning.robotTitle
 import robotran.ui.program.portNumbers
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.LearningTexts
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.SchoolTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.world.messages.sentence
@@ -17,116 +23,119 @@ import robotran.world.messages.sentence
 internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ForeignError -> notice.sentence
     is Notice.WithRemarks -> withRemarks(notice)
-    Notice.Unexpected -> stringResource(Res.string.documents_unexpected)
+    Notice.Unexpected -> DocumentTexts.unexpected(spoken)
 
-    is Notice.ProgramTooLong -> stringResource(
-        Res.string.program_too_long,
+    is Notice.ProgramTooLong -> ScreenTexts.programTooLong(
+        spoken,
         notice.maxThousandCharacters,
         notice.maxThousandLines,
     )
 
-    Notice.FixOutdated -> stringResource(Res.string.program_fix_gone)
-    Notice.NoSlotForTask -> stringResource(Res.string.learning_world_no_room)
-    Notice.NoSlotForExample -> stringResource(Res.string.learning_help_no_room)
-    is Notice.NoSlotForProgram -> stringResource(Res.string.documents_no_room, notice.program, notice.maxPrograms)
-    Notice.LogCopied -> stringResource(Res.string.run_log_copied)
-    Notice.LogNotCopied -> stringResource(Res.string.run_log_not_copied)
-    Notice.LinkNotCopied -> stringResource(Res.string.documents_not_copied)
-    is Notice.FileSaved -> stringResource(Res.string.documents_saved, notice.name)
-    is Notice.FileNotSaved -> stringResource(notSaved(notice), notice.reason)
-    Notice.StoreSilent -> stringResource(Res.string.documents_trouble_silent)
-    Notice.ProjectTooLong -> stringResource(Res.string.documents_too_long)
-    is Notice.FileOpenElsewhere -> stringResource(Res.string.documents_open_elsewhere, notice.name)
-    is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
-    is Notice.TooManyCourses -> stringResource(Res.string.course_too_many, notice.max)
-    Notice.CourseTooLong -> stringResource(Res.string.course_too_long)
-    Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
-    is Notice.KitNeedsCorrectProgram -> stringResource(Res.string.documents_kit_mistake, notice.line)
-    Notice.CompilerMissing -> stringResource(Res.string.status_no_compiler)
+    Notice.FixOutdated -> ScreenTexts.programFixGone(spoken)
+    Notice.NoSlotForTask -> LearningTexts.worldNoRoom(spoken)
+    Notice.NoSlotForExample -> LearningTexts.helpNoRoom(spoken)
+    is Notice.NoSlotForProgram -> DocumentTexts.noRoom(spoken, notice.program, notice.maxPrograms)
+    Notice.LogCopied -> RunTexts.logCopied(spoken)
+    Notice.LogNotCopied -> RunTexts.logNotCopied(spoken)
+    Notice.LinkNotCopied -> DocumentTexts.notCopied(spoken)
+    is Notice.FileSaved -> DocumentTexts.saved(spoken, notice.name)
+    is Notice.FileNotSaved -> notSaved(notice)
+    Notice.StoreSilent -> DocumentTexts.troubleSilent(spoken)
+    Notice.ProjectTooLong -> DocumentTexts.tooLong(spoken)
+    is Notice.FileOpenElsewhere -> DocumentTexts.openElsewhere(spoken, notice.name)
+    is Notice.MoreProjectsOpened -> DocumentTexts.openedMore(spoken, notice.others)
+    is Notice.TooManyCourses -> SchoolTexts.courseTooMany(spoken, notice.max)
+    Notice.CourseTooLong -> SchoolTexts.courseTooLong(spoken)
+    Notice.ReplayEmpty -> DocumentTexts.replayEmpty(spoken)
+    is Notice.KitNeedsCorrectProgram -> DocumentTexts.kitMistake(spoken, notice.line)
+    Notice.CompilerMissing -> ScreenTexts.statusNoCompiler(spoken)
 
-    is Notice.ProjectOpenElsewhere -> stringResource(
-        Res.string.documents_work_elsewhere,
-        notice.name.ifEmpty { stringResource(Res.string.documents_untitled) },
+    is Notice.ProjectOpenElsewhere -> DocumentTexts.workElsewhere(
+        spoken,
+        notice.name.ifEmpty {
+            DocumentTexts.untitled(spoken)
+        },
     )
 
     is Notice.LastProjectOpenElsewhere -> if (notice.name.isEmpty()) {
-        stringResource(Res.string.documents_own_elsewhere)
+        DocumentTexts.ownElsewhere(spoken)
     } else {
-        stringResource(Res.string.documents_last_elsewhere, notice.name)
+        DocumentTexts.lastElsewhere(spoken, notice.name)
     }
 
-    Notice.OwnProjectOpenElsewhere -> stringResource(Res.string.documents_own_elsewhere)
-    is Notice.ProjectUnusable -> stringResource(Res.string.documents_work_unusable, notice.reason)
-    is Notice.ProjectNotDeleted -> stringResource(Res.string.documents_delete_failed, notice.reason)
+    Notice.OwnProjectOpenElsewhere -> DocumentTexts.ownElsewhere(spoken)
+    is Notice.ProjectUnusable -> DocumentTexts.workUnusable(spoken, notice.reason)
+    is Notice.ProjectNotDeleted -> DocumentTexts.deleteFailed(spoken, notice.reason)
     is Notice.ProjectRestored -> restored(notice)
-    is Notice.OtherProjectsOpen -> stringResource(othersOpen(notice))
-    is Notice.EarlierProjectSaved -> stringResource(Res.string.documents_kept_before)
-    is Notice.AssignmentBegunBefore -> stringResource(Res.string.assignment_begun_before)
-    Notice.BegunAgain -> stringResource(Res.string.assignment_begun_again)
-    Notice.WorldOfAssignment -> stringResource(Res.string.assignment_world_locked)
-    is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
+    is Notice.OtherProjectsOpen -> othersOpen(notice)(spoken)
+    is Notice.EarlierProjectSaved -> DocumentTexts.keptBefore(spoken)
+    is Notice.AssignmentBegunBefore -> SchoolTexts.assignmentBegunBefore(spoken)
+    Notice.BegunAgain -> SchoolTexts.assignmentBegunAgain(spoken)
+    Notice.WorldOfAssignment -> SchoolTexts.assignmentWorldLocked(spoken)
+    is Notice.WorldSolved -> LearningTexts.worldDone(spoken, notice.title)
 
-    is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
-        ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
+    is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { RunTexts.pluggedIn(spoken, it) }
+        ?: RunTexts.pluggedInSeveral(spoken, portNumbers(notice.ports))
 
-    is Notice.RobotReplaced -> stringResource(Res.string.robot_replaced, notice.robot, robotTitle(notice.description))
-    Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
+    is Notice.RobotReplaced -> RobotTexts.replaced(spoken, notice.robot, robotTitle(notice.description))
+    Notice.FirstProgramRuns -> ScreenTexts.noticeTryChange(spoken)
 
     is Notice.HandInOpened -> notice.run?.let { run ->
         val world = worldName(run.world)
-        stringResource(Res.string.hand_in_notice_run, notice.name, world, run.seed)
-    } ?: stringResource(Res.string.hand_in_notice, notice.name)
+        SchoolTexts.handInNoticeRun(spoken, notice.name, world, run.seed)
+    } ?: SchoolTexts.handInNotice(spoken, notice.name)
 
     Notice.HandInOpen -> ""
 
-    is Notice.RobotImpossible -> stringResource(
-        Res.string.robot_impossible,
+    is Notice.RobotImpossible -> RobotTexts.impossible(
+        spoken,
         notice.draft.draft.title,
         notice.draft.error.sentence(LocalLanguage.current),
     )
 
-    is Notice.RobotKeptAsDraft -> stringResource(
-        Res.string.robot_kept_as_draft,
+    is Notice.RobotKeptAsDraft -> RobotTexts.keptAsDraft(
+        spoken,
         notice.draft.draft.title,
         notice.draft.error.sentence(LocalLanguage.current),
     )
 
-    Notice.EscapeAlone -> stringResource(Res.string.nxt_escape_alone)
-    Notice.NewBranch -> stringResource(Res.string.run_new_future)
+    Notice.EscapeAlone -> NxtTexts.escapeAlone(spoken)
+    Notice.NewBranch -> RunTexts.newFuture(spoken)
 }
 
 /** The label of [action]. */
-internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
-    NoticeAction.ShowProjects -> Res.string.documents_my_work
-    is NoticeAction.GoBack -> Res.string.documents_go_back
-    is NoticeAction.GoOn -> Res.string.assignment_go_on
-    NoticeAction.ChangeNumber -> Res.string.notice_change_number
-    NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
-    NoticeAction.BeginningUndone -> Res.string.documents_undo
-    NoticeAction.UnplugSensors -> Res.string.documents_undo
-    NoticeAction.BringRobotBack -> Res.string.documents_undo
-    is NoticeAction.BuildOn -> Res.string.robot_to_bench
+internal fun noticeActionText(action: NoticeAction): Label = when (action) {
+    NoticeAction.ShowProjects -> DocumentTexts::myWork
+    is NoticeAction.GoBack -> DocumentTexts::goBack
+    is NoticeAction.GoOn -> SchoolTexts::assignmentGoOn
+    NoticeAction.ChangeNumber -> ScreenTexts::noticeChangeNumber
+    NoticeAction.BackToHandIns -> SchoolTexts::handInGoBack
+    NoticeAction.BeginningUndone -> DocumentTexts::undo
+    NoticeAction.UnplugSensors -> DocumentTexts::undo
+    NoticeAction.BringRobotBack -> DocumentTexts::undo
+    is NoticeAction.BuildOn -> RobotTexts::toBench
 }
 
-private fun notSaved(notice: Notice.FileNotSaved): StringResource =
-    if (notice.isFull) Res.string.documents_save_full else Res.string.documents_save_failed
+@Composable
+private fun notSaved(notice: Notice.FileNotSaved): String =
+    if (notice.isFull) DocumentTexts.saveFull(spoken) else DocumentTexts.saveFailed(spoken, notice.reason)
 
 @Composable
 private fun restored(notice: Notice.ProjectRestored): String = if (notice.name.isEmpty()) {
-    stringResource(Res.string.documents_back_unnamed)
+    DocumentTexts.backUnnamed(spoken)
 } else {
-    stringResource(Res.string.documents_back, notice.name)
+    DocumentTexts.back(spoken, notice.name)
 }
 
-private fun othersOpen(notice: Notice.OtherProjectsOpen): StringResource =
-    if (notice.isRestored) Res.string.documents_back_others else Res.string.documents_others_there
+private fun othersOpen(notice: Notice.OtherProjectsOpen): Label =
+    if (notice.isRestored) DocumentTexts::backOthers else DocumentTexts::othersThere
 
 /** What people have to know first, then what can be mended later. */
 @Composable
 private fun withRemarks(notice: Notice.WithRemarks): String {
     val first = notice.notice?.let { noticeText(it) }
     val more = notice.remarks.size - SHOWN_REMARKS
-    val rest = if (more > 0) stringResource(Res.string.documents_more_remarks, more) else null
+    val rest = if (more > 0) DocumentTexts.moreRemarks(spoken, more) else null
     return (listOfNotNull(first) + notice.remarks.take(SHOWN_REMARKS) + listOfNotNull(rest)).filter { it.isNotEmpty() }
         .joinToString("\n")
 }

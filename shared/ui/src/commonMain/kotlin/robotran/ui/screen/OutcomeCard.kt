@@ -32,7 +32,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalShortfall
 import robotran.ui.assignment.HandInButton
 import robotran.ui.assignment.Line
@@ -40,13 +39,15 @@ import robotran.ui.assignment.triesText
 import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
 import robotran.ui.sheet.SheetColours
+import robotran.ui.texts.LearningTexts
+import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -92,14 +93,14 @@ internal fun OutcomeCard(
             { isClosed = true },
             modifier.testTag("missing-card"),
         ) {
-            Heading(stringResource(Res.string.outcome_missing))
-            if (isTimeUp) Line(stringResource(Res.string.time_up, state.world.timeLimit), "missing-time-up")
+            Heading(RunTexts.outcomeMissing(spoken))
+            if (isTimeUp) Line(RunTexts.timeUp(spoken, state.world.timeLimit), "missing-time-up")
             for (mark in missing) ShortfallRow(mark, onEvent)
             state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
             val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
-                SecondButton(stringResource(Res.string.learning_hint), "missing-hint", {
+                SecondButton(LearningTexts.hint(spoken), "missing-hint", {
                     onEvent(WorkshopEvent.TaskShown(true))
                 })
             }
@@ -116,7 +117,7 @@ private fun Solved(
     tellsTries: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    Heading(stringResource(Res.string.outcome_solved))
+    Heading(RunTexts.outcomeSolved(spoken))
     for (line in solvedText(solved)) {
         Text(
             line,
@@ -153,17 +154,17 @@ private fun Tries(
 @Composable
 private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     val next = solved.nextStep
-    val worlds = stringResource(Res.string.learning_try_worlds)
+    val worlds = LearningTexts.tryWorlds(spoken)
     val showWorlds = { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
     FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         for (harder in solved.harder) {
             val title = harder.world(LocalLanguage.current).title
-            PrimaryButton(stringResource(Res.string.learning_harder, title), "solved-${harder.name}", {
+            PrimaryButton(LearningTexts.harder(spoken, title), "solved-${harder.name}", {
                 onEvent(LearningEvent.WorldChosen(harder.name))
             })
         }
         if (next != null) {
-            PrimaryButton(stringResource(Res.string.learning_next), "solved-next", {
+            PrimaryButton(LearningTexts.next(spoken), "solved-next", {
                 onEvent(LearningEvent.StepChosen(next))
                 onEvent(LearningEvent.TutorialFolded(false))
             })
@@ -213,7 +214,7 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
                 .semantics { liveRegion = LiveRegionMode.Polite },
             Arrangement.spacedBy(4.dp),
         ) { content() }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.outcome_close), "outcome-close", onClose)
+        IconTouch(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClose)
     }
 }
 

@@ -38,8 +38,8 @@ import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
@@ -66,8 +66,8 @@ internal fun PaneDivider(
 ) {
     val colours = LocalRobotranColours.current
     val isUpright = orientation == Orientation.Vertical
-    val description = stringResource(if (isUpright) Res.string.divider_upright else Res.string.divider)
-    val reset = stringResource(Res.string.divider_reset)
+    val description = if (isUpright) ScreenTexts.dividerUpright(spoken) else ScreenTexts.divider(spoken)
+    val reset = ScreenTexts.dividerReset(spoken)
     val now by rememberUpdatedState(share)
     val shares by rememberUpdatedState(room)
     val put by rememberUpdatedState(onShare)

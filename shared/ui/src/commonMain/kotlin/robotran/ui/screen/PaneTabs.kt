@@ -16,9 +16,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -70,7 +70,7 @@ private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -
         selectedContentColor = if (marked) colours.error else colours.onPane,
         unselectedContentColor = if (marked) colours.error else colours.quiet,
     ) {
-        val name = stringResource(pane.title)
+        val name = pane.title(spoken)
         val words = if (marked) "!\u00A0$name" else name
         val beside = Modifier.padding(horizontal = 4.dp)
         Text(
@@ -87,9 +87,9 @@ private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -
 /** Up to this font scale, three names fit on a phone. */
 private const val LARGE = 1.3f
 
-private val Pane.title: StringResource
+private val Pane.title: Label
     get() = when (this) {
-        Pane.PROGRAM -> Res.string.tab_program
-        Pane.WORLD -> Res.string.tab_world
-        Pane.BRICK -> Res.string.tab_brick
+        Pane.PROGRAM -> ScreenTexts::tabProgram
+        Pane.WORLD -> ScreenTexts::tabWorld
+        Pane.BRICK -> ScreenTexts::tabBrick
     }

@@ -11,11 +11,11 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.ProjectMenu
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
@@ -48,16 +48,16 @@ internal fun TopStrip(
             MainMenu(document, soundOn, isEditingWorld, onEvent)
             Box(Modifier.weight(1f)) { ProjectMenu(document, onEvent) }
             FullPaneButtons(fullPane, onEvent)
-            IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
+            IconTouch(Icon.BOOK, ScreenTexts.learnHelp(spoken), "learn", {
                 onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
-            }, label = stringResource(Res.string.learn).takeIf { withWords })
-            IconTouch(Icon.WORLDS, stringResource(Res.string.worlds_help), "worlds", {
+            }, label = ScreenTexts.learn(spoken).takeIf { withWords })
+            IconTouch(Icon.WORLDS, ScreenTexts.worldsHelp(spoken), "worlds", {
                 onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
-            }, label = stringResource(Res.string.worlds).takeIf { withWords })
+            }, label = ScreenTexts.worlds(spoken).takeIf { withWords })
             if (!isEditingWorld) {
-                IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.edit_world_help), "edit-world", {
+                IconTouch(Icon.SHEET_EDIT, ScreenTexts.editWorldHelp(spoken), "edit-world", {
                     onEvent(WorldEditEvent.EditorOpened)
-                }, label = stringResource(Res.string.edit_world).takeIf { withWords })
+                }, label = ScreenTexts.editWorld(spoken).takeIf { withWords })
             }
         }
     }

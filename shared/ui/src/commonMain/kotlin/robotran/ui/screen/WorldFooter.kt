@@ -15,12 +15,12 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.howFar
 import robotran.ui.drawer.FootTabs
 import robotran.ui.drawer.TaskAndGoals
+import robotran.ui.language.spoken
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -66,7 +66,7 @@ internal fun WorldFooter(
                 }
                 IconTouch(
                     if (isWhole) PaneIcons.BRICK_SMALL else PaneIcons.BRICK_WHOLE,
-                    stringResource(if (isWhole) Res.string.brick_small else Res.string.brick_whole),
+                    if (isWhole) ScreenTexts.brickSmall(spoken) else ScreenTexts.brickWhole(spoken),
                     "brick-size",
                     { onBrick(!isWhole) },
                 )

@@ -5,12 +5,12 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import org.jetbrains.compose.resources.stringResource
 import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.device.DatalogSource
 import robotran.legofirmware.device.source
 import robotran.legofirmware.device.sourceNumber
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 
@@ -19,15 +19,15 @@ import robotran.ui.theme.TextSizes
 internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag("send-datalog")) {
     entries.take(SHOWN).forEachIndexed { index, entry ->
         val words = when (entry.source) {
-            DatalogSource.VARIABLE -> Res.string.send_datalog_variable
-            DatalogSource.TIMER -> Res.string.send_datalog_timer
-            DatalogSource.SENSOR -> Res.string.send_datalog_sensor
-            DatalogSource.WATCH -> Res.string.send_datalog_watch
-            DatalogSource.OTHER -> Res.string.send_datalog_other
+            DatalogSource.VARIABLE -> SendTexts::datalogVariable
+            DatalogSource.TIMER -> SendTexts::datalogTimer
+            DatalogSource.SENSOR -> SendTexts::datalogSensor
+            DatalogSource.WATCH -> SendTexts::datalogWatch
+            DatalogSource.OTHER -> SendTexts::datalogOther
         }
-        Line(stringResource(words, index + 1, entry.sourceNumber ?: 0, entry.value))
+        Line(words(spoken, index + 1, entry.sourceNumber ?: 0, entry.value))
     }
-    if (entries.size > SHOWN) Line(stringResource(Res.string.send_datalog_more, entries.size - SHOWN))
+    if (entries.size > SHOWN) Line(SendTexts.datalogMore(spoken, entries.size - SHOWN))
 }
 
 @Composable

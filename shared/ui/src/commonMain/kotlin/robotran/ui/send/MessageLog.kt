@@ -5,10 +5,10 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import org.jetbrains.compose.resources.stringResource
 import robotran.tower.ReceivedMessage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.state.RobotMessage
@@ -28,9 +28,9 @@ internal fun MessageLog(messages: List<RobotMessage>) {
 private fun textOf(message: RobotMessage): String {
     val time = oneDecimal(message.milliseconds / 1_000.0)
     return when (val received = message.received) {
-        is ReceivedMessage.Number -> stringResource(Res.string.send_message, time, received.value)
-        is ReceivedMessage.Packet -> stringResource(Res.string.send_bytes, time, decimal(received.bytes))
-        is ReceivedMessage.Raw -> stringResource(Res.string.send_bytes, time, decimal(received.bytes))
+        is ReceivedMessage.Number -> SendTexts.message(spoken, time, received.value)
+        is ReceivedMessage.Packet -> SendTexts.bytes(spoken, time, decimal(received.bytes))
+        is ReceivedMessage.Raw -> SendTexts.bytes(spoken, time, decimal(received.bytes))
     }
 }
 

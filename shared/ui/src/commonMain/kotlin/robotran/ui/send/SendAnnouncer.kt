@@ -10,8 +10,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SendTexts
 import robotran.workshop.state.SendStep
 
 /** Tells screen readers each new step, and a quarter of a transfer at a time. */
@@ -21,7 +21,7 @@ internal fun SendAnnouncer(step: SendStep) {
     val said = if (quarters == 0) {
         sentenceOf(step)
     } else {
-        stringResource(Res.string.send_said_progress, quarters * PERCENT / QUARTERS)
+        SendTexts.saidProgress(spoken, quarters * PERCENT / QUARTERS)
     }
     Box(
         Modifier.size(1.dp).testTag("send-announcer").semantics {

@@ -8,15 +8,15 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.ButtonRows
 import robotran.ui.parts.SteadySize
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -34,9 +34,9 @@ internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier:
     ButtonRows(modifier) {
         CancelButton(step.isBusy) { onEvent(SendEvent.Cancelled) }
         for (action in actions.filter { it != main }) {
-            OtherButton(stringResource(action.words), action.tag) { onEvent(action.event) }
+            OtherButton(action.words(spoken), action.tag) { onEvent(action.event) }
         }
-        if (main != null) MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
+        if (main != null) MainButton(main.words(spoken), main.tag) { onEvent(main.event) }
     }
 }
 
@@ -46,9 +46,9 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
     Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag("send-cancel"),
     colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
 ) {
-    val words = if (cancels) Res.string.send_cancel else Res.string.send_close
-    SteadySize(words, listOf(Res.string.send_cancel, Res.string.send_close)) {
-        Text(stringResource(it), fontSize = TextSizes.BODY)
+    val words = if (cancels) SendTexts::cancel else SendTexts::close
+    SteadySize(words, listOf(SendTexts::cancel, SendTexts::close)) {
+        Text(it(spoken), fontSize = TextSizes.BODY)
     }
 }
 
@@ -93,17 +93,17 @@ private fun actionsOf(error: SendError): List<SendAction> = when (error) {
 /** LEGO's firmware does not tell its room, which all slots share. */
 private val TowerError.TooLarge.isOfSlots get() = maxBytes == null
 
-private enum class SendAction(val words: StringResource, val tag: String, val event: SendEvent) {
-    AGAIN(Res.string.send_again, "send-again", SendEvent.Retried),
-    SEND_AGAIN(Res.string.send_again_after, "send-again", SendEvent.Retried),
-    OTHER_TOWER(Res.string.send_other_tower, "send-other-tower", SendEvent.OtherTowerRequested),
-    SHOW_MISTAKE(Res.string.send_mistake_show, "send-show-mistake", SendEvent.MistakeShown),
-    CHOOSE_FILE(Res.string.send_firmware_choose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
-    OTHER_FILE(Res.string.send_firmware_other, "send-choose-firmware", SendEvent.FirmwareFileRequested),
-    SEND_FIRMWARE(Res.string.send_firmware_send, "send-firmware", SendEvent.FirmwareConfirmed),
-    EMPTY_SLOTS(Res.string.send_empty_slots, "send-empty-slots", SendEvent.SlotsEmptied),
-    READ_DATALOG(Res.string.send_datalog_read, "send-read-datalog", SendEvent.DatalogRequested),
-    SAVE_DATALOG(Res.string.send_datalog_save, "send-save-datalog", SendEvent.DatalogSaved),
-    TO_SLOTS(Res.string.send_to_slots, "send-to-slots", SendEvent.Retried),
-    WATCH(Res.string.send_watch, "send-watch", SendEvent.WatchingRequested),
+private enum class SendAction(val words: Label, val tag: String, val event: SendEvent) {
+    AGAIN(SendTexts::again, "send-again", SendEvent.Retried),
+    SEND_AGAIN(SendTexts::againAfter, "send-again", SendEvent.Retried),
+    OTHER_TOWER(SendTexts::otherTower, "send-other-tower", SendEvent.OtherTowerRequested),
+    SHOW_MISTAKE(SendTexts::mistakeShow, "send-show-mistake", SendEvent.MistakeShown),
+    CHOOSE_FILE(SendTexts::firmwareChoose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
+    OTHER_FILE(SendTexts::firmwareOther, "send-choose-firmware", SendEvent.FirmwareFileRequested),
+    SEND_FIRMWARE(SendTexts::firmwareSend, "send-firmware", SendEvent.FirmwareConfirmed),
+    EMPTY_SLOTS(SendTexts::emptySlots, "send-empty-slots", SendEvent.SlotsEmptied),
+    READ_DATALOG(SendTexts::datalogRead, "send-read-datalog", SendEvent.DatalogRequested),
+    SAVE_DATALOG(SendTexts::datalogSave, "send-save-datalog", SendEvent.DatalogSaved),
+    TO_SLOTS(SendTexts::toSlots, "send-to-slots", SendEvent.Retried),
+    WATCH(SendTexts::watch, "send-watch", SendEvent.WatchingRequested),
 }

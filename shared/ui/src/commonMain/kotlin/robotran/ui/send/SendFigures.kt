@@ -1,11 +1,12 @@
 package robotran.ui.send
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.source.Diagnostic
 import robotran.tower.TransferProgress
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.SendTexts
 
 /** [millivolts] as volts with one decimal. */
 internal fun voltsOf(millivolts: Int): String = oneDecimal(millivolts / 1_000.0)
@@ -16,8 +17,8 @@ internal fun mistakeText(diagnostic: Diagnostic): String {
     val line = diagnostic.range?.line
     return when {
         diagnostic.file.isEmpty() -> diagnostic.message
-        line == null -> stringResource(Res.string.mistake_in_file, diagnostic.file, diagnostic.message)
-        else -> stringResource(Res.string.mistake_in_line_of_file, diagnostic.file, line, diagnostic.message)
+        line == null -> ScreenTexts.mistakeInFile(spoken, diagnostic.file, diagnostic.message)
+        else -> ScreenTexts.mistakeInLineOfFile(spoken, diagnostic.file, line, diagnostic.message)
     }
 }
 
@@ -26,9 +27,9 @@ internal fun mistakeText(diagnostic: Diagnostic): String {
 internal fun timeLeft(progress: TransferProgress): String {
     val seconds = (progress.secondsLeft + ROUNDED_TO - 1) / ROUNDED_TO * ROUNDED_TO
     return if (seconds > LONG) {
-        stringResource(Res.string.send_minutes_left, (seconds + MINUTE - 1) / MINUTE)
+        SendTexts.minutesLeft(spoken, (seconds + MINUTE - 1) / MINUTE)
     } else {
-        stringResource(Res.string.send_seconds_left, seconds)
+        SendTexts.secondsLeft(spoken, seconds)
     }
 }
 

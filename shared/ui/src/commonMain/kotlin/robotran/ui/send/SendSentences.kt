@@ -1,12 +1,12 @@
 package robotran.ui.send
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerKind
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.SendTexts
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer
@@ -14,44 +14,37 @@ import robotran.workshop.state.Transfer
 /** What happens in [step], or what is wrong and what to do, in one sentence or two. */
 @Composable
 internal fun sentenceOf(step: SendStep): String = when (step) {
-    SendStep.Building -> stringResource(Res.string.send_building)
-    is SendStep.HasErrors -> stringResource(Res.string.send_mistake)
-    SendStep.NoCompiler -> stringResource(Res.string.send_no_compiler)
-    SendStep.CompilerFailed -> stringResource(Res.string.send_compiler_failed)
-    SendStep.NoTowers -> stringResource(Res.string.send_no_towers)
+    SendStep.Building -> SendTexts.building(spoken)
+    is SendStep.HasErrors -> SendTexts.mistake(spoken)
+    SendStep.NoCompiler -> SendTexts.noCompiler(spoken)
+    SendStep.CompilerFailed -> SendTexts.compilerFailed(spoken)
+    SendStep.NoTowers -> SendTexts.noTowers(spoken)
 
-    is SendStep.ChoosingTower -> stringResource(
-        if (step.isMissing) Res.string.send_choose_missing else Res.string.send_choose,
-    )
+    is SendStep.ChoosingTower -> if (step.isMissing) SendTexts.chooseMissing(spoken) else SendTexts.choose(spoken)
 
-    SendStep.Checking -> stringResource(Res.string.send_checking)
-    is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot)
-    is SendStep.ReadingDatalog -> stringResource(Res.string.send_datalog_reading)
+    SendStep.Checking -> SendTexts.checking(spoken)
+    is SendStep.ChoosingSlot -> SendTexts.slot(spoken)
+    is SendStep.ReadingDatalog -> SendTexts.datalogReading(spoken)
 
     is SendStep.Datalog -> if (step.entries.isEmpty()) {
-        stringResource(Res.string.send_datalog_none)
+        SendTexts.datalogNone(spoken)
     } else {
-        stringResource(Res.string.send_datalog, step.entries.size)
+        SendTexts.datalog(spoken, step.entries.size)
     }
 
-    is SendStep.Sending -> stringResource(
-        step.what.choose(Res.string.send_program, Res.string.send_firmware),
-    )
+    is SendStep.Sending -> step.what.choose(SendTexts.program(spoken), SendTexts.firmware(spoken))
 
     is SendStep.NeedsFirmware -> step.file?.let { firmwareSentence(it, step.needsLego) } ?: sentenceOf(step.why)
 
-    is SendStep.Cancelled -> step.slot?.let { stringResource(Res.string.send_cancelled_slot, it) } ?: stringResource(
-        step.what.choose(Res.string.send_cancelled_program, Res.string.send_cancelled_firmware),
-    )
+    is SendStep.Cancelled -> step.slot?.let { SendTexts.cancelledSlot(spoken, it) }
+        ?: step.what.choose(SendTexts.cancelledProgram(spoken), SendTexts.cancelledFirmware(spoken))
 
     is SendStep.Failed -> sentenceOf(step.error)
 
-    is SendStep.Done -> step.slot?.let { stringResource(Res.string.send_done_slot, it) }
-        ?: stringResource(Res.string.send_done)
+    is SendStep.Done -> step.slot?.let { SendTexts.doneSlot(spoken, it) }
+        ?: SendTexts.done(spoken)
 
-    is SendStep.Watching -> stringResource(
-        if (step.isOver) Res.string.send_watching_over else Res.string.send_watching,
-    )
+    is SendStep.Watching -> if (step.isOver) SendTexts.watchingOver(spoken) else SendTexts.watching(spoken)
 }
 
 /** What else helps in [step]; null for nothing. */
@@ -60,26 +53,31 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
     is SendStep.HasErrors -> mistakeText(step.first)
 
     is SendStep.ChoosingTower -> when {
-        TowerKind.USB !in step.kinds -> stringResource(Res.string.send_usb_elsewhere)
-        TowerKind.SERIAL !in step.kinds -> stringResource(Res.string.send_serial_elsewhere)
+        TowerKind.USB !in step.kinds -> SendTexts.usbElsewhere(spoken)
+        TowerKind.SERIAL !in step.kinds -> SendTexts.serialElsewhere(spoken)
         else -> null
     }
 
-    is SendStep.Sending, is SendStep.ReadingDatalog -> stringResource(Res.string.send_keep_still)
+    is SendStep.Sending, is SendStep.ReadingDatalog -> SendTexts.keepStill(spoken)
 
-    is SendStep.Datalog -> step.savedAs?.let { stringResource(Res.string.send_datalog_saved, it) }
-        ?: stringResource(Res.string.send_datalog_refused).takeIf { step.isRefused }
+    is SendStep.Datalog -> step.savedAs?.let { SendTexts.datalogSaved(spoken, it) }
+        ?: SendTexts.datalogRefused(spoken).takeIf { step.isRefused }
 
-    is SendStep.ChoosingSlot -> stringResource(Res.string.send_slot_help)
+    is SendStep.ChoosingSlot -> SendTexts.slotHelp(spoken)
 
-    is SendStep.NeedsFirmware -> stringResource(
-        if (step.needsLego) Res.string.send_lego_where else Res.string.send_firmware_where,
-    ).takeIf { step.usable == null }
+    is SendStep.NeedsFirmware -> if (step.needsLego) {
+        SendTexts.legoWhere(spoken)
+    } else {
+        SendTexts.firmwareWhere(spoken).takeIf {
+            step.usable ==
+                null
+        }
+    }
 
-    is SendStep.Done -> stringResource(Res.string.send_done_help)
+    is SendStep.Done -> SendTexts.doneHelp(spoken)
 
     is SendStep.Failed -> listOfNotNull(
-        stringResource(Res.string.send_error_brick_silent_help).takeIf {
+        SendTexts.errorBrickSilentHelp(spoken).takeIf {
             step.error == SendError.OfTower(TowerError.BrickSilent)
         },
         remainsSentence(step.remains, step.slot),
@@ -90,39 +88,37 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
 
 @Composable
 private fun sentenceOf(error: SendError): String = when (error) {
-    is SendError.OfPort -> stringResource(
-        when (error.failure) {
-            OpenFailure.GONE -> Res.string.send_error_tower_gone
-            OpenFailure.BUSY -> Res.string.send_error_busy
-            OpenFailure.NOT_ALLOWED -> Res.string.send_error_not_allowed
-            OpenFailure.HELD_BY_DRIVER -> Res.string.send_error_held
-        },
-    )
+    is SendError.OfPort -> when (error.failure) {
+        OpenFailure.GONE -> SendTexts.errorTowerGone(spoken)
+        OpenFailure.BUSY -> SendTexts.errorBusy(spoken)
+        OpenFailure.NOT_ALLOWED -> SendTexts.errorNotAllowed(spoken)
+        OpenFailure.HELD_BY_DRIVER -> SendTexts.errorHeld(spoken)
+    }
 
     is SendError.OfTower -> sentenceOf(error.error)
 }
 
 @Composable
 private fun sentenceOf(error: TowerError): String = when (error) {
-    TowerError.TowerGone -> stringResource(Res.string.send_error_tower_gone)
-    TowerError.TowerSilent -> stringResource(Res.string.send_error_tower_silent)
-    TowerError.BrickSilent -> stringResource(Res.string.send_error_brick_silent)
+    TowerError.TowerGone -> SendTexts.errorTowerGone(spoken)
+    TowerError.TowerSilent -> SendTexts.errorTowerSilent(spoken)
+    TowerError.BrickSilent -> SendTexts.errorBrickSilent(spoken)
 
-    is TowerError.NoLejos -> error.lego?.let { stringResource(Res.string.send_has_lego, "$it") }
-        ?: stringResource(Res.string.send_needs_firmware)
+    is TowerError.NoLejos -> error.lego?.let { SendTexts.hasLego(spoken, "$it") }
+        ?: SendTexts.needsFirmware(spoken)
 
-    TowerError.NoLegoFirmware -> stringResource(Res.string.send_needs_lego)
-    is TowerError.LegoFirmwareTooOld -> stringResource(Res.string.send_lego_too_old, "${error.version}")
-    TowerError.BadConnection -> stringResource(Res.string.send_error_connection)
-    is TowerError.BatteryLow -> stringResource(Res.string.send_error_battery, voltsOf(error.millivolts))
+    TowerError.NoLegoFirmware -> SendTexts.needsLego(spoken)
+    is TowerError.LegoFirmwareTooOld -> SendTexts.legoTooOld(spoken, "${error.version}")
+    TowerError.BadConnection -> SendTexts.errorConnection(spoken)
+    is TowerError.BatteryLow -> SendTexts.errorBattery(spoken, voltsOf(error.millivolts))
 
-    is TowerError.TooLarge -> error.maxBytes?.let { stringResource(Res.string.send_error_large, error.bytes, it) }
-        ?: stringResource(Res.string.send_full_slots)
+    is TowerError.TooLarge -> error.maxBytes?.let { SendTexts.errorLarge(spoken, error.bytes, it) }
+        ?: SendTexts.fullSlots(spoken)
 
-    TowerError.FirmwareRefused -> stringResource(Res.string.send_error_refused)
+    TowerError.FirmwareRefused -> SendTexts.errorRefused(spoken)
 }
 
-private fun Transfer.choose(program: StringResource, firmware: StringResource): StringResource = when (this) {
+private fun Transfer.choose(program: String, firmware: String): String = when (this) {
     Transfer.PROGRAM -> program
     Transfer.FIRMWARE -> firmware
 }

@@ -19,8 +19,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -44,7 +44,7 @@ internal fun SendSheet(state: SendState, onEvent: (SendEvent) -> Unit) = AppDial
 @Composable
 internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val title = stringResource(Res.string.send_title, state.program)
+    val title = SendTexts.title(spoken, state.program)
     val scale = LocalDensity.current.fontScale
     Surface(
         modifier

@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
@@ -62,7 +62,7 @@ private fun StepWords(step: SendStep, onEvent: (SendEvent) -> Unit) {
         is SendStep.ChoosingTower -> TowerChoice(step, onEvent)
         is SendStep.ChoosingSlot -> SlotChoice(step, onEvent)
         is SendStep.Sending -> TransferView(step.progress)
-        is SendStep.ReadingDatalog -> TransferView(step.progress, Res.string.send_datalog_entry)
+        is SendStep.ReadingDatalog -> TransferView(step.progress, SendTexts::datalogEntry)
         is SendStep.Datalog -> DatalogView(step.entries)
         is SendStep.Watching -> MessageLog(step.messages)
         else -> Unit

@@ -16,9 +16,9 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.tower.LegoLimits
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -38,7 +38,7 @@ internal fun SlotChoice(step: SendStep.ChoosingSlot, onEvent: (SendEvent) -> Uni
 @Composable
 private fun SlotButton(slot: Int, isLast: Boolean, modifier: Modifier, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    val words = stringResource(if (isLast) Res.string.send_slot_last else Res.string.send_slot_number, slot)
+    val words = if (isLast) SendTexts.slotLast(spoken, slot) else SendTexts.slotNumber(spoken, slot)
     OutlinedButton(
         onClick,
         modifier

@@ -11,11 +11,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -31,7 +31,7 @@ internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> U
     }
     // The USB tower first: it needs no adapter, so most pupils have one.
     for (kind in step.kinds.sortedByDescending { it == TowerKind.USB }) {
-        TowerButton(stringResource(lookingFor(kind)), "send-look-${kind.name.lowercase()}") {
+        TowerButton(lookingFor(kind)(spoken), "send-look-${kind.name.lowercase()}") {
             onEvent(SendEvent.TowerRequested(kind))
         }
     }
@@ -51,13 +51,13 @@ private fun TowerButton(words: String, tag: String, onClick: () -> Unit) {
 @Composable
 private fun nameOf(device: TowerDevice): String {
     val (plain, named) = when (device.kind) {
-        TowerKind.USB -> Res.string.send_usb_tower to Res.string.send_usb_named
-        TowerKind.SERIAL -> Res.string.send_serial_tower to Res.string.send_serial_named
+        TowerKind.USB -> SendTexts::usbTower to SendTexts::usbNamed
+        TowerKind.SERIAL -> SendTexts::serialTower to SendTexts::serialNamed
     }
-    return if (device.name.isEmpty()) stringResource(plain) else stringResource(named, device.name)
+    return if (device.name.isEmpty()) plain(spoken) else named(spoken, device.name)
 }
 
-private fun lookingFor(kind: TowerKind): StringResource = when (kind) {
-    TowerKind.USB -> Res.string.send_look_usb
-    TowerKind.SERIAL -> Res.string.send_look_serial
+private fun lookingFor(kind: TowerKind): Label = when (kind) {
+    TowerKind.USB -> SendTexts::lookUsb
+    TowerKind.SERIAL -> SendTexts::lookSerial
 }

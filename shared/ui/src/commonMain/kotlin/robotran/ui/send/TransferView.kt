@@ -10,11 +10,11 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
 import robotran.tower.TransferProgress
 import robotran.ui.documents.Explanation
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
@@ -25,7 +25,7 @@ import robotran.ui.theme.TextSizes
  * @param counted the words for so many of so many blocks.
  */
 @Composable
-internal fun TransferView(progress: TransferProgress?, counted: StringResource = Res.string.send_block) {
+internal fun TransferView(progress: TransferProgress?, counted: (Language, Int, Int) -> String = SendTexts::block) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
         LinearProgressIndicator(
@@ -37,7 +37,7 @@ internal fun TransferView(progress: TransferProgress?, counted: StringResource =
             drawStopIndicator = { },
         )
         val words = progress?.let {
-            "${stringResource(counted, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
+            "${counted(spoken, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
         }
         // An empty line, so that nothing moves when the first block is through.
         Text(
@@ -48,7 +48,7 @@ internal fun TransferView(progress: TransferProgress?, counted: StringResource =
             minLines = 1,
         )
         if (progress != null && isWeak(progress)) {
-            Explanation(stringResource(Res.string.send_weak), Modifier.testTag("send-weak"))
+            Explanation(SendTexts.weak(spoken), Modifier.testTag("send-weak"))
         }
     }
 }

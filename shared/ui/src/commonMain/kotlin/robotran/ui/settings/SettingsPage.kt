@@ -8,11 +8,11 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
+import robotran.ui.language.spoken
 import robotran.ui.parts.Page
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalLessMotion
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.AppTheme
@@ -30,23 +30,23 @@ internal fun SettingsPage(
     val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
     val scroll = rememberScrollState()
     val close = { onEvent(SettingsEvent.SettingsShown(false)) }
-    Page(stringResource(Res.string.settings_title), "settings", close, scroll) {
+    Page(ScreenTexts.settingsTitle(spoken), "settings", close, scroll) {
         Column(Modifier.verticalScroll(scroll).padding(24.dp), Arrangement.spacedBy(28.dp)) {
             ChoiceOfOne(
-                stringResource(Res.string.settings_language),
-                listOf(null to stringResource(Res.string.settings_language_machine)) +
+                ScreenTexts.settingsLanguage(spoken),
+                listOf(null to ScreenTexts.settingsLanguageMachine(spoken)) +
                     Language.entries.map { it to it.ownName },
                 settings.language,
                 "language",
             ) { change(settings.copy(language = it)) }
             ChoiceOfOne(
-                stringResource(Res.string.settings_theme),
-                AppTheme.entries.map { it to stringResource(it.title) },
+                ScreenTexts.settingsTheme(spoken),
+                AppTheme.entries.map { it to it.title(spoken) },
                 settings.theme,
                 "theme",
             ) { change(settings.copy(theme = it)) }
             SizeSlider(
-                stringResource(Res.string.settings_text_size),
+                ScreenTexts.settingsTextSize(spoken),
                 settings.textScale,
                 1f..2f,
                 3,
@@ -54,17 +54,17 @@ internal fun SettingsPage(
                 "text-size",
             ) { change(settings.copy(textScale = it)) }
             SizeSlider(
-                stringResource(Res.string.settings_code_size),
+                ScreenTexts.settingsCodeSize(spoken),
                 settings.codeSize,
                 10f..40f,
                 0,
                 { "${it.roundToInt()}" },
                 "code-size",
             ) { change(settings.copy(codeSize = it.roundToInt().toFloat())) }
-            SwitchRow(stringResource(Res.string.settings_sound), settings.soundOn, "sound-setting") {
+            SwitchRow(ScreenTexts.settingsSound(spoken), settings.soundOn, "sound-setting") {
                 change(settings.copy(soundOn = it))
             }
-            SwitchRow(stringResource(Res.string.settings_less_motion), LocalLessMotion.current, "less-motion") {
+            SwitchRow(ScreenTexts.settingsLessMotion(spoken), LocalLessMotion.current, "less-motion") {
                 change(settings.copy(lessMotion = it))
             }
             if (asksForSite) SiteField(settings.site, siteRequested) { change(settings.copy(site = it)) }
@@ -72,11 +72,11 @@ internal fun SettingsPage(
     }
 }
 
-private val AppTheme.title: StringResource
+private val AppTheme.title: Label
     get() = when (this) {
-        AppTheme.SYSTEM -> Res.string.theme_system
-        AppTheme.LIGHT -> Res.string.theme_light
-        AppTheme.DARK -> Res.string.theme_dark
-        AppTheme.HIGH_CONTRAST -> Res.string.theme_high_contrast
-        AppTheme.HIGH_CONTRAST_DARK -> Res.string.theme_high_contrast_dark
+        AppTheme.SYSTEM -> ScreenTexts::themeSystem
+        AppTheme.LIGHT -> ScreenTexts::themeLight
+        AppTheme.DARK -> ScreenTexts::themeDark
+        AppTheme.HIGH_CONTRAST -> ScreenTexts::themeHighContrast
+        AppTheme.HIGH_CONTRAST_DARK -> ScreenTexts::themeHighContrastDark
     }

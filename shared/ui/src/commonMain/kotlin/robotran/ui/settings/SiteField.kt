@@ -18,10 +18,10 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.KeyboardType
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.siteAddress
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 
@@ -41,10 +41,10 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
             if (address != null || it.isBlank()) onSite(address.orEmpty())
         },
         Modifier.fillMaxWidth().focusRequester(focus).testTag("site"),
-        label = { Text(stringResource(Res.string.settings_site)) },
+        label = { Text(ScreenTexts.settingsSite(spoken)) },
         supportingText = {
             Text(
-                stringResource(if (isWrong) Res.string.settings_site_wrong else Res.string.settings_site_help),
+                if (isWrong) ScreenTexts.settingsSiteWrong(spoken) else ScreenTexts.settingsSiteHelp(spoken),
                 Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics {
                     liveRegion = LiveRegionMode.Polite
                 },

@@ -27,12 +27,12 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
 import robotran.ui.parts.scrollHint
 import robotran.ui.poster.DrawnPoster
-import robotran.ui.resources.*
 import robotran.ui.settings.SwitchRow
+import robotran.ui.texts.ExportTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -72,18 +72,18 @@ internal fun PosterForm(step: ShowStep.ChoosingPoster, onEvent: (ShowEvent) -> U
 @Composable
 private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ShowEvent) -> Unit) {
     val poster = step.poster
-    PosterField(poster.title, stringResource(Res.string.show_poster_title), "poster-title") {
+    PosterField(poster.title, ExportTexts.posterTitle(spoken), "poster-title") {
         onEvent(ShowEvent.PosterChanged(it, poster.maker, step.isDated))
     }
-    PosterField(poster.maker, stringResource(Res.string.show_poster_maker), "poster-maker") {
+    PosterField(poster.maker, ExportTexts.posterMaker(spoken), "poster-maker") {
         onEvent(ShowEvent.PosterChanged(poster.title, it, step.isDated))
     }
-    SwitchRow(stringResource(Res.string.show_poster_date), step.isDated, "poster-date") {
+    SwitchRow(ExportTexts.posterDate(spoken), step.isDated, "poster-date") {
         onEvent(ShowEvent.PosterChanged(poster.title, poster.maker, it))
     }
     val quiet = LocalRobotranColours.current.quiet
     Text(
-        stringResource(Res.string.show_poster_private),
+        ExportTexts.posterPrivate(spoken),
         color = quiet,
         fontSize = TextSizes.SMALL,
         lineHeight = LineHeights.SMALL,
@@ -105,7 +105,7 @@ private fun PosterPreview(poster: Poster, modifier: Modifier) {
     val drawn = remember(poster) { DrawnPoster(poster) }
     val labels = rememberTextMeasurer(CACHED_LINES)
     val code = codeStyle().fontFamily
-    val description = stringResource(Res.string.show_poster_preview)
+    val description = ExportTexts.posterPreview(spoken)
     BoxWithConstraints(modifier, Alignment.TopCenter) {
         val line = LocalRobotranColours.current.line
         Canvas(

@@ -2,12 +2,12 @@ package robotran.ui.show
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.ButtonRows
-import robotran.ui.resources.*
+import robotran.ui.texts.ExportTexts
+import robotran.ui.texts.Label
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.state.ShowState
 import robotran.workshop.state.ShowStep
@@ -17,14 +17,14 @@ import robotran.workshop.state.ShowStep
 internal fun ShowButtons(state: ShowState, onEvent: (ShowEvent) -> Unit, modifier: Modifier = Modifier) {
     val (first, others) = actionsOf(state)
     ButtonRows(modifier) {
-        OtherButton(stringResource(first.words), first.tag) { onEvent(first.event) }
+        OtherButton(first.words(spoken), first.tag) { onEvent(first.event) }
         for (action in others.dropLast(1)) {
-            OtherButton(stringResource(action.words), action.tag) {
+            OtherButton(action.words(spoken), action.tag) {
                 onEvent(action.event)
             }
         }
         others.lastOrNull()?.let { main ->
-            MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
+            MainButton(main.words(spoken), main.tag) { onEvent(main.event) }
         }
     }
 }
@@ -41,12 +41,12 @@ private fun actionsOf(state: ShowState): Pair<ShowAction, List<ShowAction>> = wh
     is ShowStep.Saved, is ShowStep.Failed -> ShowAction.MORE to listOf(ShowAction.CLOSE)
 }
 
-private enum class ShowAction(val words: StringResource, val tag: String, val event: ShowEvent) {
-    CLOSE(Res.string.show_close, "show-close", ShowEvent.Closed),
-    BACK(Res.string.show_back, "show-back", ShowEvent.BackRequested),
-    CANCEL(Res.string.show_cancel, "show-cancel", ShowEvent.BackRequested),
-    MORE(Res.string.show_more, "show-more", ShowEvent.BackRequested),
-    MAKE(Res.string.show_make, "show-make", ShowEvent.MakingRequested),
-    SAVE(Res.string.show_poster_save, "poster-save", ShowEvent.PosterSaved),
-    PRINT(Res.string.show_poster_print, "poster-print", ShowEvent.PosterPrinted),
+private enum class ShowAction(val words: Label, val tag: String, val event: ShowEvent) {
+    CLOSE(ExportTexts::close, "show-close", ShowEvent.Closed),
+    BACK(ExportTexts::back, "show-back", ShowEvent.BackRequested),
+    CANCEL(ExportTexts::cancel, "show-cancel", ShowEvent.BackRequested),
+    MORE(ExportTexts::more, "show-more", ShowEvent.BackRequested),
+    MAKE(ExportTexts::make, "show-make", ShowEvent.MakingRequested),
+    SAVE(ExportTexts::posterSave, "poster-save", ShowEvent.PosterSaved),
+    PRINT(ExportTexts::posterPrint, "poster-print", ShowEvent.PosterPrinted),
 }

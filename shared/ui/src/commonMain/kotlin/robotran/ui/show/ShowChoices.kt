@@ -34,11 +34,11 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
+import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.ExportTexts
+import robotran.ui.texts.Label
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -114,14 +114,14 @@ private fun ChoiceButton(
             Canvas(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT)) { with(choice) { draw(sheet, session, colours) } }
             Column(Modifier.weight(1f), Arrangement.spacedBy(2.dp)) {
                 Text(
-                    stringResource(choice.words),
+                    choice.words(spoken),
                     fontSize = TextSizes.BODY,
                     lineHeight = LineHeights.LABEL,
                     fontWeight = FontWeight.Medium,
                 )
-                val help = if (enabled) choice.help else Res.string.show_no_run
+                val help = if (enabled) choice.help else ExportTexts::noRun
                 Text(
-                    stringResource(help),
+                    help(spoken),
                     color = colours.quiet,
                     fontSize = TextSizes.SMALL,
                     lineHeight = LineHeights.SMALL,
@@ -132,47 +132,47 @@ private fun ChoiceButton(
 }
 
 private enum class ShowChoice(
-    val words: StringResource,
-    val help: StringResource,
+    val words: Label,
+    val help: Label,
     val event: WorkshopEvent,
     private val picture: DrawScope.(ShownSheet, SessionState, RobotranColours) -> Unit,
     val needsRun: Boolean = false,
 ) {
     MOVING(
-        Res.string.show_moving,
-        Res.string.show_moving_help,
+        ExportTexts::moving,
+        ExportTexts::movingHelp,
         ShowEvent.MovingChosen(MovingKind.PICTURE),
         { sheet, session, _ -> drawMoving(sheet, session) },
         needsRun = true,
     ),
     VIDEO(
-        Res.string.show_video,
-        Res.string.show_video_help,
+        ExportTexts::video,
+        ExportTexts::videoHelp,
         ShowEvent.MovingChosen(MovingKind.VIDEO),
         { sheet, session, _ -> drawFilm(sheet, session) },
         needsRun = true,
     ),
     PICTURE(
-        Res.string.show_picture,
-        Res.string.show_picture_help,
+        ExportTexts::picture,
+        ExportTexts::pictureHelp,
         ShowEvent.StillChosen(FileKind.PNG),
         { sheet, session, _ -> drawPhoto(sheet, session) },
     ),
     POSTER(
-        Res.string.show_poster,
-        Res.string.show_poster_help,
+        ExportTexts::poster,
+        ExportTexts::posterHelp,
         ShowEvent.PosterChosen,
         { sheet, session, _ -> drawPage(sheet, session) },
     ),
     DRAWING(
-        Res.string.show_drawing,
-        Res.string.show_drawing_help,
+        ExportTexts::drawing,
+        ExportTexts::drawingHelp,
         ShowEvent.StillChosen(FileKind.SVG),
         { sheet, session, colours -> drawEnlarged(sheet, session, colours) },
     ),
     LINK(
-        Res.string.show_link,
-        Res.string.show_link_help,
+        ExportTexts::link,
+        ExportTexts::linkHelp,
         DocumentEvent.LinkRequested,
         { sheet, session, colours -> drawLinked(sheet, session, colours) },
     ),

@@ -19,9 +19,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ExportTexts
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -52,7 +52,7 @@ internal fun ShowCard(
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
-    val title = stringResource(Res.string.show_title)
+    val title = ExportTexts.title(spoken)
     val scale = LocalDensity.current.fontScale
     Surface(
         modifier

@@ -26,10 +26,10 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.*
+import robotran.ui.texts.ExportTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -47,7 +47,7 @@ import kotlin.math.roundToInt
 internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ShowEvent) -> Unit) {
     Column(Modifier.fillMaxSize().verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
         Text(
-            stringResource(Res.string.show_speed_title),
+            ExportTexts.speedTitle(spoken),
             Modifier.semantics { heading() },
             fontSize = TextSizes.LEAD,
             lineHeight = LineHeights.BODY,
@@ -58,7 +58,7 @@ internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ShowEvent) -> U
                 SpeedRow(speed, speed == step.chosen) { onEvent(ShowEvent.SpeedChosen(speed)) }
             }
         }
-        if (step.kind == MovingKind.VIDEO) Explanation(stringResource(Res.string.show_video_time))
+        if (step.kind == MovingKind.VIDEO) Explanation(ExportTexts.videoTime(spoken))
     }
 }
 
@@ -78,12 +78,12 @@ private fun SpeedRow(speed: ShowSpeed, isChosen: Boolean, onClick: () -> Unit) {
     ) {
         RadioMark(isChosen)
         val words = if (speed.factor == 1) {
-            stringResource(Res.string.show_speed_own)
+            ExportTexts.speedOwn(spoken)
         } else {
-            stringResource(Res.string.show_speed_times, speed.factor)
+            ExportTexts.speedTimes(spoken, speed.factor)
         }
         Text(words, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
-        Text(stringResource(Res.string.show_seconds, speed.seconds), color = colours.quiet, fontSize = TextSizes.BODY)
+        Text(ExportTexts.seconds(spoken, speed.seconds), color = colours.quiet, fontSize = TextSizes.BODY)
     }
 }
 
@@ -91,10 +91,10 @@ private fun SpeedRow(speed: ShowSpeed, isChosen: Boolean, onClick: () -> Unit) {
 internal fun MakingView(step: ShowStep.Making) {
     val colours = LocalRobotranColours.current
     val words = when (step.kind) {
-        MovingKind.PICTURE -> stringResource(Res.string.show_making_moving)
-        MovingKind.VIDEO -> stringResource(Res.string.show_making_video)
+        MovingKind.PICTURE -> ExportTexts.makingMoving(spoken)
+        MovingKind.VIDEO -> ExportTexts.makingVideo(spoken)
     }
-    val percent = stringResource(Res.string.show_percent, (step.progress * PERCENT).roundToInt())
+    val percent = ExportTexts.percent(spoken, (step.progress * PERCENT).roundToInt())
     Column(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp, Alignment.CenterVertically)) {
         Text(
             words,
@@ -115,18 +115,18 @@ internal fun MakingView(step: ShowStep.Making) {
 }
 
 @Composable
-internal fun SavedView(name: String) = Told(stringResource(Res.string.show_saved, name), "show-saved")
+internal fun SavedView(name: String) = Told(ExportTexts.saved(spoken, name), "show-saved")
 
 @Composable
 internal fun FailedView(error: ShowError) = Told(
     when (error) {
-        ShowError.TooLarge -> stringResource(Res.string.show_too_large)
-        ShowError.NoVideo -> stringResource(Res.string.show_no_video)
-        is ShowError.NotPrinted -> stringResource(Res.string.show_not_printed, error.reason).trim()
+        ShowError.TooLarge -> ExportTexts.tooLarge(spoken)
+        ShowError.NoVideo -> ExportTexts.noVideo(spoken)
+        is ShowError.NotPrinted -> ExportTexts.notPrinted(spoken, error.reason).trim()
 
         is ShowError.NotSaved -> when {
-            error.isFull -> stringResource(Res.string.show_full)
-            else -> stringResource(Res.string.show_not_saved, error.reason).trim()
+            error.isFull -> ExportTexts.full(spoken)
+            else -> ExportTexts.notSaved(spoken, error.reason).trim()
         }
     },
     "show-failed",

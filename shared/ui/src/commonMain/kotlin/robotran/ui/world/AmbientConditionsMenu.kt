@@ -18,14 +18,14 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.SessionInput
 import robotran.simulation.state.AmbientConditions
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
-import robotran.ui.resources.*
 import robotran.ui.sheet.has
+import robotran.ui.texts.Label
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
@@ -48,15 +48,15 @@ private fun noticesWarmth(world: World) =
 internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") {
+        SheetButton(SheetIcons.SURROUNDINGS, SheetTexts.surroundings(spoken), "sheet-surroundings") {
             open = true
         }
         AppMenu(open, { open = false }) {
             Column(Modifier.width(PANEL_WIDTH).padding(horizontal = 16.dp, vertical = 8.dp)) {
                 if (noticesLight(world)) {
                     SurroundingsSlider(
-                        stringResource(Res.string.sheet_light),
-                        stringResource(lightWords(surroundings.light)),
+                        SheetTexts.light(spoken),
+                        lightWords(surroundings.light)(spoken),
                         "light",
                         surroundings.light.toFloat(),
                         0f..max(MAX_LIGHT, world.ambientLight.toFloat()),
@@ -65,8 +65,8 @@ internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions
                 }
                 if (noticesWarmth(world)) {
                     SurroundingsSlider(
-                        stringResource(Res.string.sheet_temperature),
-                        stringResource(Res.string.sheet_celsius, surroundings.celsius.roundToInt()),
+                        SheetTexts.temperature(spoken),
+                        SheetTexts.celsius(spoken, surroundings.celsius.roundToInt()),
                         "temperature",
                         surroundings.celsius.toFloat(),
                         TEMPERATURES,
@@ -103,11 +103,11 @@ private fun SurroundingsSlider(
     )
 }
 
-private fun lightWords(light: Double): StringResource = when {
-    light < DIM -> Res.string.sheet_light_dark
-    light < BRIGHT -> Res.string.sheet_light_dim
-    light < DAYLIGHT -> Res.string.sheet_light_bright
-    else -> Res.string.sheet_light_day
+private fun lightWords(light: Double): Label = when {
+    light < DIM -> SheetTexts::lightDark
+    light < BRIGHT -> SheetTexts::lightDim
+    light < DAYLIGHT -> SheetTexts::lightBright
+    else -> SheetTexts::lightDay
 }
 
 /** The limits of the words for brightness, in the units of [robotran.world.Light]. */

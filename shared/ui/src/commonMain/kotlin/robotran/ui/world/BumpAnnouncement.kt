@@ -14,10 +14,10 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.SheetTexts
 import robotran.world.TouchKind
 import robotran.world.World
 
@@ -46,14 +46,14 @@ private data class Bump(val robot: String, val count: Int, val touched: TouchKin
 
 @Composable
 private fun bumpWords(bump: Bump): String {
-    val touched = bump.touched ?: return stringResource(Res.string.sheet_bump, bump.count, bump.robot)
-    return stringResource(Res.string.sheet_bump_into, bump.count, bump.robot, stringResource(touched.words))
+    val touched = bump.touched ?: return SheetTexts.bump(spoken, bump.count, bump.robot)
+    return SheetTexts.bumpInto(spoken, bump.count, bump.robot, touched.words(spoken))
 }
 
-private val TouchKind.words: StringResource
+private val TouchKind.words: Label
     get() = when (this) {
-        TouchKind.WALLS -> Res.string.sheet_touch_wall
-        TouchKind.BARRIERS -> Res.string.sheet_touch_barrier
-        TouchKind.BLOCKS -> Res.string.sheet_touch_block
-        TouchKind.ROBOTS -> Res.string.sheet_touch_robot
+        TouchKind.WALLS -> SheetTexts::touchWall
+        TouchKind.BARRIERS -> SheetTexts::touchBarrier
+        TouchKind.BLOCKS -> SheetTexts::touchBlock
+        TouchKind.ROBOTS -> SheetTexts::touchRobot
     }

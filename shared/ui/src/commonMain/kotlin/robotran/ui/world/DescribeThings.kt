@@ -1,10 +1,11 @@
 package robotran.ui.world
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.SheetTexts
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.world.World
@@ -16,44 +17,41 @@ import robotran.world.geometry.Pose
 internal fun describeElement(thing: SheetElement, pose: Pose, world: World, session: SessionState): String =
     when (thing.kind) {
         SheetElementKind.ROBOT -> {
-            stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
+            SheetTexts.robot(spoken, world.robots[thing.number].name, poseWords(pose))
         }
 
         SheetElementKind.BLOCK -> {
             val name = world.blocks[thing.number].name
             if (name != null) {
-                stringResource(Res.string.sheet_block, name, poseWords(pose))
+                SheetTexts.block(spoken, name, poseWords(pose))
             } else {
-                stringResource(Res.string.sheet_block_numbered, thing.number + 1, poseWords(pose))
+                SheetTexts.blockNumbered(spoken, thing.number + 1, poseWords(pose))
             }
         }
 
         else -> {
             val isOn = session.lamps[thing.number].on
-            val state = stringResource(if (isOn) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off)
+            val state = if (isOn) SheetTexts.lampOn(spoken) else SheetTexts.lampOff(spoken)
             val isInfrared = world.lamps[thing.number].infrared
-            val on = if (isInfrared) stringResource(Res.string.sheet_lamp_infrared, state) else state
+            val on = if (isInfrared) SheetTexts.lampInfrared(spoken, state) else state
             val place = placeWords(Point(pose.x, pose.y))
             val name = world.lamps[thing.number].name
             if (name != null) {
-                stringResource(Res.string.sheet_lamp, name, place, on)
+                SheetTexts.lamp(spoken, name, place, on)
             } else {
-                stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
+                SheetTexts.lampNumbered(spoken, thing.number + 1, place, on)
             }
         }
     }
 
 /** A place such as `20.0 cm across and 30.0 cm up`. */
 @Composable
-internal fun placeWords(place: Point): String = stringResource(
-    Res.string.sheet_place,
-    stringResource(Res.string.centimetres, oneDecimal(place.x)),
-    stringResource(Res.string.centimetres, oneDecimal(place.y)),
+internal fun placeWords(place: Point): String = SheetTexts.place(
+    spoken,
+    ScreenTexts.centimetres(spoken, oneDecimal(place.x)),
+    ScreenTexts.centimetres(spoken, oneDecimal(place.y)),
 )
 
 @Composable
-private fun poseWords(pose: Pose): String = stringResource(
-    Res.string.sheet_pose,
-    placeWords(Point(pose.x, pose.y)),
-    stringResource(Res.string.degrees, oneDecimal(pose.heading)),
-)
+private fun poseWords(pose: Pose): String =
+    SheetTexts.pose(spoken, placeWords(Point(pose.x, pose.y)), ScreenTexts.degrees(spoken, oneDecimal(pose.heading)))

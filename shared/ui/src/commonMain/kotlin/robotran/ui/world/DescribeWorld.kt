@@ -1,13 +1,14 @@
 package robotran.ui.world
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.goalRegions
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.SheetTexts
 import robotran.world.RegionRole
 import robotran.world.World
 import robotran.world.geometry.centre
@@ -19,14 +20,11 @@ internal fun describeWorld(world: World, session: SessionState): String {
         if (session.robots.size == 1) {
             robotWords(robot)
         } else {
-            stringResource(Res.string.sheet_robot_of_several, place.name, robotWords(robot))
+            SheetTexts.robotOfSeveral(spoken, place.name, robotWords(robot))
         }
     }
     val ink =
-        stringResource(
-            Res.string.ink_length,
-            stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)),
-        )
+        ScreenTexts.inkLength(spoken, ScreenTexts.centimetres(spoken, oneDecimal(session.ink.lengthCentimetres)))
     val regions = goalRegions(world.goals).map { regionWords(it, session) }
     return (robots + ink + regions).joinToString(". ")
 }
@@ -34,14 +32,14 @@ internal fun describeWorld(world: World, session: SessionState): String {
 @Composable
 private fun robotWords(snapshot: RobotSnapshot): String {
     val pose = snapshot.robot.pose
-    val place = stringResource(
-        Res.string.robot_pose,
-        stringResource(Res.string.centimetres, oneDecimal(pose.x)),
-        stringResource(Res.string.centimetres, oneDecimal(pose.y)),
-        stringResource(Res.string.degrees, oneDecimal(pose.heading)),
+    val place = ScreenTexts.robotPose(
+        spoken,
+        ScreenTexts.centimetres(spoken, oneDecimal(pose.x)),
+        ScreenTexts.centimetres(spoken, oneDecimal(pose.y)),
+        ScreenTexts.degrees(spoken, oneDecimal(pose.heading)),
     )
     return "$place, " +
-        "${stringResource(if (snapshot.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)}"
+        "${if (snapshot.robot.penDown) ScreenTexts.robotPenDown(spoken) else ScreenTexts.robotPenUp(spoken)}"
 }
 
 @Composable
@@ -51,14 +49,14 @@ private fun regionWords(region: GoalRegion, session: SessionState): String {
     val words = when (region.role) {
         RegionRole.TARGET -> {
             if (number == null) {
-                stringResource(Res.string.sheet_region_reach, place)
+                SheetTexts.regionReach(spoken, place)
             } else {
-                stringResource(Res.string.sheet_region_reach_numbered, number, place)
+                SheetTexts.regionReachNumbered(spoken, number, place)
             }
         }
 
-        RegionRole.FORBIDDEN -> stringResource(Res.string.sheet_region_stay_out, place)
-        RegionRole.PERMITTED -> stringResource(Res.string.sheet_region_stay_in, place)
+        RegionRole.FORBIDDEN -> SheetTexts.regionStayOut(spoken, place)
+        RegionRole.PERMITTED -> SheetTexts.regionStayIn(spoken, place)
     }
-    return if (region.isMet(session.goals)) stringResource(Res.string.sheet_region_met, words) else words
+    return if (region.isMet(session.goals)) SheetTexts.regionMet(spoken, words) else words
 }

@@ -27,10 +27,10 @@ import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.max
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetElement
@@ -175,11 +175,11 @@ private data class MovementWords(
 
 @Composable
 private fun movementWords() = MovementWords(
-    left = stringResource(Res.string.sheet_move_left),
-    right = stringResource(Res.string.sheet_move_right),
-    up = stringResource(Res.string.sheet_move_up),
-    down = stringResource(Res.string.sheet_move_down),
-    turnLeft = stringResource(Res.string.sheet_turn_left),
-    turnRight = stringResource(Res.string.sheet_turn_right),
-    switch = stringResource(Res.string.sheet_lamp_switch),
+    left = SheetTexts.moveLeft(spoken),
+    right = SheetTexts.moveRight(spoken),
+    up = SheetTexts.moveUp(spoken),
+    down = SheetTexts.moveDown(spoken),
+    turnLeft = SheetTexts.turnLeft(spoken),
+    turnRight = SheetTexts.turnRight(spoken),
+    switch = SheetTexts.lampSwitch(spoken),
 )

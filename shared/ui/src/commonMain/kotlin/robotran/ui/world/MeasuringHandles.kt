@@ -29,9 +29,9 @@ import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetTransform
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.focusRing
 import robotran.workshop.measuring.Measuring
@@ -87,8 +87,8 @@ private fun MeasuringHandle(
         put(now.moved(end, places.after(now.placeOf(end)) ?: return false))
         return true
     }
-    val next = stringResource(Res.string.measure_next)
-    val moves = MOVES.map { (words, step) -> stringResource(words) to step }
+    val next = SheetTexts.measureNext(spoken)
+    val moves = MOVES.map { (words, step) -> words(spoken) to step }
     Box(
         Modifier
             .absoluteOffset {
@@ -132,8 +132,8 @@ private val KeyEvent.hasModifier: Boolean get() = isAltPressed || isCtrlPressed 
 /** In centimetres. */
 private const val FINE_STEP = 0.1
 private val MOVES = listOf(
-    Res.string.sheet_move_left to Point(-STEP, 0.0),
-    Res.string.sheet_move_right to Point(STEP, 0.0),
-    Res.string.sheet_move_up to Point(0.0, STEP),
-    Res.string.sheet_move_down to Point(0.0, -STEP),
+    SheetTexts::moveLeft to Point(-STEP, 0.0),
+    SheetTexts::moveRight to Point(STEP, 0.0),
+    SheetTexts::moveUp to Point(0.0, STEP),
+    SheetTexts::moveDown to Point(0.0, -STEP),
 )

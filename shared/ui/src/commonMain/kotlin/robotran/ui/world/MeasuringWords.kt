@@ -1,11 +1,12 @@
 package robotran.ui.world
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.language.Language
+import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.distance
+import robotran.ui.texts.Label
+import robotran.ui.texts.SheetTexts
 import robotran.workshop.measuring.MeasuredThing
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringEnd
@@ -17,21 +18,21 @@ internal class MeasuringLabels(val length: String, val angle: String)
 
 @Composable
 internal fun measuringLabels(measuring: Measuring): MeasuringLabels {
-    val angle = if (measuring.degrees < 0) Res.string.measure_right else Res.string.measure_left
+    val angle = if (measuring.degrees < 0) SheetTexts::measureRight else SheetTexts::measureLeft
     return MeasuringLabels(
-        stringResource(Res.string.measure_length, measured(measuring.centimetres)),
-        stringResource(angle, measured(abs(measuring.degrees))),
+        SheetTexts.measureLength(spoken, measured(measuring.centimetres)),
+        angle(spoken, measured(abs(measuring.degrees))),
     )
 }
 
 /** The same in a sentence, for screen readers. */
 @Composable
 internal fun measuringWords(measuring: Measuring): String {
-    val turn = if (measuring.degrees < 0) Res.string.measure_said_right else Res.string.measure_said_left
-    return stringResource(
-        Res.string.measure_result,
+    val turn = if (measuring.degrees < 0) SheetTexts::measureSaidRight else SheetTexts::measureSaidLeft
+    return SheetTexts.measureResult(
+        spoken,
         measured(measuring.centimetres),
-        stringResource(turn, measured(abs(measuring.degrees))),
+        turn(spoken, measured(abs(measuring.degrees))),
     )
 }
 
@@ -40,28 +41,28 @@ internal fun measuringWords(measuring: Measuring): String {
 internal fun describeEnd(end: MeasuringEnd, measuring: Measuring, things: List<SnappedPlace>): String {
     val place = measuring.placeOf(end)
     val thing = things.firstOrNull { distance(it.point, place) < SAME_CENTIMETRES }?.thing
-    val where = thing?.let { "${stringResource(it.words)}, ${placeWords(place)}" } ?: placeWords(place)
-    return stringResource(end.words, where)
+    val where = thing?.let { "${it.words(spoken)}, ${placeWords(place)}" } ?: placeWords(place)
+    return end.words(spoken, where)
 }
 
 /** A number as it is written in a program: with one decimal, unless that is 0. */
 internal fun measured(number: Double): String = oneDecimal(number).removeSuffix(".0")
 
-private val MeasuringEnd.words: StringResource
+private val MeasuringEnd.words: (Language, String) -> String
     get() = when (this) {
-        MeasuringEnd.FROM -> Res.string.measure_from
-        MeasuringEnd.TO -> Res.string.measure_to
-        MeasuringEnd.BASE -> Res.string.measure_base
+        MeasuringEnd.FROM -> SheetTexts::measureFrom
+        MeasuringEnd.TO -> SheetTexts::measureTo
+        MeasuringEnd.BASE -> SheetTexts::measureBase
     }
 
-private val MeasuredThing.words: StringResource
+private val MeasuredThing.words: Label
     get() = when (this) {
-        MeasuredThing.ROBOT -> Res.string.measure_thing_robot
-        MeasuredThing.GOAL -> Res.string.measure_thing_goal
-        MeasuredThing.LAMP -> Res.string.measure_thing_lamp
-        MeasuredThing.BLOCK -> Res.string.measure_thing_block
-        MeasuredThing.BARRIER -> Res.string.measure_thing_barrier
-        MeasuredThing.TEMPLATE -> Res.string.measure_thing_template
+        MeasuredThing.ROBOT -> SheetTexts::measureThingRobot
+        MeasuredThing.GOAL -> SheetTexts::measureThingGoal
+        MeasuredThing.LAMP -> SheetTexts::measureThingLamp
+        MeasuredThing.BLOCK -> SheetTexts::measureThingBlock
+        MeasuredThing.BARRIER -> SheetTexts::measureThingBarrier
+        MeasuredThing.TEMPLATE -> SheetTexts::measureThingTemplate
     }
 
 private const val SAME_CENTIMETRES = 0.05

@@ -8,11 +8,12 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet3d.leastZoom
+import robotran.ui.texts.ExportTexts
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.Dimensions
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.ShowEvent
@@ -50,21 +51,21 @@ internal fun SheetControls(
         if (withZoom) {
             if (view.isIn3D) SpaceZoomButtons(view, onEvent) else ZoomButtons(view.camera, onEvent)
         }
-        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") {
+        SheetButton(SheetIcons.WHOLE, SheetTexts.whole(spoken), "sheet-whole") {
             onEvent(SheetEvent.WholeSheetRequested)
         }
         ViewMenu(view, robotToFollow(view), onEvent)
         val isMeasuring = view.measuring != null
-        SheetButton(SheetIcons.MEASURE, stringResource(Res.string.measure), "sheet-measure", on = isMeasuring) {
+        SheetButton(SheetIcons.MEASURE, SheetTexts.measure(spoken), "sheet-measure", on = isMeasuring) {
             val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
             onEvent(SheetEvent.MeasuringChanged(ruler))
         }
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
-        SheetButton(SheetIcons.SPACE, stringResource(Res.string.space_view), "sheet-3d", on = view.isIn3D) {
+        SheetButton(SheetIcons.SPACE, SheetTexts.spaceView(spoken), "sheet-3d", on = view.isIn3D) {
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
         }
         if (canShow) {
-            SheetButton(SheetIcons.SHOW, stringResource(Res.string.show_title), "show") { onEvent(ShowEvent.Requested) }
+            SheetButton(SheetIcons.SHOW, ExportTexts.title(spoken), "show") { onEvent(ShowEvent.Requested) }
         }
     }
     val gap = Arrangement.spacedBy(GAP)
@@ -93,10 +94,10 @@ private fun SpaceZoomButtons(view: SheetViewState, onEvent: (SheetEvent) -> Unit
 
 @Composable
 private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Double) -> Unit) {
-    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = canGoNearer) {
+    SheetButton(SheetIcons.NEARER, SheetTexts.nearer(spoken), "sheet-nearer", enabled = canGoNearer) {
         zoom(KEY_ZOOM)
     }
-    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = canGoFurther) {
+    SheetButton(SheetIcons.FURTHER, SheetTexts.further(spoken), "sheet-further", enabled = canGoFurther) {
         zoom(1 / KEY_ZOOM)
     }
 }

@@ -30,7 +30,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
 import robotran.ui.assignment.AssignmentButtons
 import robotran.ui.assignment.AssignmentCard
@@ -42,13 +41,14 @@ import robotran.ui.assignment.HandedInLine
 import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
 import robotran.ui.course.CourseLine
+import robotran.ui.language.spoken
 import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
 import robotran.ui.learning.UNFOLD_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -116,7 +116,7 @@ internal fun TaskCard(
             Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
             IconTouch(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
-                stringResource(if (isFolded) Res.string.task_unfold else Res.string.task_fold),
+                if (isFolded) SheetTexts.taskUnfold(spoken) else SheetTexts.taskFold(spoken),
                 "task-fold",
                 fold,
             )
@@ -132,7 +132,7 @@ internal fun TaskCard(
 
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
-    IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
+    IconTouch(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide", {
         onEvent(WorkshopEvent.TaskShown(false))
     })
 

@@ -16,10 +16,10 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.simulation.state.SessionState
+import robotran.ui.language.spoken
 import robotran.ui.sheet.drawShortfallLines
 import robotran.ui.sheet.drawShortfallPins
 import robotran.ui.sheet3d.SpaceCanvas
@@ -67,7 +67,7 @@ internal fun TouchableSpace(
     val ring = LocalRobotranColours.current.focus
     val announced = rememberAnnounced(session)
     val description = describeWorld(world, announced)
-    val camera = stringResource(view.cameraKind.words)
+    val camera = view.cameraKind.words(spoken)
     SpaceCanvas(
         world,
         session,

@@ -22,11 +22,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RadioMark
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -44,7 +44,7 @@ import robotran.workshop.state.SheetViewState
 internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.LAYERS, stringResource(Res.string.sheet_show), "sheet-show") { open = true }
+        SheetButton(SheetIcons.LAYERS, SheetTexts.show(spoken), "sheet-show") { open = true }
         AppMenu(open, { open = false }) {
             if (view.isIn3D) {
                 for (kind in CameraKind.entries) {
@@ -55,7 +55,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
                 }
             } else {
                 val follows = view.followed != null
-                SwitchItem(stringResource(Res.string.sheet_follow), "sheet-follow", follows) {
+                SwitchItem(SheetTexts.follow(spoken), "sheet-follow", follows) {
                     open = false
                     onEvent(SheetEvent.FollowChosen(if (follows) null else robot))
                 }
@@ -63,7 +63,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
             HorizontalDivider(color = LocalRobotranColours.current.line)
             for (layer in SheetLayer.entries) {
                 val on = layer in view.shown
-                SwitchItem(stringResource(layer.words), "layer-${layer.name.lowercase()}", on) {
+                SwitchItem(layer.words(spoken), "layer-${layer.name.lowercase()}", on) {
                     onEvent(SheetEvent.LayerSwitched(layer, !on))
                 }
             }
@@ -73,7 +73,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
 
 @Composable
 private fun CameraItem(kind: CameraKind, isChosen: Boolean, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(stringResource(kind.words), fontSize = TextSizes.BODY) },
+    text = { Text(kind.words(spoken), fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag("camera-${kind.name.lowercase()}").semantics {
         role = Role.RadioButton
@@ -101,18 +101,18 @@ private fun Tick(on: Boolean) {
     }
 }
 
-private val SheetLayer.words: StringResource
+private val SheetLayer.words: Label
     get() = when (this) {
-        SheetLayer.SENSORS -> Res.string.sheet_layer_sensors
-        SheetLayer.TRAIL -> Res.string.sheet_layer_trail
-        SheetLayer.NAMES -> Res.string.sheet_layer_names
-        SheetLayer.GRID -> Res.string.sheet_layer_grid
-        SheetLayer.GOALS -> Res.string.sheet_layer_goals
+        SheetLayer.SENSORS -> SheetTexts::layerSensors
+        SheetLayer.TRAIL -> SheetTexts::layerTrail
+        SheetLayer.NAMES -> SheetTexts::layerNames
+        SheetLayer.GRID -> SheetTexts::layerGrid
+        SheetLayer.GOALS -> SheetTexts::layerGoals
     }
 
-internal val CameraKind.words: StringResource
+internal val CameraKind.words: Label
     get() = when (this) {
-        CameraKind.ORBIT -> Res.string.space_camera_orbit
-        CameraKind.FOLLOW -> Res.string.space_camera_follow
-        CameraKind.ROBOT_EYE -> Res.string.space_camera_eye
+        CameraKind.ORBIT -> SheetTexts::spaceCameraOrbit
+        CameraKind.FOLLOW -> SheetTexts::spaceCameraFollow
+        CameraKind.ROBOT_EYE -> SheetTexts::spaceCameraEye
     }

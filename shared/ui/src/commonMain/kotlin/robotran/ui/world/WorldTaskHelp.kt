@@ -6,10 +6,10 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.learning.TaskHelps
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.LearningTexts
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorldTaskState
@@ -24,7 +24,7 @@ internal fun WorldTaskHelp(
 ) {
     Column(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp)) {
         if (task.canStart) {
-            SecondButton(stringResource(Res.string.learning_world_program), "world-program", {
+            SecondButton(LearningTexts.worldProgram(spoken), "world-program", {
                 onEvent(LearningEvent.WorldProgramRequested)
             })
         }

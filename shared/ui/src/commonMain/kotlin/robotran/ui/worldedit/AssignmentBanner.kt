@@ -15,9 +15,9 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -30,8 +30,8 @@ import robotran.workshop.state.EditOrigin
 @Composable
 internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val words = origin.variation?.let { stringResource(Res.string.worldedit_of_variation, it, origin.assignment) }
-        ?: stringResource(Res.string.worldedit_of_assignment, origin.assignment)
+    val words = origin.variation?.let { WorldEditorTexts.ofVariation(spoken, it, origin.assignment) }
+        ?: WorldEditorTexts.ofAssignment(spoken, origin.assignment)
     FlowRow(
         Modifier
             .fillMaxWidth()
@@ -51,7 +51,7 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
             fontSize = TextSizes.SMALL,
             lineHeight = LineHeights.SMALL,
         )
-        SecondButton(stringResource(Res.string.worldedit_to_assignment), "edit-to-assignment", {
+        SecondButton(WorldEditorTexts.toAssignment(spoken), "edit-to-assignment", {
             onEvent(WorldEditEvent.EditorClosed)
         })
     }

@@ -14,10 +14,10 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.worldediting.AlignSide
@@ -34,7 +34,7 @@ import robotran.worldediting.piece
 internal fun ChosenPanel(making: EditorScope) {
     val editing = making.editing
     if (editing.selection.isEmpty()) {
-        Remark(stringResource(Res.string.worldedit_choose_first))
+        Remark(WorldEditorTexts.chooseFirst(spoken))
         return
     }
     val only = editing.only
@@ -50,14 +50,14 @@ internal fun ChosenPanel(making: EditorScope) {
     val piece = only?.let { editing.world.piece(it) }
     if (only != null && piece != null) ElementFields(making, only, piece)
     if (editing.hasPlace) {
-        RowHeading(stringResource(if (only != null) Res.string.worldedit_align_paper else Res.string.worldedit_align))
+        RowHeading(if (only != null) WorldEditorTexts.alignPaper(spoken) else WorldEditorTexts.align(spoken))
         AlignRow(making)
     }
 }
 
 @Composable
 private fun chosenTitle(editing: WorldEditing): String {
-    val only = editing.only ?: return stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
+    val only = editing.only ?: return WorldEditorTexts.severalChosen(spoken, editing.selection.size)
     return elementText(editing.world, only)
 }
 
@@ -67,44 +67,44 @@ private fun Actions(making: EditorScope) {
     val editing = making.editing
     val turn = turnStep(editing)
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        Action(EditIcons.DELETE, Res.string.worldedit_delete, "delete") { making.make(Edit.Delete) }
-        Action(EditIcons.COPY, Res.string.worldedit_duplicate, "duplicate") { making.make(Edit.Duplicate) }
+        Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { making.make(Edit.Delete) }
+        Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { making.make(Edit.Duplicate) }
         if (editing.canRotate) {
-            Action(EditIcons.TURN_LEFT, Res.string.worldedit_turn_left, "turn-left") { making.make(Edit.TurnBy(turn)) }
-            Action(EditIcons.TURN_RIGHT, Res.string.worldedit_turn_right, "turn-right") {
+            Action(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left") { making.make(Edit.TurnBy(turn)) }
+            Action(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "turn-right") {
                 making.make(Edit.TurnBy(-turn))
             }
         }
         if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
-            Action(EditIcons.LARGER, Res.string.worldedit_larger, "larger") { making.make(Edit.ScaleBy(GROWTH)) }
-            Action(EditIcons.SMALLER, Res.string.worldedit_smaller, "smaller") { making.make(Edit.ScaleBy(1 / GROWTH)) }
+            Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { making.make(Edit.ScaleBy(GROWTH)) }
+            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") { making.make(Edit.ScaleBy(1 / GROWTH)) }
         }
         if (editing.selection.any { it.kind == ElementKind.MARK }) {
-            Action(EditIcons.FRONT, Res.string.worldedit_to_front, "to-front") {
+            Action(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front") {
                 making.make(Edit.Restack(StackOrder.TO_FRONT))
             }
-            Action(EditIcons.UP, Res.string.worldedit_forward, "forward") {
+            Action(EditIcons.UP, WorldEditorTexts::forward, "forward") {
                 making.make(Edit.Restack(StackOrder.FORWARD))
             }
-            Action(EditIcons.DOWN, Res.string.worldedit_backward, "backward") {
+            Action(EditIcons.DOWN, WorldEditorTexts::backward, "backward") {
                 making.make(Edit.Restack(StackOrder.BACK))
             }
-            Action(EditIcons.BACK, Res.string.worldedit_to_back, "to-back") {
+            Action(EditIcons.BACK, WorldEditorTexts::toBack, "to-back") {
                 making.make(Edit.Restack(StackOrder.TO_BACK))
             }
         }
         if (editing.selection.size > 1) {
-            Action(EditIcons.GROUP, Res.string.worldedit_group, "group") { making.make(Edit.Group) }
+            Action(EditIcons.GROUP, WorldEditorTexts::group, "group") { making.make(Edit.Group) }
         }
         if (editing.groups.any { group -> group.any { it in editing.selection } }) {
-            Action(EditIcons.UNGROUP, Res.string.worldedit_ungroup, "ungroup") { making.make(Edit.Ungroup) }
+            Action(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup") { making.make(Edit.Ungroup) }
         }
     }
 }
 
 @Composable
-private fun Action(icon: Icon, word: StringResource, tag: String, onClick: () -> Unit) =
-    IconWord(icon, stringResource(word), tag, onClick)
+private fun Action(icon: Icon, word: Label, tag: String, onClick: () -> Unit) =
+    IconWord(icon, word(spoken), tag, onClick)
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -112,7 +112,7 @@ private fun AlignRow(making: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
             val tag = "align-${side.name.lowercase()}"
-            IconWord(EditIcons.align(side), stringResource(alignWord(side)), tag, { making.make(Edit.Align(side)) })
+            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { making.make(Edit.Align(side)) })
         }
     }
 }
@@ -123,11 +123,11 @@ private val WorldEditing.hasPlace: Boolean get() = selection.any { world.piece(i
 private val WorldEditing.canRotate: Boolean
     get() = if (selection.size > 1) hasPlace else selection.any { world.piece(it)?.form?.canRotate == true }
 
-private fun alignWord(side: AlignSide): StringResource = when (side) {
-    AlignSide.LEFT -> Res.string.worldedit_align_left
-    AlignSide.CENTRE -> Res.string.worldedit_align_centre
-    AlignSide.RIGHT -> Res.string.worldedit_align_right
-    AlignSide.TOP -> Res.string.worldedit_align_top
-    AlignSide.MIDDLE -> Res.string.worldedit_align_middle
-    AlignSide.BOTTOM -> Res.string.worldedit_align_bottom
+private fun alignWord(side: AlignSide): Label = when (side) {
+    AlignSide.LEFT -> WorldEditorTexts::alignLeft
+    AlignSide.CENTRE -> WorldEditorTexts::alignCentre
+    AlignSide.RIGHT -> WorldEditorTexts::alignRight
+    AlignSide.TOP -> WorldEditorTexts::alignTop
+    AlignSide.MIDDLE -> WorldEditorTexts::alignMiddle
+    AlignSide.BOTTOM -> WorldEditorTexts::alignBottom
 }

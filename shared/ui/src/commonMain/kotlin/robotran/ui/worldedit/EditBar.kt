@@ -27,13 +27,13 @@ import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.MenuDivider
 import robotran.ui.parts.MenuItem
-import robotran.ui.resources.*
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -65,7 +65,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
         ) {
             Step(
                 EditIcons.UNDO,
-                stringResource(Res.string.worldedit_undo),
+                WorldEditorTexts.undo(spoken),
                 "edit-undo",
                 editing.history.canUndo,
                 withWords,
@@ -74,7 +74,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
             }
             Step(
                 EditIcons.REDO,
-                stringResource(Res.string.worldedit_redo),
+                WorldEditorTexts.redo(spoken),
                 "edit-redo",
                 editing.history.canRedo,
                 withWords,
@@ -83,7 +83,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
             }
             Toggle(
                 EditIcons.SEVERAL,
-                stringResource(Res.string.worldedit_several),
+                WorldEditorTexts.several(spoken),
                 "edit-several",
                 editing.several,
                 withWords,
@@ -95,12 +95,12 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
         if (canTry) {
             IconTouch(
                 EditIcons.PLAY,
-                stringResource(Res.string.worldedit_try_help),
+                WorldEditorTexts.tryHelp(spoken),
                 "edit-try",
                 {
                     making.perform(WorldEditEvent.TriedOut)
                 },
-                label = stringResource(Res.string.worldedit_try).takeIf { withWords },
+                label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
             )
         }
         Button(
@@ -112,7 +112,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
             colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
         ) {
             Text(
-                stringResource(Res.string.worldedit_done),
+                WorldEditorTexts.done(spoken),
                 fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
@@ -160,42 +160,42 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
     Box {
         IconTouch(
             Icon.MORE,
-            stringResource(Res.string.worldedit_more_menu),
+            WorldEditorTexts.moreMenu(spoken),
             "edit-menu",
             { open = true },
-            label = stringResource(Res.string.worldedit_more_menu).takeIf { withWords },
+            label = WorldEditorTexts.moreMenu(spoken).takeIf { withWords },
         )
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
-            MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") {
+            MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
                 choose { making.make(Edit.SelectAll) }
             }
-            MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }
-            MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") {
+            MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { making.make(Edit.Copy) } }
+            MenuItem(WorldEditorTexts.paste(spoken), "menu-paste") {
                 choose { making.make(Edit.Paste(view.middle(making.world.paper))) }
             }
-            MenuItem(stringResource(Res.string.worldedit_whole_sheet), "menu-fit") {
+            MenuItem(WorldEditorTexts.wholeSheet(spoken), "menu-fit") {
                 choose {
                     view.camera = SheetCamera.FITTING
                 }
             }
-            MenuItem(stringResource(Res.string.worldedit_zoom_in), "menu-zoom-in") {
+            MenuItem(WorldEditorTexts.zoomIn(spoken), "menu-zoom-in") {
                 choose { view.zoomBy(ZOOM, view.pane.center, making.world.paper) }
             }
-            MenuItem(stringResource(Res.string.worldedit_zoom_out), "menu-zoom-out") {
+            MenuItem(WorldEditorTexts.zoomOut(spoken), "menu-zoom-out") {
                 choose { view.zoomBy(1 / ZOOM, view.pane.center, making.world.paper) }
             }
             MenuDivider()
             for (grid in GRIDS) {
                 val words = if (grid > 0) {
-                    stringResource(Res.string.worldedit_grid, written(grid))
+                    WorldEditorTexts.grid(spoken, written(grid))
                 } else {
-                    stringResource(Res.string.worldedit_grid_off)
+                    WorldEditorTexts.gridOff(spoken)
                 }
                 MenuItem(checked(words, snapping.grid == grid), "menu-grid-${written(grid)}") {
                     choose { making.make(Edit.Snap(snapping.copy(grid = grid))) }
                 }
             }
-            MenuItem(checked(stringResource(Res.string.worldedit_snap_angle), snapping.angle > 0), "menu-angle") {
+            MenuItem(checked(WorldEditorTexts.snapAngle(spoken), snapping.angle > 0), "menu-angle") {
                 choose {
                     making.make(
                         Edit.Snap(
@@ -210,11 +210,11 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
                     )
                 }
             }
-            MenuItem(checked(stringResource(Res.string.worldedit_snap_others), snapping.toOthers), "menu-others") {
+            MenuItem(checked(WorldEditorTexts.snapOthers(spoken), snapping.toOthers), "menu-others") {
                 choose { making.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
             }
             MenuDivider()
-            MenuItem(stringResource(Res.string.worldedit_discard), "menu-discard") {
+            MenuItem(WorldEditorTexts.discard(spoken), "menu-discard") {
                 choose { making.perform(WorldEditEvent.EditsDiscarded) }
             }
         }

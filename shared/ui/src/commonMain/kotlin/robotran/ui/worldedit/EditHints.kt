@@ -19,11 +19,12 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -41,7 +42,7 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
     val editing = state.editing
     val sentences = listOfNotNull(
         editing.error?.let { editErrorText(it) },
-        stringResource(Res.string.worldedit_mend_first).takeIf { state.hasFailedToClose },
+        WorldEditorTexts.mendFirst(spoken).takeIf { state.hasFailedToClose },
     ) + editing.errors.take(MAX_ERRORS).map { validationErrorText(editing.world, it) }
     if (sentences.isEmpty() || !state.hintsShown) return
     val scroll = rememberScrollState()
@@ -66,12 +67,12 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
             for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
-                WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", {
+                WordButton(WorldEditorTexts.showTrouble(spoken), "show-trouble", {
                     making.make(Edit.Select(thing))
                 })
             }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "edit-hints-close", {
+        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "edit-hints-close", {
             making.perform(WorldEditEvent.HintsClosed)
         })
     }

@@ -25,22 +25,22 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The tabs of the editor's panel. */
-internal enum class EditTab(val title: StringResource) {
-    CHOSEN(Res.string.worldedit_tab_chosen),
-    THINGS(Res.string.worldedit_tab_things),
-    GOALS(Res.string.worldedit_tab_goals),
-    WORLD(Res.string.worldedit_tab_world),
+internal enum class EditTab(val title: Label) {
+    CHOSEN(WorldEditorTexts::tabChosen),
+    THINGS(WorldEditorTexts::tabThings),
+    GOALS(WorldEditorTexts::tabGoals),
+    WORLD(WorldEditorTexts::tabWorld),
 }
 
 /** @param tab null if none is open. */
@@ -71,7 +71,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
                 Alignment.CenterHorizontally,
             ) {
                 Text(
-                    stringResource(each.title),
+                    each.title(spoken),
                     Modifier.padding(top = 12.dp, bottom = 8.dp),
                     color = if (isOpen) colours.onPane else colours.quiet,
                     fontSize = TextSizes.COMPACT,

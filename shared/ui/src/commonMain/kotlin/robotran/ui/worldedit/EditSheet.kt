@@ -22,13 +22,13 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetLayer
@@ -50,7 +50,7 @@ internal fun EditSheet(
     val resting = remember(world, session.brick) { initialStateOf(world, session) }
     val labels = rememberTextMeasurer()
     val latest = rememberUpdatedState(making)
-    val name = stringResource(Res.string.worldedit_sheet)
+    val name = WorldEditorTexts.sheet(spoken)
     val chosen = selectionText(making.editing)
     val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
     val isRobotChosen = making.editing.selection.any { it.kind == ElementKind.ROBOT }

@@ -1,9 +1,9 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.settings.SwitchRow
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.MarkFigure
@@ -51,14 +51,14 @@ internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Elemen
 internal fun NameField(making: EditorScope, thing: ElementRef, piece: Element) {
     val taken = (making.editing.error as? EditError.NameTaken)?.let { editErrorText(it) }
     TextRow(
-        stringResource(Res.string.worldedit_name),
+        WorldEditorTexts.name(spoken),
         piece.name.orEmpty(),
         WorldLimits.MAXIMUM_NAME_CHARACTERS,
         "field-name",
         { making.change(thing, piece.named(it.takeIf(String::isNotBlank))) },
         making::settle,
         mayBeBlank = piece !is Element.OfRobot,
-        hint = stringResource(Res.string.worldedit_no_name),
+        hint = WorldEditorTexts.noName(spoken),
         error = taken,
     )
 }
@@ -66,7 +66,7 @@ internal fun NameField(making: EditorScope, thing: ElementRef, piece: Element) {
 @Composable
 private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> Unit) {
     NumberRow(
-        stringResource(Res.string.worldedit_mass),
+        WorldEditorTexts.mass(spoken),
         block.mass,
         WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS,
         "field-mass",
@@ -77,7 +77,7 @@ private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> 
         slider = 0.05f..2f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_friction),
+        WorldEditorTexts.friction(spoken),
         block.friction,
         0.0..WorldLimits.MAXIMUM_FRICTION,
         "field-friction",
@@ -86,7 +86,7 @@ private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> 
         step = 0.05,
         slider = 0f..1.5f,
     )
-    Remark(stringResource(Res.string.worldedit_friction_help))
+    Remark(WorldEditorTexts.frictionHelp(spoken))
 }
 
 @Composable
@@ -94,7 +94,7 @@ private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.Of
     val mark = piece.mark
     NameField(making, thing, piece)
     when (val figure = mark.figure) {
-        is MarkFigure.GreyMap -> Remark(stringResource(Res.string.worldedit_grey_map_help))
+        is MarkFigure.GreyMap -> Remark(WorldEditorTexts.greyMapHelp(spoken))
 
         is MarkFigure.Area -> {
             ShadeFields(making, mark.shade) { making.change(thing, Element.OfMark(mark.copy(shade = it))) }
@@ -105,7 +105,7 @@ private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.Of
             ThicknessField(making, figure.width) {
                 making.change(thing, Element.OfMark(mark.copy(figure = figure.copy(width = it))))
             }
-            SwitchRow(stringResource(Res.string.worldedit_closed), figure.closed, "field-closed") {
+            SwitchRow(WorldEditorTexts.closed(spoken), figure.closed, "field-closed") {
                 making.changeAtOnce(thing, Element.OfMark(mark.copy(figure = figure.copy(closed = it))))
             }
         }
@@ -115,7 +115,7 @@ private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.Of
 
 @Composable
 private fun ThicknessField(making: EditorScope, value: Double, onChange: (Double) -> Unit) = NumberRow(
-    stringResource(Res.string.worldedit_thickness),
+    WorldEditorTexts.thickness(spoken),
     value,
     WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS,
     "field-thickness",
@@ -131,14 +131,14 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
     val lamp = piece.lamp
     val change = { changed: Lamp -> making.change(thing, Element.OfLamp(changed)) }
     NameField(making, thing, piece)
-    SwitchRow(stringResource(Res.string.worldedit_lamp_on), lamp.on, "field-on") {
+    SwitchRow(WorldEditorTexts.lampOn(spoken), lamp.on, "field-on") {
         making.changeAtOnce(thing, Element.OfLamp(lamp.copy(on = it)))
     }
-    SwitchRow(stringResource(Res.string.worldedit_lamp_infrared), lamp.infrared, "field-infrared") {
+    SwitchRow(WorldEditorTexts.lampInfrared(spoken), lamp.infrared, "field-infrared") {
         making.changeAtOnce(thing, Element.OfLamp(lamp.copy(infrared = it)))
     }
     NumberRow(
-        stringResource(Res.string.worldedit_brightness),
+        WorldEditorTexts.brightness(spoken),
         lamp.brightness,
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-brightness",
@@ -148,7 +148,7 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
         slider = 0f..10f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_cone),
+        WorldEditorTexts.cone(spoken),
         lamp.cone,
         WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND,
         "field-cone",
@@ -159,11 +159,11 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
         slider = 15f..360f,
     )
     if (lamp.cone < Lamp.ALL_ROUND) {
-        AngleField(making, stringResource(Res.string.worldedit_direction), lamp.direction) {
+        AngleField(making, WorldEditorTexts.direction(spoken), lamp.direction) {
             change(lamp.copy(direction = it))
         }
     } else {
-        Remark(stringResource(Res.string.worldedit_cone_help))
+        Remark(WorldEditorTexts.coneHelp(spoken))
     }
     FormFields(making, thing, piece)
 }

@@ -1,9 +1,9 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.MarkFigure
 import robotran.world.RobotColour
 import robotran.world.World
@@ -23,17 +23,17 @@ internal fun elementText(world: World, thing: ElementRef): String {
     val piece = world.piece(thing) ?: return ""
     val number = thing.number + 1
     return when (piece) {
-        is Element.OfRobot -> stringResource(Res.string.worldedit_robot_named, piece.robot.name)
+        is Element.OfRobot -> WorldEditorTexts.robotNamed(spoken, piece.robot.name)
 
         is Element.OfWall -> {
             val length = length(piece.wall.to.x - piece.wall.from.x, piece.wall.to.y - piece.wall.from.y)
-            stringResource(Res.string.worldedit_wall_numbered, number, written(round(length * 10) / 10))
+            WorldEditorTexts.wallNumbered(spoken, number, written(round(length * 10) / 10))
         }
 
-        is Element.OfGoal -> piece.goal.says ?: stringResource(goalTitle(piece.goal.condition))
+        is Element.OfGoal -> piece.goal.says ?: goalTitle(piece.goal.condition)(spoken)
 
         is Element.OfBarrier, is Element.OfBlock, is Element.OfMark, is Element.OfLamp, is Element.OfStroke -> {
-            piece.name ?: stringResource(Res.string.worldedit_numbered, stringResource(kindOf(piece)), number)
+            piece.name ?: WorldEditorTexts.numbered(spoken, kindOf(piece)(spoken), number)
         }
     }
 }
@@ -43,46 +43,46 @@ internal fun elementText(world: World, thing: ElementRef): String {
 internal fun selectionText(editing: WorldEditing): String {
     val only = editing.only
     return when {
-        only != null -> stringResource(Res.string.worldedit_one_chosen, elementText(editing.world, only))
-        editing.selection.isEmpty() -> stringResource(Res.string.worldedit_none_chosen)
-        else -> stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
+        only != null -> WorldEditorTexts.oneChosen(spoken, elementText(editing.world, only))
+        editing.selection.isEmpty() -> WorldEditorTexts.noneChosen(spoken)
+        else -> WorldEditorTexts.severalChosen(spoken, editing.selection.size)
     }
 }
 
 /** The kind of an element in one or two words. */
-internal fun kindOf(piece: Element): StringResource = when (piece) {
-    is Element.OfRobot -> Res.string.worldedit_item_robot
-    is Element.OfWall -> Res.string.worldedit_item_wall
+internal fun kindOf(piece: Element): Label = when (piece) {
+    is Element.OfRobot -> WorldEditorTexts::itemRobot
+    is Element.OfWall -> WorldEditorTexts::itemWall
 
     is Element.OfBarrier -> when (piece.barrier.shape) {
-        is Shape.Rectangle -> Res.string.worldedit_item_box
-        is Shape.Circle -> Res.string.worldedit_item_column
-        is Shape.Polygon -> Res.string.worldedit_item_cornered_barrier
+        is Shape.Rectangle -> WorldEditorTexts::itemBox
+        is Shape.Circle -> WorldEditorTexts::itemColumn
+        is Shape.Polygon -> WorldEditorTexts::itemCorneredBarrier
     }
 
-    is Element.OfBlock -> Res.string.worldedit_item_block
+    is Element.OfBlock -> WorldEditorTexts::itemBlock
 
     is Element.OfMark -> when (val figure = piece.mark.figure) {
-        is MarkFigure.Line -> Res.string.worldedit_item_line
-        is MarkFigure.GreyMap -> Res.string.worldedit_grey_map
+        is MarkFigure.Line -> WorldEditorTexts::itemLine
+        is MarkFigure.GreyMap -> WorldEditorTexts::greyMap
 
         is MarkFigure.Area -> {
-            if (figure.shape is Shape.Circle) Res.string.worldedit_item_dot else Res.string.worldedit_item_area
+            if (figure.shape is Shape.Circle) WorldEditorTexts::itemDot else WorldEditorTexts::itemArea
         }
     }
 
-    is Element.OfLamp -> Res.string.worldedit_item_lamp
-    is Element.OfStroke -> Res.string.worldedit_item_template_line
+    is Element.OfLamp -> WorldEditorTexts::itemLamp
+    is Element.OfStroke -> WorldEditorTexts::itemTemplateLine
     is Element.OfGoal -> goalTitle(piece.goal.condition)
 }
 
-internal fun colourWord(colour: RobotColour): StringResource = when (colour) {
-    RobotColour.YELLOW -> Res.string.worldedit_yellow
-    RobotColour.RED -> Res.string.worldedit_red
-    RobotColour.BLUE -> Res.string.worldedit_blue
-    RobotColour.GREEN -> Res.string.worldedit_green
-    RobotColour.ORANGE -> Res.string.worldedit_orange
-    RobotColour.PURPLE -> Res.string.worldedit_purple
-    RobotColour.WHITE -> Res.string.worldedit_white
-    RobotColour.BLACK -> Res.string.worldedit_black
+internal fun colourWord(colour: RobotColour): Label = when (colour) {
+    RobotColour.YELLOW -> WorldEditorTexts::yellow
+    RobotColour.RED -> WorldEditorTexts::red
+    RobotColour.BLUE -> WorldEditorTexts::blue
+    RobotColour.GREEN -> WorldEditorTexts::green
+    RobotColour.ORANGE -> WorldEditorTexts::orange
+    RobotColour.PURPLE -> WorldEditorTexts::purple
+    RobotColour.WHITE -> WorldEditorTexts::white
+    RobotColour.BLACK -> WorldEditorTexts::black
 }

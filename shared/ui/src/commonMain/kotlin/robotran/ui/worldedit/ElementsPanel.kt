@@ -20,8 +20,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -35,7 +35,7 @@ import robotran.worldediting.listed
 /** A list of all elements on the sheet, for selection without seeing or pointing. */
 @Composable
 internal fun ElementsPanel(making: EditorScope, onChosen: () -> Unit) {
-    Remark(stringResource(Res.string.worldedit_things_help))
+    Remark(WorldEditorTexts.thingsHelp(spoken))
     for (thing in making.world.listed().filter {
         it.kind != ElementKind.GOAL
     }) {

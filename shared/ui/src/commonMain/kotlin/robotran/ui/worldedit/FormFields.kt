@@ -12,8 +12,8 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -38,7 +38,7 @@ internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) 
             PlaceFields(making, Point(form.pose.x, form.pose.y)) {
                 change(form.copy(pose = Pose(it.x, it.y, form.pose.heading)))
             }
-            AngleField(making, stringResource(Res.string.worldedit_heading), form.pose.heading) {
+            AngleField(making, WorldEditorTexts.heading(spoken), form.pose.heading) {
                 change(form.copy(pose = form.pose.copy(heading = it)))
             }
         }
@@ -54,13 +54,13 @@ private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, on
     when (shape) {
         is Shape.Rectangle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_width), shape.width, "width") {
+            SizeField(making, WorldEditorTexts.width(spoken), shape.width, "width") {
                 onChange(shape.copy(width = it))
             }
-            SizeField(making, stringResource(Res.string.worldedit_height), shape.height, "height") {
+            SizeField(making, WorldEditorTexts.height(spoken), shape.height, "height") {
                 onChange(shape.copy(height = it))
             }
-            AngleField(making, stringResource(Res.string.worldedit_angle), shape.angle) {
+            AngleField(making, WorldEditorTexts.angle(spoken), shape.angle) {
                 onChange(shape.copy(angle = it))
             }
             MakeCorners(making, thing)
@@ -68,7 +68,7 @@ private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, on
 
         is Shape.Circle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_radius), shape.radius, "radius") {
+            SizeField(making, WorldEditorTexts.radius(spoken), shape.radius, "radius") {
                 onChange(shape.copy(radius = it))
             }
             MakeCorners(making, thing)
@@ -80,7 +80,7 @@ private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, on
 
 @Composable
 private fun MakeCorners(making: EditorScope, thing: ElementRef) = WordButton(
-    stringResource(Res.string.worldedit_make_corners),
+    WorldEditorTexts.makeCorners(spoken),
     "make-corners",
     { making.make(Edit.MakeCorners(thing)) },
     Modifier.padding(top = 8.dp),
@@ -88,8 +88,8 @@ private fun MakeCorners(making: EditorScope, thing: ElementRef) = WordButton(
 
 @Composable
 internal fun PlaceFields(making: EditorScope, place: Point, tag: String = "", onChange: (Point) -> Unit) {
-    CoordinateField(making, stringResource(Res.string.worldedit_x), place.x, "${tag}x") { onChange(place.copy(x = it)) }
-    CoordinateField(making, stringResource(Res.string.worldedit_y), place.y, "${tag}y") { onChange(place.copy(y = it)) }
+    CoordinateField(making, WorldEditorTexts.x(spoken), place.x, "${tag}x") { onChange(place.copy(x = it)) }
+    CoordinateField(making, WorldEditorTexts.y(spoken), place.y, "${tag}y") { onChange(place.copy(y = it)) }
 }
 
 @Composable
@@ -140,18 +140,18 @@ private fun CornerFields(making: EditorScope, thing: ElementRef, corners: List<P
     var chosen by remember(thing) { mutableIntStateOf(0) }
     val number = chosen.coerceIn(corners.indices)
     Column(Modifier.fillMaxWidth()) {
-        val words = corners.indices.map { it to stringResource(Res.string.worldedit_corner, it + 1) }
-        MenuRow(stringResource(Res.string.worldedit_corners, corners.size), words, words[number].second, "corner") {
+        val words = corners.indices.map { it to WorldEditorTexts.corner(spoken, it + 1) }
+        MenuRow(WorldEditorTexts.corners(spoken, corners.size), words, words[number].second, "corner") {
             chosen = it
         }
         PlaceFields(making, corners[number], "corner-") { making.make(Edit.MoveCorner(thing, number, it)) }
         if (!canGrow) return@Column
         Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
-            WordButton(stringResource(Res.string.worldedit_add_corner), "add-corner", {
+            WordButton(WorldEditorTexts.addCorner(spoken), "add-corner", {
                 val after = if (number < corners.lastIndex) number else (number - 1).coerceAtLeast(0)
                 making.make(Edit.AddCorner(thing, after))
             }, Modifier.weight(1f))
-            WordButton(stringResource(Res.string.worldedit_remove_corner), "remove-corner", {
+            WordButton(WorldEditorTexts.removeCorner(spoken), "remove-corner", {
                 making.make(Edit.RemoveCorner(thing, number))
             }, Modifier.weight(1f))
         }

@@ -1,10 +1,10 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
 import robotran.ui.settings.SwitchRow
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.GoalCondition
 import robotran.world.MarkFigure
 import robotran.world.TouchKind
@@ -21,12 +21,12 @@ internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
     val words = wordsFor(field.name)
     when (field) {
         is GoalField.Flag -> {
-            SwitchRow(stringResource(words.label), field.isOn, words.tag) { sender.once(field.with(it)) }
+            SwitchRow(words.label(spoken), field.isOn, words.tag) { sender.once(field.with(it)) }
         }
 
         is GoalField.Text -> {
             TextRow(
-                stringResource(words.label),
+                words.label(spoken),
                 field.text,
                 field.maximum,
                 words.tag,
@@ -40,7 +40,7 @@ internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
         is GoalField.Number -> SpecifiedNumberRow(sender, words, field.value, field.spec, field.with)
 
         is GoalField.OptionalNumber -> {
-            SwitchRow(stringResource(words.switchLabel), field.value != null, words.switchTag) { on ->
+            SwitchRow(words.switchLabel(spoken), field.value != null, words.switchTag) { on ->
                 sender.once(field.with(field.default.takeIf { on }))
             }
             field.value?.let { SpecifiedNumberRow(sender, words, it, field.spec, field.with) }
@@ -62,7 +62,7 @@ private fun SpecifiedNumberRow(
     val factor = if (spec.isPercent) PERCENT else 1.0
     val slider = spec.slider?.let { it.start.toFloat()..it.endInclusive.toFloat() }
     NumberRow(
-        stringResource(words.label),
+        words.label(spoken),
         value * factor,
         spec.range.start * factor..spec.range.endInclusive * factor,
         words.tag,
@@ -82,26 +82,26 @@ private fun LineRow(sender: GoalSender, words: GoalFieldWords, field: GoalField.
         world.marks[it].figure is MarkFigure.Line
     }.map { ElementRef(ElementKind.MARK, it) }
     val choices = lines.map { it to elementText(world, it) }
-    MenuRow(stringResource(words.label), choices, field.line, words.tag) { line ->
+    MenuRow(words.label(spoken), choices, field.line, words.tag) { line ->
         sender.making.nameAnd(line, choices) { name -> Edit.Change(sender.thing, sender.piece(field.with(name))) }
     }
 }
 
 @Composable
 private fun TouchRows(sender: GoalSender, words: GoalFieldWords, field: GoalField.TouchKinds) {
-    RowHeading(stringResource(words.label))
+    RowHeading(words.label(spoken))
     for (kind in TouchKind.entries) {
-        SwitchRow(stringResource(touchWord(kind)), kind in field.kinds, "touch-${kind.name.lowercase()}") { on ->
+        SwitchRow(touchWord(kind)(spoken), kind in field.kinds, "touch-${kind.name.lowercase()}") { on ->
             sender.once(field.with(if (on) field.kinds + kind else field.kinds - kind))
         }
     }
 }
 
-private fun touchWord(kind: TouchKind): StringResource = when (kind) {
-    TouchKind.WALLS -> Res.string.worldedit_kind_walls
-    TouchKind.BARRIERS -> Res.string.worldedit_kind_barriers
-    TouchKind.BLOCKS -> Res.string.worldedit_kind_blocks
-    TouchKind.ROBOTS -> Res.string.worldedit_kind_robots
+private fun touchWord(kind: TouchKind): Label = when (kind) {
+    TouchKind.WALLS -> WorldEditorTexts::kindWalls
+    TouchKind.BARRIERS -> WorldEditorTexts::kindBarriers
+    TouchKind.BLOCKS -> WorldEditorTexts::kindBlocks
+    TouchKind.ROBOTS -> WorldEditorTexts::kindRobots
 }
 
 private const val PERCENT = 100.0

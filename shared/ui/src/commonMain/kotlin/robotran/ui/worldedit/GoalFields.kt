@@ -4,8 +4,8 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.HasActor
@@ -22,14 +22,14 @@ internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.O
     val condition = goal.condition
     val sender = GoalSender(making, thing, goal)
     TextRow(
-        stringResource(Res.string.worldedit_says),
+        WorldEditorTexts.says(spoken),
         goal.says.orEmpty(),
         WorldLimits.MAXIMUM_SENTENCE_CHARACTERS,
         "field-says",
         { sender.change(goal.copy(says = it.takeIf(String::isNotBlank))) },
         making::settle,
         mayBeBlank = true,
-        hint = stringResource(Res.string.worldedit_says_hint),
+        hint = WorldEditorTexts.saysHint(spoken),
     )
     val fields = fieldsOf(condition, making.world.timeLimit)
     if (fields.isNotEmpty()) {
@@ -37,7 +37,7 @@ internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.O
             for (field in fields) GoalFieldRow(sender, field)
         }
     }
-    if (goal.isGroup) Remark(stringResource(Res.string.worldedit_group_help))
+    if (goal.isGroup) Remark(WorldEditorTexts.groupHelp(spoken))
     if (condition is HasActor) WhoField(sender, condition)
     if (condition is HasRegion) FormFields(making, thing, piece)
 }

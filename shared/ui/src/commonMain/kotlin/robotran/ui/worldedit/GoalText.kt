@@ -1,25 +1,25 @@
 package robotran.ui.worldedit
 
-import org.jetbrains.compose.resources.StringResource
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.GoalCondition
 import robotran.worldediting.GoalFieldName
 
 /** The short title of a goal. */
-internal fun goalTitle(condition: GoalCondition): StringResource = when (condition) {
-    is GoalCondition.Reach -> Res.string.worldedit_goal_reach
-    is GoalCondition.StayOut -> Res.string.worldedit_goal_stay_out
-    is GoalCondition.StayIn -> Res.string.worldedit_goal_stay_in
-    is GoalCondition.NeverTouch -> Res.string.worldedit_goal_never_touch
-    is GoalCondition.DrawTemplate -> Res.string.worldedit_goal_draw_template
-    is GoalCondition.InkLength -> Res.string.worldedit_goal_ink_length
-    is GoalCondition.FollowLine -> Res.string.worldedit_goal_follow_line
-    is GoalCondition.EndWithin -> Res.string.worldedit_goal_end_within
-    is GoalCondition.ShowOnDisplay -> Res.string.worldedit_goal_show
-    is GoalCondition.PlaySound -> Res.string.worldedit_goal_sound
-    is GoalCondition.InOrder -> Res.string.worldedit_goal_in_order
-    is GoalCondition.All -> Res.string.worldedit_goal_all
-    is GoalCondition.AnyOf -> Res.string.worldedit_goal_any_of
+internal fun goalTitle(condition: GoalCondition): Label = when (condition) {
+    is GoalCondition.Reach -> WorldEditorTexts::goalReach
+    is GoalCondition.StayOut -> WorldEditorTexts::goalStayOut
+    is GoalCondition.StayIn -> WorldEditorTexts::goalStayIn
+    is GoalCondition.NeverTouch -> WorldEditorTexts::goalNeverTouch
+    is GoalCondition.DrawTemplate -> WorldEditorTexts::goalDrawTemplate
+    is GoalCondition.InkLength -> WorldEditorTexts::goalInkLength
+    is GoalCondition.FollowLine -> WorldEditorTexts::goalFollowLine
+    is GoalCondition.EndWithin -> WorldEditorTexts::goalEndWithin
+    is GoalCondition.ShowOnDisplay -> WorldEditorTexts::goalShow
+    is GoalCondition.PlaySound -> WorldEditorTexts::goalSound
+    is GoalCondition.InOrder -> WorldEditorTexts::goalInOrder
+    is GoalCondition.All -> WorldEditorTexts::goalAll
+    is GoalCondition.AnyOf -> WorldEditorTexts::goalAnyOf
 }
 
 /**
@@ -30,8 +30,8 @@ internal fun goalTitle(condition: GoalCondition): StringResource = when (conditi
  */
 internal class GoalFieldWords(
     name: String,
-    val label: StringResource,
-    val switchLabel: StringResource = label,
+    val label: Label,
+    val switchLabel: Label = label,
     switchName: String = "has-$name",
 ) {
     val tag: String = "field-$name"
@@ -39,27 +39,27 @@ internal class GoalFieldWords(
 }
 
 internal fun wordsFor(field: GoalFieldName): GoalFieldWords = when (field) {
-    GoalFieldName.WHOLE -> GoalFieldWords("whole", Res.string.worldedit_whole)
-    GoalFieldName.STAYS -> GoalFieldWords("stays", Res.string.worldedit_stays)
+    GoalFieldName.WHOLE -> GoalFieldWords("whole", WorldEditorTexts::whole)
+    GoalFieldName.STAYS -> GoalFieldWords("stays", WorldEditorTexts::stays)
 
     GoalFieldName.WITHIN -> GoalFieldWords(
         "seconds",
-        Res.string.worldedit_seconds,
-        Res.string.worldedit_within,
+        WorldEditorTexts::seconds,
+        WorldEditorTexts::within,
         "within",
     )
 
-    GoalFieldName.TOUCH_KINDS -> GoalFieldWords("touch", Res.string.worldedit_touch_what)
-    GoalFieldName.TOLERANCE -> GoalFieldWords("tolerance", Res.string.worldedit_tolerance)
-    GoalFieldName.COVERAGE -> GoalFieldWords("coverage", Res.string.worldedit_coverage)
-    GoalFieldName.EXCESS -> GoalFieldWords("excess", Res.string.worldedit_excess)
-    GoalFieldName.MIN_LENGTH -> GoalFieldWords("least", Res.string.worldedit_length, Res.string.worldedit_at_least)
-    GoalFieldName.MAX_LENGTH -> GoalFieldWords("most", Res.string.worldedit_length, Res.string.worldedit_at_most)
-    GoalFieldName.LINE -> GoalFieldWords("line", Res.string.worldedit_line)
-    GoalFieldName.LAPS -> GoalFieldWords("laps", Res.string.worldedit_laps)
-    GoalFieldName.SECONDS -> GoalFieldWords("seconds", Res.string.worldedit_seconds)
-    GoalFieldName.TEXT -> GoalFieldWords("text", Res.string.worldedit_text)
-    GoalFieldName.TIMES -> GoalFieldWords("times", Res.string.worldedit_times, Res.string.worldedit_counted)
-    GoalFieldName.LOWEST_TONE -> GoalFieldWords("lowest", Res.string.worldedit_pitch, Res.string.worldedit_lowest)
-    GoalFieldName.HIGHEST_TONE -> GoalFieldWords("highest", Res.string.worldedit_pitch, Res.string.worldedit_highest)
+    GoalFieldName.TOUCH_KINDS -> GoalFieldWords("touch", WorldEditorTexts::touchWhat)
+    GoalFieldName.TOLERANCE -> GoalFieldWords("tolerance", WorldEditorTexts::tolerance)
+    GoalFieldName.COVERAGE -> GoalFieldWords("coverage", WorldEditorTexts::coverage)
+    GoalFieldName.EXCESS -> GoalFieldWords("excess", WorldEditorTexts::excess)
+    GoalFieldName.MIN_LENGTH -> GoalFieldWords("least", WorldEditorTexts::length, WorldEditorTexts::atLeast)
+    GoalFieldName.MAX_LENGTH -> GoalFieldWords("most", WorldEditorTexts::length, WorldEditorTexts::atMost)
+    GoalFieldName.LINE -> GoalFieldWords("line", WorldEditorTexts::line)
+    GoalFieldName.LAPS -> GoalFieldWords("laps", WorldEditorTexts::laps)
+    GoalFieldName.SECONDS -> GoalFieldWords("seconds", WorldEditorTexts::seconds)
+    GoalFieldName.TEXT -> GoalFieldWords("text", WorldEditorTexts::text)
+    GoalFieldName.TIMES -> GoalFieldWords("times", WorldEditorTexts::times, WorldEditorTexts::counted)
+    GoalFieldName.LOWEST_TONE -> GoalFieldWords("lowest", WorldEditorTexts::pitch, WorldEditorTexts::lowest)
+    GoalFieldName.HIGHEST_TONE -> GoalFieldWords("highest", WorldEditorTexts::pitch, WorldEditorTexts::highest)
 }

@@ -7,10 +7,10 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.Goal
 import robotran.world.HasLine
 import robotran.world.MarkFigure
@@ -30,7 +30,7 @@ import robotran.worldediting.uniqueName
 @Composable
 internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(making.world.goals)
-    if (goals.isEmpty()) Remark(stringResource(Res.string.worldedit_no_goals))
+    if (goals.isEmpty()) Remark(WorldEditorTexts.noGoals(spoken))
     goals.forEachIndexed { number, entry ->
         ElementRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
     }
@@ -43,31 +43,31 @@ internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
 @Composable
 private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        GoalAction(EditIcons.PENCIL, Res.string.worldedit_goal_change, "goal-change", onChosen)
-        GoalAction(EditIcons.DELETE, Res.string.worldedit_delete, "goal-delete") { making.make(Edit.Delete) }
-        GoalAction(EditIcons.UP, Res.string.worldedit_goal_up, "goal-up") {
+        GoalAction(EditIcons.PENCIL, WorldEditorTexts::goalChange, "goal-change", onChosen)
+        GoalAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete") { making.make(Edit.Delete) }
+        GoalAction(EditIcons.UP, WorldEditorTexts::goalUp, "goal-up") {
             making.make(Edit.MoveGoal(number, GoalMove.UP))
         }
-        GoalAction(EditIcons.DOWN, Res.string.worldedit_goal_down, "goal-down") {
+        GoalAction(EditIcons.DOWN, WorldEditorTexts::goalDown, "goal-down") {
             making.make(Edit.MoveGoal(number, GoalMove.DOWN))
         }
-        GoalAction(EditIcons.IN, Res.string.worldedit_goal_in, "goal-in") {
+        GoalAction(EditIcons.IN, WorldEditorTexts::goalIn, "goal-in") {
             making.make(Edit.MoveGoal(number, GoalMove.IN))
         }
-        GoalAction(EditIcons.OUT, Res.string.worldedit_goal_out, "goal-out") {
+        GoalAction(EditIcons.OUT, WorldEditorTexts::goalOut, "goal-out") {
             making.make(Edit.MoveGoal(number, GoalMove.OUT))
         }
         if (goal.isGroup) {
-            GoalAction(EditIcons.UNGROUP, Res.string.worldedit_goal_unwrap, "goal-unwrap") {
+            GoalAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, "goal-unwrap") {
                 making.make(Edit.UnwrapGoal(number))
             }
         }
     }
-    val groups = GoalGroup.entries.map { it to stringResource(goalTitle(it.around(goal))) }
+    val groups = GoalGroup.entries.map { it to (goalTitle(it.around(goal)))(spoken) }
     MenuRow(
-        stringResource(Res.string.worldedit_goal_wrap),
+        WorldEditorTexts.goalWrap(spoken),
         groups,
-        stringResource(Res.string.worldedit_choose),
+        WorldEditorTexts.choose(spoken),
         "goal-wrap",
     ) {
         making.make(Edit.WrapGoal(number, it))
@@ -75,21 +75,19 @@ private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: (
 }
 
 @Composable
-private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: () -> Unit) =
-    IconWord(icon, stringResource(word), tag, onClick)
+private fun GoalAction(icon: Icon, word: Label, tag: String, onClick: () -> Unit) =
+    IconWord(icon, word(spoken), tag, onClick)
 
 /** @param into the group of the new goal; null for none. */
 @Composable
 private fun AddGoal(making: EditorScope, into: Int?) {
-    val choices = newGoals(making.world).map { it to stringResource(goalTitle(it.condition)) }
-    val line = stringResource(Res.string.worldedit_item_line)
-    val title = stringResource(
-        if (into == null) {
-            Res.string.worldedit_add_goal
-        } else {
-            Res.string.worldedit_add_goal_to_group
-        },
-    )
+    val choices = newGoals(making.world).map { it to goalTitle(it.condition)(spoken) }
+    val line = WorldEditorTexts.itemLine(spoken)
+    val title = if (into == null) {
+        WorldEditorTexts.addGoal(spoken)
+    } else {
+        WorldEditorTexts.addGoalToGroup(spoken)
+    }
     MenuRow("", choices, title, "add-goal") { goal -> making.make(addition(making.world, goal, into, line)) }
 }
 

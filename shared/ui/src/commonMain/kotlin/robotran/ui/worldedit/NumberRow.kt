@@ -21,9 +21,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -54,7 +54,7 @@ internal fun NumberRow(
     val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
     val isWrong = draft != null && accepted(parseDecimal(draft.orEmpty())) == null
     val label = if (unit.isEmpty()) title else "$title ($unit)"
-    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf {
+    val wrong = WorldEditorTexts.range(spoken, written(range.start), written(range.endInclusive)).takeIf {
         isWrong
     }
     val stepped = { by: Double ->
@@ -65,7 +65,7 @@ internal fun NumberRow(
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
-            IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", {
+            IconTouch(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less", {
                 stepped(-step)
             })
             EditFieldBox(isWrong, Modifier.width(figureWidth())) {
@@ -85,7 +85,7 @@ internal fun NumberRow(
                     number = true,
                 )
             }
-            IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", {
+            IconTouch(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "$tag-more", {
                 stepped(step)
             })
         }

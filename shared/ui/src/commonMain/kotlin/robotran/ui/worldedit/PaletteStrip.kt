@@ -27,9 +27,9 @@ import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.world.geometry.Point
 import robotran.worldediting.Edit
@@ -57,7 +57,7 @@ internal fun PaletteStrip(
 ) {
     val items: List<@Composable () -> Unit> =
         PaletteItem.entries.map { item -> @Composable { PaletteButton(making, view, item, columns != null, onPut) } } +
-            HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(making, tool, stringResource(word)) } }
+            HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(making, tool, word(spoken)) } }
     if (columns == null) {
         Row(
             modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp),
@@ -90,9 +90,9 @@ private fun HandTool(making: EditorScope, tool: Tool, word: String) {
 
 @Composable
 private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
-    val word = stringResource(itemWord(item))
+    val word = itemWord(item)(spoken)
     val ink = LocalRobotranColours.current.onPane
-    val robotName = stringResource(colourWord(making.world.nextRobotColour))
+    val robotName = colourWord(making.world.nextRobotColour)(spoken)
     var corner by remember { mutableStateOf(Offset.Zero) }
     val put = rememberUpdatedState { place: Point ->
         val piece = item.piece(making.world)
@@ -156,25 +156,25 @@ private suspend fun PointerInputScope.carryOut(upright: Boolean, onCarry: (Offse
     }
 
 private val HAND_TOOLS = listOf(
-    Tool.DRAW_LINE to Res.string.worldedit_draw_line,
-    Tool.DRAW_TEMPLATE to Res.string.worldedit_draw_template,
+    Tool.DRAW_LINE to WorldEditorTexts::drawLine,
+    Tool.DRAW_TEMPLATE to WorldEditorTexts::drawTemplate,
 )
 
-internal fun itemWord(item: PaletteItem): StringResource = when (item) {
-    PaletteItem.WALL -> Res.string.worldedit_item_wall
-    PaletteItem.BOX -> Res.string.worldedit_item_box
-    PaletteItem.COLUMN -> Res.string.worldedit_item_column
-    PaletteItem.CORNERED_BARRIER -> Res.string.worldedit_item_cornered_barrier
-    PaletteItem.BLOCK -> Res.string.worldedit_item_block
-    PaletteItem.ROUND_BLOCK -> Res.string.worldedit_item_round_block
-    PaletteItem.LINE -> Res.string.worldedit_item_line
-    PaletteItem.AREA -> Res.string.worldedit_item_area
-    PaletteItem.DOT -> Res.string.worldedit_item_dot
-    PaletteItem.CORNERED_AREA -> Res.string.worldedit_item_cornered_area
-    PaletteItem.LAMP -> Res.string.worldedit_item_lamp
-    PaletteItem.TEMPLATE_LINE -> Res.string.worldedit_item_template_line
-    PaletteItem.GOAL_AREA -> Res.string.worldedit_item_goal
-    PaletteItem.FORBIDDEN_AREA -> Res.string.worldedit_item_forbidden
-    PaletteItem.PERMITTED_AREA -> Res.string.worldedit_item_permitted
-    PaletteItem.ROBOT -> Res.string.worldedit_item_robot
+internal fun itemWord(item: PaletteItem): Label = when (item) {
+    PaletteItem.WALL -> WorldEditorTexts::itemWall
+    PaletteItem.BOX -> WorldEditorTexts::itemBox
+    PaletteItem.COLUMN -> WorldEditorTexts::itemColumn
+    PaletteItem.CORNERED_BARRIER -> WorldEditorTexts::itemCorneredBarrier
+    PaletteItem.BLOCK -> WorldEditorTexts::itemBlock
+    PaletteItem.ROUND_BLOCK -> WorldEditorTexts::itemRoundBlock
+    PaletteItem.LINE -> WorldEditorTexts::itemLine
+    PaletteItem.AREA -> WorldEditorTexts::itemArea
+    PaletteItem.DOT -> WorldEditorTexts::itemDot
+    PaletteItem.CORNERED_AREA -> WorldEditorTexts::itemCorneredArea
+    PaletteItem.LAMP -> WorldEditorTexts::itemLamp
+    PaletteItem.TEMPLATE_LINE -> WorldEditorTexts::itemTemplateLine
+    PaletteItem.GOAL_AREA -> WorldEditorTexts::itemGoal
+    PaletteItem.FORBIDDEN_AREA -> WorldEditorTexts::itemForbidden
+    PaletteItem.PERMITTED_AREA -> WorldEditorTexts::itemPermitted
+    PaletteItem.ROBOT -> WorldEditorTexts::itemRobot
 }

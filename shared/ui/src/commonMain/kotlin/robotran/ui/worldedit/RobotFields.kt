@@ -5,15 +5,18 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.ui.brick.nxt.words
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.readyRobotName
-import robotran.ui.resources.*
 import robotran.ui.settings.SwitchRow
 import robotran.ui.sheet.RobotColours
+import robotran.ui.texts.Label
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.LightFacing
 import robotran.world.PortSensor
 import robotran.world.ReadyRobots
@@ -34,27 +37,27 @@ import robotran.worldediting.ElementRef
 internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.OfRobot) {
     val robot = piece.robot
     val atOnce = { changed: RobotPlacement -> making.changeAtOnce(thing, Element.OfRobot(changed)) }
-    if (thing.number == 0) Remark(stringResource(Res.string.worldedit_own_robot))
+    if (thing.number == 0) Remark(WorldEditorTexts.ownRobot(spoken))
     WordButton(
-        stringResource(Res.string.robot_build),
+        RobotTexts.build(spoken),
         "build-robot",
         { making.build(thing.number) },
         Modifier.fillMaxWidth().padding(top = 8.dp),
     )
     NameField(making, thing, piece)
-    val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), stringResource(colourWord(it))) }
-    Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") {
+    val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), colourWord(it)(spoken)) }
+    Swatches(WorldEditorTexts.colour(spoken), swatches, robot.colour, "robot-colour") {
         atOnce(robot.copy(colour = it))
     }
     FormFields(making, thing, piece)
     val kinds = ReadyRobots.all.map { (name, ready) -> ready to readyRobotName(name) }
-    ChipRow(stringResource(Res.string.worldedit_robot_kind), kinds, readyOf(robot.description), "robot-kind") { ready ->
+    ChipRow(NxtTexts.worldeditRobotKind(spoken), kinds, readyOf(robot.description), "robot-kind") { ready ->
         // Its ports are kept if the pupil touches what it already is.
         if (ready != null && ready != readyOf(robot.description)) atOnce(robot.copy(description = ready, draft = null))
     }
     robot.draft?.let { draft ->
         for (error in robotErrors(draft).take(1)) {
-            Wrong(stringResource(Res.string.robot_impossible, draft.title, error.sentence(LocalLanguage.current)))
+            Wrong(RobotTexts.impossible(spoken, draft.title, error.sentence(LocalLanguage.current)))
         }
     }
     when (robot.description.brick) {
@@ -62,7 +65,7 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         BrickKind.NXT -> NxtParts(robot.description)
     }
     NumberRow(
-        stringResource(Res.string.worldedit_beacon),
+        WorldEditorTexts.beacon(spoken),
         robot.beacon,
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-beacon",
@@ -78,11 +81,11 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
 @Composable
 private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
     val facings = listOf(
-        null to stringResource(Res.string.worldedit_facing_free),
-        LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
-        LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
+        null to WorldEditorTexts.facingFree(spoken),
+        LightFacing.DOWN to WorldEditorTexts.facingDown(spoken),
+        LightFacing.FORWARD to WorldEditorTexts.facingForward(spoken),
     )
-    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
+    ChipRow(WorldEditorTexts.facing(spoken), facings, robot.lightFacing, "facing") {
         atOnce(robot.copy(lightFacing = it))
     }
     PortFields(robot) { atOnce(robot.withPorts(it)) }
@@ -91,10 +94,10 @@ private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
 /** What is on the ports, which a program has to name. */
 @Composable
 private fun NxtParts(description: RobotDescription) {
-    RowHeading(stringResource(Res.string.worldedit_ports))
+    RowHeading(WorldEditorTexts.ports(spoken))
     for (port in 1..description.brick.inputPorts) {
-        val word = description.parts.firstOrNull { it.port == port }?.kind?.words ?: Res.string.worldedit_nothing
-        Remark(stringResource(Res.string.sensor, port, stringResource(word)))
+        val word = description.parts.firstOrNull { it.port == port }?.kind?.words ?: WorldEditorTexts::nothing
+        Remark(ScreenTexts.sensor(spoken, port, word(spoken)))
     }
 }
 
@@ -106,21 +109,18 @@ private fun readyOf(description: RobotDescription): RobotDescription? = ReadyRob
 /** Two sensors can share a port. */
 @Composable
 private fun PortFields(robot: RobotPlacement, onChange: (List<List<PortSensor>>) -> Unit) {
-    RowHeading(stringResource(Res.string.worldedit_ports))
+    RowHeading(WorldEditorTexts.ports(spoken))
     val choices: List<Pair<PortSensor?, String>> =
-        listOf<Pair<PortSensor?, String>>(null to stringResource(Res.string.worldedit_nothing)) +
-            PortSensor.entries.map { it to stringResource(sensorWord(it)) }
+        listOf<Pair<PortSensor?, String>>(null to WorldEditorTexts.nothing(spoken)) +
+            PortSensor.entries.map { it to sensorWord(it)(spoken) }
     robot.ports.forEachIndexed { port, sensors ->
         for (place in 0..minOf(sensors.size, WorldLimits.MAXIMUM_SENSORS_PER_PORT - 1)) {
             val sensor = sensors.getOrNull(place)
-            val title = stringResource(
-                if (place == 0) {
-                    Res.string.worldedit_port
-                } else {
-                    Res.string.worldedit_port_second
-                },
-                port + 1,
-            )
+            val title = if (place == 0) {
+                WorldEditorTexts.port(spoken, port + 1)
+            } else {
+                WorldEditorTexts.portSecond(spoken, port + 1)
+            }
             val free = choices.filter { (other, _) -> other == null || other == sensor || other !in sensors }
             MenuRow(title, free, choices.first { it.first == sensor }.second, "port-${port + 1}-$place") { wanted ->
                 val changed = if (place < sensors.size) {
@@ -136,13 +136,13 @@ private fun PortFields(robot: RobotPlacement, onChange: (List<List<PortSensor>>)
 
 @Composable
 private fun ProgramFields(making: EditorScope, thing: ElementRef, robot: RobotPlacement) {
-    SwitchRow(stringResource(Res.string.worldedit_own_program), robot.program != null, "field-has-program") { wanted ->
+    SwitchRow(WorldEditorTexts.ownProgram(spoken), robot.program != null, "field-has-program") { wanted ->
         making.changeAtOnce(thing, Element.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
     }
     val program = robot.program ?: return
     val error = (making.editing.error as? EditError.InvalidText)?.let { editErrorText(it) }
     TextRow(
-        stringResource(Res.string.worldedit_program),
+        WorldEditorTexts.program(spoken),
         program,
         WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS,
         "field-program",
@@ -153,14 +153,14 @@ private fun ProgramFields(making: EditorScope, thing: ElementRef, robot: RobotPl
     )
 }
 
-private fun sensorWord(sensor: PortSensor): StringResource = when (sensor) {
-    PortSensor.LEFT_BUMPER -> Res.string.worldedit_sensor_left_bumper
-    PortSensor.RIGHT_BUMPER -> Res.string.worldedit_sensor_right_bumper
-    PortSensor.TOUCH -> Res.string.worldedit_sensor_touch
-    PortSensor.LIGHT -> Res.string.worldedit_sensor_light
-    PortSensor.LEFT_ROTATION -> Res.string.worldedit_sensor_left_rotation
-    PortSensor.RIGHT_ROTATION -> Res.string.worldedit_sensor_right_rotation
-    PortSensor.TEMPERATURE -> Res.string.worldedit_sensor_temperature
+private fun sensorWord(sensor: PortSensor): Label = when (sensor) {
+    PortSensor.LEFT_BUMPER -> WorldEditorTexts::sensorLeftBumper
+    PortSensor.RIGHT_BUMPER -> WorldEditorTexts::sensorRightBumper
+    PortSensor.TOUCH -> WorldEditorTexts::sensorTouch
+    PortSensor.LIGHT -> WorldEditorTexts::sensorLight
+    PortSensor.LEFT_ROTATION -> WorldEditorTexts::sensorLeftRotation
+    PortSensor.RIGHT_ROTATION -> WorldEditorTexts::sensorRightRotation
+    PortSensor.TEMPERATURE -> WorldEditorTexts::sensorTemperature
 }
 
 /** A program with a visible effect. */

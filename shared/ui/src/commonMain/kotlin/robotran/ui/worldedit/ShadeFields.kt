@@ -25,9 +25,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.Label
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -46,8 +46,8 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
     }
     Column(Modifier.fillMaxWidth()) {
         Swatches(
-            stringResource(Res.string.worldedit_shade),
-            SWATCHES.map { Swatch(it.first, colourOf(it.first), stringResource(it.second)) },
+            WorldEditorTexts.shade(spoken),
+            SWATCHES.map { Swatch(it.first, colourOf(it.first), it.second(spoken)) },
             shade,
             "shade",
             onceChanged,
@@ -55,7 +55,7 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
         when (shade) {
             is Shade.Grey -> {
                 NumberRow(
-                    stringResource(Res.string.worldedit_grey),
+                    WorldEditorTexts.grey(spoken),
                     shade.reflectance,
                     0.0..1.0,
                     "field-grey",
@@ -67,18 +67,18 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
             }
 
             is Shade.Colour -> {
-                PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") {
+                PartField(making, WorldEditorTexts.redPart(spoken), shade.red, "red") {
                     onChange(shade.copy(red = it))
                 }
-                PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") {
+                PartField(making, WorldEditorTexts.greenPart(spoken), shade.green, "green") {
                     onChange(shade.copy(green = it))
                 }
-                PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") {
+                PartField(making, WorldEditorTexts.bluePart(spoken), shade.blue, "blue") {
                     onChange(shade.copy(blue = it))
                 }
             }
         }
-        Remark(stringResource(Res.string.worldedit_seen_by_sensor, (shade.reflectance * 100).roundToInt()))
+        Remark(WorldEditorTexts.seenBySensor(spoken, (shade.reflectance * 100).roundToInt()))
     }
 }
 
@@ -137,16 +137,16 @@ private fun colourOf(shade: Shade): Color = when (shade) {
     is Shade.Colour -> Color(shade.red, shade.green, shade.blue)
 }
 
-private val SWATCHES: List<Pair<Shade, StringResource>> = listOf(
-    Shade.Grey(0.0) to Res.string.worldedit_black,
-    Shade.Grey(0.3) to Res.string.worldedit_dark_grey,
-    Shade.Grey(0.6) to Res.string.worldedit_light_grey,
-    Shade.Grey(1.0) to Res.string.worldedit_white,
-    Shade.Colour(200, 40, 30) to Res.string.worldedit_red,
-    Shade.Colour(235, 130, 20) to Res.string.worldedit_orange,
-    Shade.Colour(245, 205, 30) to Res.string.worldedit_yellow,
-    Shade.Colour(40, 150, 70) to Res.string.worldedit_green,
-    Shade.Colour(17, 51, 170) to Res.string.worldedit_blue,
-    Shade.Colour(120, 60, 160) to Res.string.worldedit_purple,
+private val SWATCHES: List<Pair<Shade, Label>> = listOf(
+    Shade.Grey(0.0) to WorldEditorTexts::black,
+    Shade.Grey(0.3) to WorldEditorTexts::darkGrey,
+    Shade.Grey(0.6) to WorldEditorTexts::lightGrey,
+    Shade.Grey(1.0) to WorldEditorTexts::white,
+    Shade.Colour(200, 40, 30) to WorldEditorTexts::red,
+    Shade.Colour(235, 130, 20) to WorldEditorTexts::orange,
+    Shade.Colour(245, 205, 30) to WorldEditorTexts::yellow,
+    Shade.Colour(40, 150, 70) to WorldEditorTexts::green,
+    Shade.Colour(17, 51, 170) to WorldEditorTexts::blue,
+    Shade.Colour(120, 60, 160) to WorldEditorTexts::purple,
 )
 private const val MAX_PART = 255.0

@@ -12,8 +12,8 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.worldediting.isValidText
@@ -41,9 +41,9 @@ internal fun TextRow(
 ) {
     var draft by remember(tag) { mutableStateOf<String?>(null) }
     val typed = draft
-    val range = if (isProse) Res.string.worldedit_prose_range else Res.string.worldedit_text_range
+    val range = if (isProse) WorldEditorTexts::proseRange else WorldEditorTexts::textRange
     val isWrong = typed != null && !tall && !isValidText(typed, maximum, mayBeBlank, isProse)
-    val wrong = if (isWrong) stringResource(range, maximum) else error.takeIf { typed != null && typed != text }
+    val wrong = if (isWrong) range(spoken, maximum) else error.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
         Text(title, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {

@@ -1,8 +1,8 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.HasActor
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit
@@ -26,7 +26,7 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
     val first = ElementRef(ElementKind.ROBOT, 0)
     val choices = (listOf(first) + robots + blocks).map { it to elementText(world, it) }
     val shown = condition.who ?: choices.first().second
-    MenuRow(stringResource(Res.string.worldedit_who), choices, shown, "field-who") { thing ->
+    MenuRow(WorldEditorTexts.who(spoken), choices, shown, "field-who") { thing ->
         if (thing == first) {
             sender.once(condition.withWho(null))
         } else {

@@ -32,12 +32,13 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.language.spoken
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
@@ -57,8 +58,8 @@ internal fun WorldEditPane(
     val making = EditorScope(state.editing, onEvent)
     val view = remember { EditView() }
     val focus = remember { FocusRequester() }
-    val title = stringResource(Res.string.edit_world)
-    val newTitle = stringResource(Res.string.worldedit_new_title)
+    val title = ScreenTexts.editWorld(spoken)
+    val newTitle = WorldEditorTexts.newTitle(spoken)
     var corner by remember { mutableStateOf(Offset.Zero) }
     BoxWithConstraints(
         modifier

@@ -1,8 +1,8 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.WorldEditorTexts
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit
 import robotran.worldediting.SheetProperties
@@ -14,7 +14,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
     val figures = making.world.figures
     val change = { changed: SheetProperties -> making.make(Edit.ChangeSheet(changed)) }
     TextRow(
-        stringResource(Res.string.worldedit_title),
+        WorldEditorTexts.title(spoken),
         figures.title,
         WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         "field-title",
@@ -22,7 +22,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         making::settle,
     )
     TextRow(
-        stringResource(Res.string.worldedit_task),
+        WorldEditorTexts.task(spoken),
         figures.task,
         WorldLimits.MAXIMUM_TASK_CHARACTERS,
         "field-task",
@@ -30,12 +30,12 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         making::settle,
         mayBeBlank = true,
         isProse = true,
-        hint = stringResource(Res.string.worldedit_task_hint),
+        hint = WorldEditorTexts.taskHint(spoken),
     )
     val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
-    RowHeading(stringResource(Res.string.worldedit_paper))
+    RowHeading(WorldEditorTexts.paper(spoken))
     NumberRow(
-        stringResource(Res.string.worldedit_width),
+        WorldEditorTexts.width(spoken),
         figures.width,
         sides,
         "field-paper-width",
@@ -45,7 +45,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         unit = "cm",
     )
     NumberRow(
-        stringResource(Res.string.worldedit_height),
+        WorldEditorTexts.height(spoken),
         figures.height,
         sides,
         "field-paper-height",
@@ -54,9 +54,9 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         step = 10.0,
         unit = "cm",
     )
-    RowHeading(stringResource(Res.string.worldedit_room))
+    RowHeading(WorldEditorTexts.room(spoken))
     NumberRow(
-        stringResource(Res.string.worldedit_light),
+        WorldEditorTexts.light(spoken),
         figures.ambientLight,
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-light",
@@ -66,7 +66,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         slider = 0f..2f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_temperature),
+        WorldEditorTexts.temperature(spoken),
         figures.temperature,
         WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE,
         "field-temperature",
@@ -75,9 +75,9 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         unit = "°C",
         slider = -20f..50f,
     )
-    RowHeading(stringResource(Res.string.worldedit_run))
+    RowHeading(WorldEditorTexts.run(spoken))
     NumberRow(
-        stringResource(Res.string.worldedit_time_limit),
+        WorldEditorTexts.timeLimit(spoken),
         figures.timeLimit.toDouble(),
         1.0..WorldLimits.MAXIMUM_SECONDS.toDouble(),
         "field-time-limit",
@@ -91,7 +91,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         slider = 10f..300f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_realism),
+        WorldEditorTexts.realism(spoken),
         figures.realism * PERCENT,
         0.0..PERCENT,
         "field-realism",
@@ -101,9 +101,9 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         unit = "%",
         slider = 0f..100f,
     )
-    Remark(stringResource(Res.string.worldedit_realism_help))
+    Remark(WorldEditorTexts.realismHelp(spoken))
     NumberRow(
-        stringResource(Res.string.worldedit_seed),
+        WorldEditorTexts.seed(spoken),
         figures.seed.toDouble(),
         0.0..Int.MAX_VALUE.toDouble(),
         "field-seed",
@@ -111,12 +111,12 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         making::settle,
         isWhole = true,
     )
-    Remark(stringResource(Res.string.worldedit_seed_help))
-    RowHeading(stringResource(Res.string.worldedit_start_over))
-    WordButton(stringResource(Res.string.worldedit_new_world), "new-world", {
+    Remark(WorldEditorTexts.seedHelp(spoken))
+    RowHeading(WorldEditorTexts.startOver(spoken))
+    WordButton(WorldEditorTexts.newWorld(spoken), "new-world", {
         making.makeAtOnce(Edit.NewWorld(newTitle))
     })
-    Remark(stringResource(Res.string.worldedit_new_world_help))
+    Remark(WorldEditorTexts.newWorldHelp(spoken))
 }
 
 private const val PERCENT = 100.0

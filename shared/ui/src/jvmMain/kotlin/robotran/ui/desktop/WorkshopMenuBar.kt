@@ -8,15 +8,23 @@ import androidx.compose.ui.input.key.KeyShortcut
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.StepKind
 import robotran.robotediting.RobotEdit
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
-import robotran.ui.language.textIn
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.ExportTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.LearningTexts
+import robotran.ui.texts.NqcTexts
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RobotTexts
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.SchoolTexts
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.coloursOf
 import robotran.workshop.Workshop
 import robotran.workshop.event.AssignmentEvent
@@ -32,6 +40,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.platform.appLanguage
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.RunPaneState
@@ -60,13 +69,13 @@ fun FrameWindowScope.WorkshopMenuBar(
             if (!IS_MAC) colourMenuBar(window, colours)
         }
         MenuBar {
-            Menu(stringResource(Res.string.documents_menu_file)) {
+            Menu(DocumentTexts.menuFile(spoken)) {
                 FileItems(state.document, onEvent, openAnother, close, quit)
             }
-            Menu(stringResource(Res.string.documents_menu_edit)) {
+            Menu(DocumentTexts.menuEdit(spoken)) {
                 EditItems(undoTarget(state), window, onEvent)
             }
-            Menu(stringResource(Res.string.documents_menu_run)) {
+            Menu(DocumentTexts.menuRun(spoken)) {
                 RunItems(
                     state.run,
                     state.caretLine,
@@ -74,24 +83,24 @@ fun FrameWindowScope.WorkshopMenuBar(
                     onEvent,
                 )
             }
-            Menu(stringResource(Res.string.documents_menu_view)) {
-                Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) {
+            Menu(DocumentTexts.menuView(spoken)) {
+                Choice(DocumentTexts::editWorld, enabled = state.worldEdit == null) {
                     onEvent(WorldEditEvent.EditorOpened)
                 }
-                Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
+                Choice(DocumentTexts::worlds) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
                 Separator()
-                Choice(Res.string.documents_settings, control(Key.Comma)) { onEvent(SettingsEvent.SettingsShown(true)) }
+                Choice(DocumentTexts::settings, control(Key.Comma)) { onEvent(SettingsEvent.SettingsShown(true)) }
             }
-            Menu(stringResource(Res.string.documents_menu_help)) {
-                Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
+            Menu(DocumentTexts.menuHelp(spoken)) {
+                Choice(DocumentTexts::tutorial, KeyShortcut(Key.F1, shift = true)) {
                     onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 }
-                Choice(Res.string.learning_map) { onEvent(LearningEvent.PageRequested(LearningPage.MAP)) }
-                Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
-                Choice(Res.string.learning_help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
-                Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+                Choice(LearningTexts::map) { onEvent(LearningEvent.PageRequested(LearningPage.MAP)) }
+                Choice(LearningTexts::examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
+                Choice(LearningTexts::help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
+                Choice(DocumentTexts::firstPage) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
                 Separator()
-                Choice(Res.string.documents_about) { onEvent(DocumentEvent.AboutRequested(VERSION)) }
+                Choice(DocumentTexts::about) { onEvent(DocumentEvent.AboutRequested(VERSION)) }
             }
         }
     }
@@ -102,7 +111,7 @@ fun FrameWindowScope.WorkshopMenuBar(
 fun windowTitle(workshop: Workshop?): String {
     val state = workshop?.state ?: return APP
     val document = state.document
-    val name = document.name.ifEmpty { textIn(state.settings.language, Res.string.documents_untitled) }
+    val name = document.name.ifEmpty { DocumentTexts.untitled(appLanguage(state.settings.language)) }
     val dot = if (document.fileName != null && !document.saved) "● " else ""
     return "$dot$name – $APP"
 }
@@ -115,37 +124,37 @@ private fun MenuScope.FileItems(
     close: () -> Unit,
     quit: () -> Unit,
 ) {
-    Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
-    Choice(Res.string.documents_new_nxt) { onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
-    Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
+    Choice(DocumentTexts::new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
+    Choice(NxtTexts::documentsNewNxt) { onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
+    Choice(DocumentTexts::newWindow, control(Key.N, shift = true), onClick = openAnother)
     Separator()
-    Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
-    Choice(Res.string.course_list) { onEvent(CourseEvent.ListRequested) }
-    Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
-    Menu(stringResource(Res.string.documents_recent), enabled = document.recentFiles.isNotEmpty()) {
+    Choice(DocumentTexts::myWork, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(SchoolTexts::courseList) { onEvent(CourseEvent.ListRequested) }
+    Choice(DocumentTexts::open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
+    Menu(DocumentTexts.recent(spoken), enabled = document.recentFiles.isNotEmpty()) {
         for (file in document.recentFiles) Item(file.name) { onEvent(DocumentEvent.SavedProjectChosen(file.id)) }
     }
-    Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
+    Choice(DocumentTexts::openLink) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
-    Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveRequested) }
-    Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
-    Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
+    Choice(DocumentTexts::save, control(Key.S)) { onEvent(DocumentEvent.SaveRequested) }
+    Choice(DocumentTexts::saveAs, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
+    Choice(DocumentTexts::rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
-    Choice(Res.string.robot_build_menu) { onEvent(RobotEditEvent.BenchOpened()) }
-    Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
-    Choice(Res.string.make_title) { onEvent(AssignmentEvent.MakingRequested) }
-    Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
-    Choice(Res.string.send_robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
-    Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
-    Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
-    val kit = if (document.hasFirmwareImage) Res.string.documents_firmware_image else Res.string.documents_kit
+    Choice(RobotTexts::buildMenu) { onEvent(RobotEditEvent.BenchOpened()) }
+    Choice(ExportTexts::title) { onEvent(ShowEvent.Requested) }
+    Choice(SchoolTexts::makeTitle) { onEvent(AssignmentEvent.MakingRequested) }
+    Choice(DocumentTexts::share) { onEvent(DocumentEvent.LinkRequested) }
+    Choice(SendTexts::robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
+    Choice(DocumentTexts::replay) { onEvent(DocumentEvent.ReplayRequested) }
+    Choice(DocumentTexts::programFile) { onEvent(DocumentEvent.ProgramFileRequested) }
+    val kit = if (document.hasFirmwareImage) NqcTexts::documentsFirmwareImage else DocumentTexts::kit
     Choice(kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
-    Choice(Res.string.hand_ins_menu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
+    Choice(SchoolTexts::handInsMenu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
-    Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
+    Choice(DocumentTexts::closeWindow, control(Key.W), onClick = close)
     // macOS has it in the menu of the app.
-    if (!IS_MAC) Choice(Res.string.documents_quit, control(Key.Q), onClick = quit)
+    if (!IS_MAC) Choice(DocumentTexts::quit, control(Key.Q), onClick = quit)
 }
 
 /** Undo and Redo of the program, or of the world or the robot while it is edited. */
@@ -162,18 +171,18 @@ private fun MenuScope.EditItems(
     window: JFrame,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    Choice(Res.string.documents_undo, control(Key.Z)) { onEvent(undo.first) }
-    Choice(Res.string.documents_redo, control(Key.Z, shift = true)) { onEvent(undo.second) }
+    Choice(DocumentTexts::undo, control(Key.Z)) { onEvent(undo.first) }
+    Choice(DocumentTexts::redo, control(Key.Z, shift = true)) { onEvent(undo.second) }
     Separator()
-    Choice(Res.string.editor_cut, control(Key.X)) { pressShortcut(window, KeyEvent.VK_X) }
-    Choice(Res.string.editor_copy, control(Key.C)) { pressShortcut(window, KeyEvent.VK_C) }
-    Choice(Res.string.editor_paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
-    Choice(Res.string.documents_select_all, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
+    Choice(EditorTexts::cut, control(Key.X)) { pressShortcut(window, KeyEvent.VK_X) }
+    Choice(EditorTexts::copy, control(Key.C)) { pressShortcut(window, KeyEvent.VK_C) }
+    Choice(EditorTexts::paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
+    Choice(DocumentTexts::selectAll, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
     Separator()
-    Choice(Res.string.editor_find, control(Key.F), undo.first == ProgramEvent.Undone) {
+    Choice(EditorTexts::find, control(Key.F), undo.first == ProgramEvent.Undone) {
         onEvent(ProgramEvent.SearchRequested)
     }
-    Choice(Res.string.editor_format, control(Key.F, shift = true), undo.first == ProgramEvent.Undone) {
+    Choice(EditorTexts::format, control(Key.F, shift = true), undo.first == ProgramEvent.Undone) {
         onEvent(ProgramEvent.Formatted)
     }
 }
@@ -186,28 +195,28 @@ private fun MenuScope.RunItems(
     isDesk: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    Choice(Res.string.documents_run_now, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
-    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && run.stoppable) {
+    Choice(DocumentTexts::runNow, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
+    Choice(DocumentTexts::stopNow, KeyShortcut(Key.F5, shift = true), isDesk && run.stoppable) {
         onEvent(RunEvent.StopPressed)
     }
-    val pause = if (run.isPlaying) Res.string.run_pause else Res.string.run_go_on
+    val pause = if (run.isPlaying) RunTexts::pause else RunTexts::goOn
     Choice(pause, KeyShortcut(Key.F6), isDesk && run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
-    Choice(Res.string.run_step_into, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
-    Choice(Res.string.run_step_over, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
-    Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) {
+    Choice(RunTexts::stepInto, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
+    Choice(RunTexts::stepOver, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
+    Choice(RunTexts::stepOut, KeyShortcut(Key.F7, shift = true), isDesk) {
         onEvent(RunEvent.StepPressed(StepKind.OUT))
     }
-    Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(caretLine)) }
+    Choice(RunTexts::toLine, enabled = isDesk) { onEvent(RunEvent.RunToLine(caretLine)) }
 }
 
 @Composable
 private fun MenuScope.Choice(
-    words: StringResource,
+    words: Label,
     shortcut: KeyShortcut? = null,
     enabled: Boolean = true,
     onClick: () -> Unit,
-) = Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
+) = Item(words(spoken), enabled = enabled, shortcut = shortcut, onClick = onClick)
 
 /** With the platform's modifier key for shortcuts. */
 private fun control(key: Key, shift: Boolean = false) =

@@ -1,9 +1,7 @@
 package robotran.ui.language
 
-import org.w3c.dom.Element
 import robotran.language.Language
 import java.io.File
-import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -69,24 +67,23 @@ class StringsTest {
 
     private fun argumentsIn(text: String) = ARGUMENT.findAll(text).map { it.value }.toSet()
 
-    private fun stringsOf(language: Language): Map<String, String> {
-        val files = checkNotNull(stringsFile(language).parentFile.listFiles()).sorted()
-        val strings = files.flatMap { file ->
-            val document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file)
-            val nodes = document.getElementsByTagName("string")
-            (0..<nodes.length).map { nodes.item(it) as Element }
+    private fun stringsOf(language: Language): Map<String, String> = catalogues.flatMap { (file, messages) ->
+        messages.mapNotNull { message ->
+            val lines = message.lines()
+            val first = lines.indexOfFirst { it.startsWith("- ${language.tag}:") }
+            if (first < 0) return@mapNotNull null
+            val more = lines.drop(first + 1).takeWhile { it.startsWith("  ") }.map { it.trim() }
+            val text = (listOf(lines[first].substringAfter(": ").trim()) + more).joinToString(" ")
+            "$file ${lines.first()}" to text
         }
-        val names = strings.map { it.getAttribute("name") }
-        assertEquals(
-            names.toSet().size,
-            names.size,
-            "A key is twice in $language: ${names.groupBy { it }.filterValues { it.size > 1 }.keys}",
-        )
-        return strings.associate { it.getAttribute("name") to it.textContent }
-    }
+    }.toMap()
 
     private companion object {
-        val ARGUMENT = Regex("""%\d\${'$'}[sd]""")
+        /** The messages of each catalogue of the screens, each with its heading and all its languages. */
+        val catalogues: Map<String, List<String>> = checkNotNull(File("src/commonMain/messages").listFiles())
+            .filter { "# object" in it.readText() }
+            .associate { it.name to it.readText().split("\n## ").drop(1) }
+        val ARGUMENT = Regex("""\{\w+\}""")
         val UNWANTED = listOf(
             "!",
             "¡",
@@ -132,13 +129,4 @@ class StringsTest {
         )
         val WORD = Regex("\\p{L}+")
     }
-}
-
-/**
- * Most of the screen's words in [language], from the folder of this module, in which Gradle runs its tests; other
- * files beside it have the rest.
- */
-internal fun stringsFile(language: Language): File {
-    val folder = if (language == Language.ENGLISH) "values" else "values-${language.tag}"
-    return File("src/commonMain/composeResources/$folder/strings.xml")
 }

@@ -1,5 +1,6 @@
 package robotran.ui.parts
 
+import robotran.language.Language
 import robotran.world.ReadyRobots
 import java.io.File
 import kotlin.test.Test
@@ -8,11 +9,8 @@ import kotlin.test.assertEquals
 class ReadyRobotNameTest {
     @Test
     fun `each ready robot has a name in the app, which in English and in the docs is its title`() {
-        val texts = File("src/commonMain/composeResources/values/robots.xml").readText()
         val titles = ReadyRobots.all.mapValues { it.value.title }
-        val names = READY_ROBOT_WORDS.mapValues { (_, word) ->
-            Regex("""name="${word.key}">(.*?)<""").find(texts)?.groupValues?.get(1)
-        }
+        val names = READY_ROBOT_WORDS.mapValues { (_, name) -> name(Language.ENGLISH) }
         assertEquals(titles, names)
         val rows = Regex(
             """\| `([\w-]+)` \| ([^|]+) \| (?:RCX|NXT) \|""",

@@ -8,14 +8,17 @@ package robotran.build.messages
 class MessageCatalogue(val packageName: String, val imports: List<String>, val tables: List<MessageTable>)
 
 /**
- * The messages of one generated interface.
+ * The messages of one generated interface or object.
  *
  * @property visibility `internal`, or empty for a public table.
+ * @property isObject whether it is an object whose functions take the language, instead of an interface. Callers then
+ *   need no table, and code that nobody calls takes no room in the page.
  * @property bases the tables, of this or another catalogue, whose messages this one has, too.
  */
 class MessageTable(
     val name: String,
     val visibility: String,
+    val isObject: Boolean,
     val bases: List<String>,
     val documentation: String,
     val messages: List<Message>,

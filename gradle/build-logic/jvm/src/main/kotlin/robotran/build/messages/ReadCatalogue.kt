@@ -21,7 +21,7 @@ package robotran.build.messages
  * ```
  *
  * A heading with a dash is a term, for other messages of the table alone. `# internal Name: Base` is an internal table
- * with all messages of another one. Text between heading and list documents the table or the message; the list below the
+ * with all messages of another one. `# object Name` has functions that take the language. Text between heading and list documents the table or the message; the list below the
  * heading of a table has notes for translators. A sentence may go on in indented lines.
  *
  * @throws CatalogueException naming [path] and line, if it is not well-formed.
@@ -43,7 +43,7 @@ private class CatalogueReader(private val path: String, private val lines: List<
 
     private fun table(): MessageTable {
         val heading = TABLE.matchEntire(lines[index]) ?: fail("this is no heading of a table")
-        val (visibility, name, bases) = heading.destructured
+        val (visibility, kind, name, bases) = heading.destructured
         index++
         val documentation = documentation()
         items()
@@ -51,7 +51,7 @@ private class CatalogueReader(private val path: String, private val lines: List<
         while (index < lines.size && lines[index].startsWith("## ")) messages += message()
         val twice = messages.groupBy { it.signature }.filterValues { it.size > 1 }.keys
         if (twice.isNotEmpty()) fail("$name has these twice: $twice")
-        return MessageTable(name, visibility.trim(), names(bases), documentation, messages)
+        return MessageTable(name, visibility.trim(), kind.isNotEmpty(), names(bases), documentation, messages)
     }
 
     private fun message(): Message {
@@ -109,7 +109,7 @@ private class CatalogueReader(private val path: String, private val lines: List<
         throw CatalogueException("$path:${minOf(line, lines.size - 1) + 1}: $why")
 
     private companion object {
-        val TABLE = Regex("# (internal )?(\\w+)(: .*)?")
+        val TABLE = Regex("# (internal )?(object )?(\\w+)(: .*)?")
         val MESSAGE = Regex("## (-?)(\\w+)\\((.*)\\)")
         val PARAMETER = Regex("(\\w+): ((?:[^,<(]|<[^>]*>+|\\([^)]*\\))+)")
         val ITEM = Regex("- (\\w[\\w-]*):(.*)")

@@ -1,11 +1,18 @@
 package robotran.build.messages
 
-/** Writes the Kotlin of the tables of [catalogue]: an interface for each, and an object for each of the [languages]. */
+/**
+ * Writes the Kotlin of the tables of [catalogue]: an interface for each and an object for each of the [languages], or one
+ * object for all languages.
+ */
 class MessagesWriter(private val catalogue: MessageCatalogue, private val languages: List<SpokenLanguage>) {
     /** The contents of files by their names. */
     fun files(): Map<String, String> = catalogue.tables.flatMap { table ->
-        languages.map { "${objectName(table, it)}.kt" to file(objectOf(table, it)) } +
-            ("${table.name}.kt" to file(interfaceOf(table)))
+        if (table.isObject) {
+            listOf("${table.name}.kt" to file(wholeObject(table)))
+        } else {
+            languages.map { "${objectName(table, it)}.kt" to file(objectOf(table, it)) } +
+                ("${table.name}.kt" to file(interfaceOf(table)))
+        }
     }.toMap()
 
     private fun file(code: String) = buildString {
@@ -28,6 +35,23 @@ class MessagesWriter(private val catalogue: MessageCatalogue, private val langua
         append("    companion object {\n        fun of(language: Language): ${table.name} = when (language) {\n")
         languages.forEach { append("            Language.${it.constant} -> ${objectName(table, it)}\n") }
         append("        }\n    }\n}\n")
+    }
+
+    private fun wholeObject(table: MessageTable) = buildString {
+        append(documentation(table.documentation, indent = ""))
+        append("${visibility(table)}object ${table.name} {\n")
+        for (message in table.messages) {
+            append(documentation(message.documentation, indent = "    "))
+            val parameters = listOf("language: Language") + message.parameters.map { "${it.name}: ${it.type}" }
+            append("    fun ${message.name}(${parameters.joinToString()}): String = when (language) {\n")
+            for (language in languages) {
+                val pattern = message.patterns[language.tag] ?: message.patterns.getValue(ENGLISH)
+                append("        Language.${language.constant} -> ")
+                append("${PatternWriter(message, language).expression(pattern)}\n")
+            }
+            append("    }\n\n")
+        }
+        append("}\n")
     }
 
     private fun objectOf(table: MessageTable, language: SpokenLanguage) = buildString {

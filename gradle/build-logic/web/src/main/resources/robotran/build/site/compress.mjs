@@ -6,7 +6,7 @@ import { promisify } from 'node:util';
 import { brotliCompress, constants, gzip } from 'node:zlib';
 
 const [to, from] = process.argv.slice(2);
-const COMPRESSIBLE = /\.(bin|css|cvr|html|js|svg|ttf|txt|wasm|webmanifest)$/;
+const COMPRESSIBLE = /\.(bin|css|html|js|svg|ttf|txt|wasm|webmanifest)$/;
 const HASHED = /\.[0-9a-f]{16}\.\w+$/;
 const LEAST_BYTES = 512;
 

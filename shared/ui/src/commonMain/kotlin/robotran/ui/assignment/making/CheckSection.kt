@@ -6,13 +6,13 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.worldName
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.MakingState
@@ -22,14 +22,14 @@ import robotran.workshop.state.SolutionCheck
 /** What is missing, and whether the solution meets the goals with all seeds and variations. Nothing is forbidden. */
 @Composable
 internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_check), "make-check-section") {
+    Section(SchoolTexts.makeCheck(spoken), "make-check-section") {
         if (state.missing.isEmpty()) {
             Explanation(
-                stringResource(Res.string.make_check_all),
+                SchoolTexts.makeCheckAll(spoken),
                 Modifier.testTag("make-complete"),
             )
         }
-        for (part in state.missing) Explanation("⚠ ${stringResource(part.sentence)}", Modifier.testTag("make-missing"))
+        for (part in state.missing) Explanation("⚠ ${part.sentence(spoken)}", Modifier.testTag("make-missing"))
         val check = state.check
         // While it runs, only its beginning is news.
         ComesIntoView(check?.newsKey) { CheckOfSolution(state, onEvent) }
@@ -40,13 +40,13 @@ internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) 
 private fun CheckOfSolution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
     val check = state.check
     if (check is SolutionCheck.Running) {
-        Explanation(stringResource(Res.string.make_trying, check.done, check.all), Modifier.testTag("make-trying"))
+        Explanation(SchoolTexts.makeTrying(spoken, check.done, check.all), Modifier.testTag("make-trying"))
         ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
-        SecondButton(stringResource(Res.string.hand_in_cancel), "make-check-stop", {
+        SecondButton(SchoolTexts.handInCancel(spoken), "make-check-stop", {
             onEvent(AssignmentEvent.CheckRequested(on = false))
         })
     } else if (state.assignment.solution.isNotEmpty()) {
-        SecondButton(stringResource(Res.string.make_try_solution), "make-check", {
+        SecondButton(SchoolTexts.makeTrySolution(spoken), "make-check", {
             onEvent(AssignmentEvent.CheckRequested(on = true))
         })
     }
@@ -63,14 +63,14 @@ private fun CheckResult(check: SolutionCheck?) {
         null, is SolutionCheck.Running -> Unit
 
         is SolutionCheck.Passed -> {
-            Explanation(stringResource(Res.string.make_try_passed, check.runs), news)
+            Explanation(SchoolTexts.makeTryPassed(spoken, check.runs), news)
             StartPassed(check.startPassed, check.runs)
         }
 
         is SolutionCheck.Failed -> {
             val world = worldName(check.world)
             Explanation(
-                stringResource(Res.string.make_try_failed, check.failed, check.runs, world, check.seed),
+                SchoolTexts.makeTryFailed(spoken, check.failed, check.runs, world, check.seed),
                 news,
                 bad = true,
             )
@@ -78,7 +78,7 @@ private fun CheckResult(check: SolutionCheck?) {
         }
 
         is SolutionCheck.HasMistakes -> {
-            Explanation(stringResource(Res.string.make_try_mistakes), news, bad = true)
+            Explanation(SchoolTexts.makeTryMistakes(spoken), news, bad = true)
             for (reason in check.reasons.take(MAX_REASONS)) Explanation(reason)
         }
     }
@@ -89,17 +89,17 @@ private fun CheckResult(check: SolutionCheck?) {
 private fun StartPassed(passed: Int, runs: Int) {
     if (passed == 0) return
     Explanation(
-        "⚠ ${stringResource(Res.string.make_try_start, passed, runs)}",
+        "⚠ ${SchoolTexts.makeTryStart(spoken, passed, runs)}",
         Modifier.testTag("make-checked-start").semantics { liveRegion = LiveRegionMode.Polite },
     )
 }
 
-private val MissingPart.sentence: StringResource
+private val MissingPart.sentence: Label
     get() = when (this) {
-        MissingPart.TASK -> Res.string.make_missing_task
-        MissingPart.GOALS -> Res.string.make_missing_goals
-        MissingPart.SOLUTION -> Res.string.make_missing_solution
-        MissingPart.SOLUTION_NOT_ALLOWED -> Res.string.make_missing_allowed
+        MissingPart.TASK -> SchoolTexts::makeMissingTask
+        MissingPart.GOALS -> SchoolTexts::makeMissingGoals
+        MissingPart.SOLUTION -> SchoolTexts::makeMissingSolution
+        MissingPart.SOLUTION_NOT_ALLOWED -> SchoolTexts::makeMissingAllowed
     }
 
 private const val MAX_REASONS = 5

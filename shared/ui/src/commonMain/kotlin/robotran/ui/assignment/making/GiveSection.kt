@@ -9,18 +9,19 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.packaging.ScormVersion
 import robotran.ui.assignment.LinkOrProblem
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.LocalLinkNote
+import robotran.ui.language.spoken
 import robotran.ui.parts.PrimaryButton
 import robotran.ui.parts.SecondButton
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.MakingState
@@ -29,16 +30,16 @@ import robotran.workshop.state.PupilLink
 /** Files, link and code. */
 @Composable
 internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_give), "make-give-section") {
-        Quiet(stringResource(Res.string.make_give_help), "make-give-help")
+    Section(SchoolTexts.makeGive(spoken), "make-give-section") {
+        Quiet(SchoolTexts.makeGiveHelp(spoken), "make-give-help")
         Chips {
-            PrimaryButton(stringResource(Res.string.make_teacher_file), "make-teacher-file", {
+            PrimaryButton(SchoolTexts.makeTeacherFile(spoken), "make-teacher-file", {
                 onEvent(AssignmentEvent.TeacherFileSaved)
             })
-            PrimaryButton(stringResource(Res.string.make_pupil_file), "make-pupil-file", {
+            PrimaryButton(SchoolTexts.makePupilFile(spoken), "make-pupil-file", {
                 onEvent(AssignmentEvent.PupilFileSaved)
             })
-            SecondButton(stringResource(Res.string.make_pupil_link), "make-pupil-link", {
+            SecondButton(SchoolTexts.makePupilLink(spoken), "make-pupil-link", {
                 onEvent(AssignmentEvent.PupilLinkRequested)
             })
         }
@@ -52,7 +53,7 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
 private fun GiveLink(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
     link,
     "make",
-    Res.string.make_qr_help,
+    SchoolTexts::makeQrHelp,
     onCopy = { onEvent(AssignmentEvent.PupilLinkCopied) },
     onShare = { onEvent(AssignmentEvent.PupilLinkShared) }.takeIf { state.hasShareSheet },
 )
@@ -65,19 +66,13 @@ private fun GiveLink(link: PupilLink, state: MakingState, onEvent: (WorkshopEven
  * @param onShare null if nothing can be shared here.
  */
 @Composable
-internal fun PupilLinkView(
-    link: PupilLink,
-    place: String,
-    qrHelp: StringResource,
-    onCopy: () -> Unit,
-    onShare: (() -> Unit)?,
-) {
+internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy: () -> Unit, onShare: (() -> Unit)?) {
     if (link.link != null) {
         Chips {
-            val copy = if (link.isCopied) Res.string.hand_in_copied else Res.string.hand_in_copy
+            val copy = if (link.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
             val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
-            SecondButton(stringResource(copy), "$place-link-copy", onCopy, news)
-            if (onShare != null) SecondButton(stringResource(Res.string.hand_in_share), "$place-link-share", onShare)
+            SecondButton(copy(spoken), "$place-link-copy", onCopy, news)
+            if (onShare != null) SecondButton(SchoolTexts.handInShare(spoken), "$place-link-share", onShare)
         }
     }
     // What is handed in needs no such note: a teacher pastes its link wherever Robotran is open.
@@ -88,8 +83,8 @@ internal fun PupilLinkView(
 /** Packages, and the code for a frame. */
 @Composable
 internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_platform), "make-platform-section") {
-        Quiet(stringResource(Res.string.make_platform_help), "make-platform-help")
+    Section(SchoolTexts.makePlatform(spoken), "make-platform-section") {
+        Quiet(SchoolTexts.makePlatformHelp(spoken), "make-platform-help")
         Chips {
             if (state.canPack) {
                 for ((version, name) in SCORM) {
@@ -98,8 +93,8 @@ internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Uni
                     })
                 }
             }
-            val copy = if (state.embedCodeCopied) Res.string.make_embed_copied else Res.string.make_embed_copy
-            SecondButton(stringResource(copy), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
+            val copy = if (state.embedCodeCopied) SchoolTexts::makeEmbedCopied else SchoolTexts::makeEmbedCopy
+            SecondButton(copy(spoken), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
         }
         val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
         val result = packed ?: state.embedCode ?: state.embedProblem
@@ -111,7 +106,7 @@ internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Uni
 private fun PlatformResult(state: MakingState) {
     if (state.isPacking) {
         Explanation(
-            stringResource(Res.string.make_packing),
+            SchoolTexts.makePacking(spoken),
             Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
         )
     }
@@ -128,13 +123,13 @@ private fun EmbedCode(code: String, isCopied: Boolean) {
         onValueChange = {},
         Modifier.fillMaxWidth().testTag("make-embed-code"),
         readOnly = true,
-        label = { Text(stringResource(Res.string.make_embed_code)) },
+        label = { Text(SchoolTexts.makeEmbedCode(spoken)) },
         maxLines = MAX_CODE_LINES,
         colors = fieldColours(),
     )
     val news = Modifier.testTag("make-embed-copied").semantics { liveRegion = LiveRegionMode.Polite }
-    val words = if (isCopied) Res.string.make_embed_copied else Res.string.documents_not_copied
-    Explanation(stringResource(words), news)
+    val words = if (isCopied) SchoolTexts::makeEmbedCopied else DocumentTexts::notCopied
+    Explanation(words(spoken), news)
     LocalLinkNote(code)
 }
 

@@ -1,12 +1,13 @@
 package robotran.ui.assignment.making
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.DialogFrame
 import robotran.ui.documents.Explanation
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.DocumentTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 
@@ -15,13 +16,13 @@ import robotran.workshop.event.WorkshopEvent
 internal fun GivingDialog(onEvent: (WorkshopEvent) -> Unit) {
     val cancel = { onEvent(AssignmentEvent.GivingCancelled) }
     DialogFrame(
-        stringResource(Res.string.make_giving_title),
+        SchoolTexts.makeGivingTitle(spoken),
         cancel,
         buttons = {
-            OtherButton(stringResource(Res.string.make_giving_share), "make-giving-share", {
+            OtherButton(SchoolTexts.makeGivingShare(spoken), "make-giving-share", {
                 onEvent(AssignmentEvent.GivingConfirmed)
             })
-            MainButton(stringResource(Res.string.documents_cancel), "make-giving-cancel") { cancel() }
+            MainButton(DocumentTexts.cancel(spoken), "make-giving-cancel") { cancel() }
         },
-    ) { Explanation(stringResource(Res.string.make_giving_help)) }
+    ) { Explanation(SchoolTexts.makeGivingHelp(spoken)) }
 }

@@ -20,17 +20,17 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
 import robotran.ui.runbar.Chip
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.workshop.event.AssignmentEvent
@@ -42,10 +42,10 @@ import robotran.world.WorldLimits
 internal fun GradingSection(assignment: Assignment, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     val checks = assignment.checks ?: return
     val keep = { changed: AssignmentChecks -> change(assignment.copy(checks = changed)) }
-    Section(stringResource(Res.string.make_grading), "make-grading-section") {
-        Quiet(stringResource(Res.string.make_grading_help), "make-grading-help")
+    Section(SchoolTexts.makeGrading(spoken), "make-grading-section") {
+        Quiet(SchoolTexts.makeGradingHelp(spoken), "make-grading-help")
         Seeds(checks, keep)
-        Subtitle(stringResource(Res.string.make_variations))
+        Subtitle(SchoolTexts.makeVariations(spoken))
         checks.variations.forEachIndexed { index, variation ->
             key(index) {
                 VariationRow(
@@ -61,8 +61,8 @@ internal fun GradingSection(assignment: Assignment, change: (Assignment) -> Unit
             }
         }
         if (checks.variations.size < AssignmentLimits.MAXIMUM_VARIATIONS) {
-            val name = stringResource(Res.string.make_variation_new, checks.variations.size + 1)
-            SecondButton(stringResource(Res.string.make_variation_add), "make-variation-add", {
+            val name = SchoolTexts.makeVariationNew(spoken, checks.variations.size + 1)
+            SecondButton(SchoolTexts.makeVariationAdd(spoken), "make-variation-add", {
                 onEvent(AssignmentEvent.VariationAdded(name))
             })
         }
@@ -80,7 +80,7 @@ private fun Seeds(checks: AssignmentChecks, keep: (AssignmentChecks) -> Unit) {
     val take = { wanted: Int -> keep(checks.copy(seeds = first..<first + wanted)) }
     Field(
         typed,
-        stringResource(Res.string.make_seeds),
+        SchoolTexts.makeSeeds(spoken),
         "make-seeds",
         SEED_DIGITS,
         modifier = Modifier.widthIn(max = SEEDS_WIDTH),
@@ -91,7 +91,7 @@ private fun Seeds(checks: AssignmentChecks, keep: (AssignmentChecks) -> Unit) {
     }
     if (typed.toIntOrNull()?.takeIf { it in SEEDS } == null) {
         Explanation(
-            stringResource(Res.string.make_seeds_limits, SEEDS.first, SEEDS.last),
+            SchoolTexts.makeSeedsLimits(spoken, SEEDS.first, SEEDS.last),
             Modifier.testTag("make-seeds-wrong").semantics { liveRegion = LiveRegionMode.Polite },
             bad = true,
         )
@@ -126,7 +126,7 @@ private fun VariationRow(
     ) {
         Field(
             name,
-            stringResource(Res.string.make_variation_name),
+            SchoolTexts.makeVariationName(spoken),
             "make-variation-name-$index",
             WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         ) {
@@ -134,10 +134,10 @@ private fun VariationRow(
             if (it.isNotBlank()) onRename(it)
         }
         Chips {
-            SecondButton(stringResource(Res.string.make_variation_open), "make-variation-open-$index", {
+            SecondButton(SchoolTexts.makeVariationOpen(spoken), "make-variation-open-$index", {
                 onEvent(AssignmentEvent.VariationOpened(index))
             })
-            QuietButton(stringResource(Res.string.make_variation_remove), "make-variation-remove-$index", onRemove)
+            QuietButton(SchoolTexts.makeVariationRemove(spoken), "make-variation-remove-$index", onRemove)
         }
     }
 }

@@ -19,16 +19,16 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.doing.HintsOfAssignment
 import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.Quiet
+import robotran.ui.language.spoken
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -41,8 +41,8 @@ internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
     // A hint without words cannot be kept, so a new one becomes one with its first letter.
     var draft by remember { mutableStateOf<AssignmentHint?>(null) }
     val hints = assignment.hints
-    Section(stringResource(Res.string.make_hints), "make-hint-section") {
-        Quiet(stringResource(Res.string.make_hints_help), "make-hints-help")
+    Section(SchoolTexts.makeHints(spoken), "make-hint-section") {
+        Quiet(SchoolTexts.makeHintsHelp(spoken), "make-hints-help")
         for (index in 0..<hints.size + if (draft == null) 0 else 1) {
             key(index) {
                 HintEditor(
@@ -67,7 +67,7 @@ internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
             }
         }
         if (draft == null && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
-            SecondButton(stringResource(Res.string.make_hint_add), "make-hint-add", { draft = AssignmentHint("") })
+            SecondButton(SchoolTexts.makeHintAdd(spoken), "make-hint-add", { draft = AssignmentHint("") })
         }
     }
 }
@@ -87,7 +87,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
     ) {
         Field(
             words,
-            stringResource(Res.string.make_hint_text),
+            SchoolTexts.makeHintText(spoken),
             "make-hint-text-$index",
             WorldLimits.MAXIMUM_TASK_CHARACTERS,
             lines = 2,
@@ -96,7 +96,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
             if (it.isNotBlank()) onChange(hint.copy(text = it))
         }
         ConditionAndTries(hint, index, onChange)
-        QuietButton(stringResource(Res.string.make_hint_remove), "make-hint-remove-$index", onRemove)
+        QuietButton(SchoolTexts.makeHintRemove(spoken), "make-hint-remove-$index", onRemove)
     }
 }
 
@@ -105,7 +105,7 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
     val all = listOf(null) + HintsOfAssignment.conditions + HintsOfAssignment.wordConditions
     val choices = all.map { it to conditionText(it) }
     val kind = hint.condition?.substringBefore(":")
-    val title = stringResource(Res.string.make_hint_when)
+    val title = SchoolTexts.makeHintWhen(spoken)
     // Beside a long condition in large text, the title would have the width of a letter.
     val isAbove = LocalDensity.current.fontScale > LARGE
     if (isAbove) Quiet(title, "make-hint-when-title-$index")
@@ -120,17 +120,17 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
     }
     if (kind in HintsOfAssignment.wordConditions) {
         val word = hint.condition.orEmpty().substringAfter(":", "").trim()
-        Field(word, stringResource(Res.string.make_hint_word), "make-hint-word-$index", MAX_WORD) {
+        Field(word, SchoolTexts.makeHintWord(spoken), "make-hint-word-$index", MAX_WORD) {
             onChange(hint.copy(condition = "$kind: ${it.trim()}"))
         }
     }
     Row(verticalAlignment = Alignment.CenterVertically) {
         val after = if (hint.afterTries == 1) {
-            stringResource(Res.string.make_hint_after_one)
+            SchoolTexts.makeHintAfterOne(spoken)
         } else {
-            stringResource(Res.string.make_hint_after, hint.afterTries)
+            SchoolTexts.makeHintAfter(spoken, hint.afterTries)
         }
-        IconTouch(MakeIcons.LESS, stringResource(Res.string.make_hint_earlier), "make-hint-earlier-$index", {
+        IconTouch(MakeIcons.LESS, SchoolTexts.makeHintEarlier(spoken), "make-hint-earlier-$index", {
             onChange(hint.copy(afterTries = (hint.afterTries - 1).coerceAtLeast(1)))
         })
         Text(
@@ -139,7 +139,7 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
         )
-        IconTouch(MakeIcons.MORE, stringResource(Res.string.make_hint_later), "make-hint-later-$index", {
+        IconTouch(MakeIcons.MORE, SchoolTexts.makeHintLater(spoken), "make-hint-later-$index", {
             onChange(hint.copy(afterTries = (hint.afterTries + 1).coerceAtMost(AssignmentLimits.MAXIMUM_TRIES)))
         })
     }
@@ -148,16 +148,16 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
 /** Until when, and under which name. */
 @Composable
 internal fun HandInSection(assignment: Assignment, change: (Assignment) -> Unit) {
-    Section(stringResource(Res.string.make_hand_in), "make-hand-in-section") {
+    Section(SchoolTexts.makeHandIn(spoken), "make-hand-in-section") {
         Field(
             assignment.due,
-            stringResource(Res.string.make_due),
+            SchoolTexts.makeDue(spoken),
             "make-due",
             AssignmentLimits.MAXIMUM_NAME_CHARACTERS,
         ) { change(assignment.copy(due = it)) }
         Field(
             assignment.nameWanted,
-            stringResource(Res.string.make_name),
+            SchoolTexts.makeName(spoken),
             "make-name",
             AssignmentLimits.MAXIMUM_NAME_CHARACTERS,
         ) { change(assignment.copy(nameWanted = it)) }

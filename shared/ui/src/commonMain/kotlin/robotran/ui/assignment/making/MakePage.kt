@@ -20,14 +20,14 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.projects.Assignment
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.Page
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.fieldColours
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -40,14 +40,14 @@ import robotran.workshop.state.MakingState
 internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
     val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
     val scroll = place.of(state.assignment.id)
-    Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }, scroll) {
+    Page(SchoolTexts.makeTitle(spoken), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }, scroll) {
         Column(
             Modifier.testTag("make-form").verticalScroll(scroll).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
             Column {
-                Explanation(stringResource(Res.string.make_intro))
-                QuietButton(stringResource(Res.string.make_undo), "make-undo", {
+                Explanation(SchoolTexts.makeIntro(spoken))
+                QuietButton(SchoolTexts.makeUndo(spoken), "make-undo", {
                     onEvent(AssignmentEvent.UndoRequested)
                 }, enabled = state.canUndo)
             }
@@ -60,7 +60,7 @@ internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (Workshop
             CheckSection(state, onEvent)
             GiveSection(state, onEvent)
             PlatformSection(state, onEvent)
-            QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
+            QuietButton(SchoolTexts.makeRemove(spoken), "make-remove", { onEvent(AssignmentEvent.Removed) })
         }
     }
     if (state.asksBeforeGiving) GivingDialog(onEvent)

@@ -12,7 +12,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.ProgramLanguage
 import robotran.projects.Assignment
@@ -20,11 +19,12 @@ import robotran.robolang.words.BlockGroup
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
 import robotran.ui.runbar.Chip
 import robotran.ui.settings.SwitchRow
+import robotran.ui.texts.SchoolTexts
 import robotran.workshop.blocks.wordsOf
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
@@ -33,12 +33,12 @@ import robotran.workshop.state.MakingState
 /** The goals, which the world editor edits, and whether the world is the pupils' to change. */
 @Composable
 internal fun GoalSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_goals), "make-goal-section") {
-        Explanation(stringResource(Res.string.make_goals_count, state.goals), Modifier.testTag("make-goal-count"))
-        SecondButton(stringResource(Res.string.make_goals_edit), "make-world", {
+    Section(SchoolTexts.makeGoals(spoken), "make-goal-section") {
+        Explanation(SchoolTexts.makeGoalsCount(spoken, state.goals), Modifier.testTag("make-goal-count"))
+        SecondButton(SchoolTexts.makeGoalsEdit(spoken), "make-world", {
             onEvent(AssignmentEvent.WorldRequested)
         })
-        SwitchRow(stringResource(Res.string.make_may_change), state.assignment.mayChangeWorld, "make-may-change") {
+        SwitchRow(SchoolTexts.makeMayChange(spoken), state.assignment.mayChangeWorld, "make-may-change") {
             change(state.assignment.copy(mayChangeWorld = it))
         }
     }
@@ -47,7 +47,7 @@ internal fun GoalSection(state: MakingState, change: (Assignment) -> Unit, onEve
 /** What pupils begin with, the solution, and what may be used. */
 @Composable
 internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
-    Section(stringResource(Res.string.make_programs), "make-program-section") {
+    Section(SchoolTexts.makePrograms(spoken), "make-program-section") {
         Start(state, onEvent)
         Solution(state, onEvent)
         Languages(state.assignment, change)
@@ -60,7 +60,7 @@ internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, on
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
-    Subtitle(stringResource(Res.string.make_start))
+    Subtitle(SchoolTexts.makeStart(spoken))
     Chips {
         state.programs.forEachIndexed { index, program ->
             Chip(program.name, program.isStart, "make-start-$index") {
@@ -72,7 +72,7 @@ private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
         ComesIntoView(state.notGiven) {
             for (name in state.notGiven) {
                 Explanation(
-                    stringResource(Res.string.make_start_refused, name),
+                    SchoolTexts.makeStartRefused(spoken, name),
                     Modifier.testTag("make-start-refused").semantics { liveRegion = LiveRegionMode.Polite },
                     bad = true,
                 )
@@ -80,13 +80,13 @@ private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
         }
     }
     state.emptyStart?.let {
-        Explanation(stringResource(Res.string.make_start_empty, it), Modifier.testTag("make-start-empty"))
+        Explanation(SchoolTexts.makeStartEmpty(spoken, it), Modifier.testTag("make-start-empty"))
     }
     state.programs.forEachIndexed { index, program ->
         if (program.isStart && program.isChanged) {
             FlowRow(verticalArrangement = Arrangement.Center) {
-                Explanation(stringResource(Res.string.make_start_changed, program.name))
-                QuietButton(stringResource(Res.string.make_start_retake), "make-start-retake-$index", {
+                Explanation(SchoolTexts.makeStartChanged(spoken, program.name))
+                QuietButton(SchoolTexts.makeStartRetake(spoken), "make-start-retake-$index", {
                     onEvent(AssignmentEvent.StartSwitched(index, on = true))
                 })
             }
@@ -96,9 +96,9 @@ private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
 
 @Composable
 private fun Languages(assignment: Assignment, change: (Assignment) -> Unit) {
-    Subtitle(stringResource(Res.string.make_languages))
+    Subtitle(SchoolTexts.makeLanguages(spoken))
     Chips {
-        Chip(stringResource(Res.string.make_all), assignment.languages.isEmpty(), "make-language-all") {
+        Chip(SchoolTexts.makeAll(spoken), assignment.languages.isEmpty(), "make-language-all") {
             change(assignment.copy(languages = emptyList()))
         }
         // Nobody is asked to write assembly.
@@ -117,9 +117,9 @@ private fun Words(assignment: Assignment, change: (Assignment) -> Unit) {
     val groups = remember { BlockGroup.entries.filter { wordsOf(it).isNotEmpty() } }
     val chosen = groups.filter { assignment.words.containsAll(wordsOf(it)) }
     val choose = { now: List<BlockGroup> -> change(assignment.copy(words = now.flatMap { wordsOf(it) }.distinct())) }
-    Subtitle(stringResource(Res.string.make_words))
+    Subtitle(SchoolTexts.makeWords(spoken))
     Chips {
-        Chip(stringResource(Res.string.make_all), assignment.words.isEmpty(), "make-words-all") { choose(emptyList()) }
+        Chip(SchoolTexts.makeAll(spoken), assignment.words.isEmpty(), "make-words-all") { choose(emptyList()) }
         for (group in groups) {
             val isChosen = group in chosen
             Chip(messages.group(group), isChosen, "make-words-${group.name.lowercase()}") {
@@ -128,7 +128,7 @@ private fun Words(assignment: Assignment, change: (Assignment) -> Unit) {
         }
     }
     if (assignment.words.isNotEmpty()) {
-        Quiet(stringResource(Res.string.make_words_some, assignment.words.joinToString()), "make-words-list")
+        Quiet(SchoolTexts.makeWordsSome(spoken, assignment.words.joinToString()), "make-words-list")
     }
 }
 

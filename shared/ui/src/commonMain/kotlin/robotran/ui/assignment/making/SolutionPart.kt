@@ -15,11 +15,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
+import robotran.ui.language.spoken
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -34,23 +34,23 @@ import robotran.workshop.state.SolutionProgram
 @Composable
 internal fun Solution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
     val hasSolution = state.assignment.solution.isNotEmpty()
-    Subtitle(stringResource(Res.string.make_solution))
-    val words = if (hasSolution) Res.string.make_solution_help else Res.string.make_solution_none
-    Explanation(stringResource(words), Modifier.testTag("make-solution"))
+    Subtitle(SchoolTexts.makeSolution(spoken))
+    val words = if (hasSolution) SchoolTexts::makeSolutionHelp else SchoolTexts::makeSolutionNone
+    Explanation(words(spoken), Modifier.testTag("make-solution"))
     Column(Modifier.fillMaxWidth()) {
         state.solution.forEachIndexed { index, program ->
             ProgramRow(program, "make-solution-$index") { onEvent(AssignmentEvent.SolutionSwitched(index, it)) }
         }
     }
-    if (state.assignment.solution.size > 1) Quiet(stringResource(Res.string.make_solution_first), "make-solution-first")
+    if (state.assignment.solution.size > 1) Quiet(SchoolTexts.makeSolutionFirst(spoken), "make-solution-first")
     Chips {
         if (state.canTakeSolution) {
-            SecondButton(stringResource(Res.string.make_solution_take), "make-solution-take", {
+            SecondButton(SchoolTexts.makeSolutionTake(spoken), "make-solution-take", {
                 onEvent(AssignmentEvent.SolutionTaken)
             })
         }
         if (hasSolution) {
-            SecondButton(stringResource(Res.string.make_solution_show), "make-solution-show", {
+            SecondButton(SchoolTexts.makeSolutionShow(spoken), "make-solution-show", {
                 onEvent(AssignmentEvent.SolutionShown)
             })
         }
@@ -61,9 +61,9 @@ internal fun Solution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
 private fun ProgramRow(program: SolutionProgram, tag: String, onSwitch: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current
     val words = when {
-        program.isChanged -> stringResource(Res.string.make_solution_changed, program.name)
-        program.isOfWorld -> stringResource(Res.string.make_solution_of_world, program.name)
-        !program.isOpen -> stringResource(Res.string.make_solution_closed, program.name)
+        program.isChanged -> SchoolTexts.makeSolutionChanged(spoken, program.name)
+        program.isOfWorld -> SchoolTexts.makeSolutionOfWorld(spoken, program.name)
+        !program.isOpen -> SchoolTexts.makeSolutionClosed(spoken, program.name)
         else -> program.name
     }
     Row(

@@ -14,8 +14,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.grouped
 import robotran.projects.Assignment
 import robotran.projects.AssignmentLimits
@@ -23,10 +21,12 @@ import robotran.ui.assignment.AssignmentText
 import robotran.ui.assignment.Quiet
 import robotran.ui.documents.Explanation
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
 import robotran.ui.parts.QuietButton
 import robotran.ui.parts.SecondButton
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.workshop.event.AssignmentEvent
@@ -39,29 +39,29 @@ import robotran.world.WorldLimits
 @Composable
 internal fun TaskSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     val assignment = state.assignment
-    Section(stringResource(Res.string.make_task), "make-task-section") {
+    Section(SchoolTexts.makeTask(spoken), "make-task-section") {
         Field(
             state.title,
-            stringResource(Res.string.make_world_title),
+            SchoolTexts.makeWorldTitle(spoken),
             "make-title",
             WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         ) { onEvent(AssignmentEvent.TaskChanged(it, state.task)) }
-        if (state.title.isBlank()) Explanation(stringResource(Res.string.make_title_empty), bad = true)
+        if (state.title.isBlank()) Explanation(SchoolTexts.makeTitleEmpty(spoken), bad = true)
         Field(
             state.task,
-            stringResource(Res.string.make_world_task),
+            SchoolTexts.makeWorldTask(spoken),
             "make-task",
             WorldLimits.MAXIMUM_TASK_CHARACTERS,
             lines = 2,
         ) { onEvent(AssignmentEvent.TaskChanged(state.title, it)) }
         Field(
             assignment.text,
-            stringResource(Res.string.make_text),
+            SchoolTexts.makeText(spoken),
             "make-text",
             AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
             lines = 4,
         ) { change(assignment.copy(text = it)) }
-        Quiet(stringResource(Res.string.make_text_help), "make-text-help")
+        Quiet(SchoolTexts.makeTextHelp(spoken), "make-text-help")
         Pictures(state, change, onEvent)
         if (assignment.text.isNotBlank()) Preview(state)
     }
@@ -73,7 +73,7 @@ private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: 
     val assignment = state.assignment
     state.pictureError?.let { error ->
         Explanation(
-            stringResource(error.sentence),
+            error.sentence(spoken),
             Modifier.testTag("make-picture-error").semantics { liveRegion = LiveRegionMode.Polite },
             bad = true,
         )
@@ -81,16 +81,16 @@ private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: 
     state.pictureMadeSmaller?.let { (width, height) ->
         val language = LocalLanguage.current
         Explanation(
-            stringResource(Res.string.make_picture_smaller, language.grouped(width), language.grouped(height)),
+            SchoolTexts.makePictureSmaller(spoken, language.grouped(width), language.grouped(height)),
             Modifier.testTag("make-picture-smaller").semantics { liveRegion = LiveRegionMode.Polite },
         )
     }
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        SecondButton(stringResource(Res.string.make_picture), "make-picture", {
+        SecondButton(SchoolTexts.makePicture(spoken), "make-picture", {
             onEvent(AssignmentEvent.PictureRequested)
         })
         assignment.pictures.forEachIndexed { index, picture ->
-            QuietButton(stringResource(Res.string.make_picture_remove, picture.name), "make-picture-remove-$index", {
+            QuietButton(SchoolTexts.makePictureRemove(spoken, picture.name), "make-picture-remove-$index", {
                 val marks = assignment.text.lines().filterNot { it.trim().endsWith("](${picture.name})") }
                 change(assignment.copy(pictures = assignment.pictures - picture, text = marks.joinToString("\n")))
             })
@@ -100,7 +100,7 @@ private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: 
 
 @Composable
 private fun Preview(state: MakingState) {
-    Subtitle(stringResource(Res.string.make_preview))
+    Subtitle(SchoolTexts.makePreview(spoken))
     Column(
         Modifier
             .fillMaxWidth()
@@ -114,10 +114,10 @@ private fun Preview(state: MakingState) {
     }
 }
 
-private val PictureError.sentence: StringResource
+private val PictureError.sentence: Label
     get() = when (this) {
-        PictureError.TOO_LARGE -> Res.string.make_picture_large
-        PictureError.NOT_A_PICTURE -> Res.string.make_picture_none
-        PictureError.TOO_MANY -> Res.string.make_picture_many
-        PictureError.HEIC -> Res.string.make_picture_heic
+        PictureError.TOO_LARGE -> SchoolTexts::makePictureLarge
+        PictureError.NOT_A_PICTURE -> SchoolTexts::makePictureNone
+        PictureError.TOO_MANY -> SchoolTexts::makePictureMany
+        PictureError.HEIC -> SchoolTexts::makePictureHeic
     }

@@ -7,10 +7,10 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.program.FailureFrame
 import robotran.nxt.state.ExceptionView
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.NxtTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -23,7 +23,7 @@ internal fun ExceptionCalls(exception: ExceptionView, modifier: Modifier = Modif
     if (calls.isEmpty()) return
     Column(modifier.testTag("exception-calls")) {
         Text(
-            stringResource(Res.string.nxt_exception_calls),
+            NxtTexts.exceptionCalls(spoken),
             Modifier.padding(bottom = 4.dp),
             color = LocalRobotranColours.current.quiet,
             fontSize = TextSizes.SMALL,
@@ -40,8 +40,8 @@ internal fun ExceptionCalls(exception: ExceptionView, modifier: Modifier = Modif
 
 @Composable
 private fun placeOf(call: FailureFrame): String = if (call.sourceLine == 0) {
-    stringResource(Res.string.nxt_exception_library, call.name)
+    NxtTexts.exceptionLibrary(spoken, call.name)
 } else {
     val name = call.sourceFile?.let { "${call.name}, $it" } ?: call.name
-    stringResource(Res.string.nxt_exception_call, name, call.sourceLine)
+    NxtTexts.exceptionCall(spoken, name, call.sourceLine)
 }

@@ -26,11 +26,11 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.holdable
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.NxtTexts
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
@@ -45,7 +45,7 @@ internal fun NxtButtonView(
     modifier: Modifier = Modifier,
 ) {
     val look = look(button)
-    val name = stringResource(look.name)
+    val name = look.name(spoken)
     val colour = if (down) lerp(look.colour, RobotranColours.SHADE, PRESSED) else look.colour
     val edge = lerp(look.colour, RobotranColours.SHADE, SIDE)
     Box(
@@ -127,7 +127,7 @@ private fun DrawScope.drawArrow(towards: Float, colour: Color, sunk: Float) {
  * @property arrow -1 for one to the left, 1 for one to the right; null for a button with [text].
  */
 private class NxtButtonLook(
-    val name: StringResource,
+    val name: Label,
     val colour: Color,
     val label: Color,
     val text: String = "",
@@ -135,10 +135,10 @@ private class NxtButtonLook(
 )
 
 private fun look(button: BrickButton): NxtButtonLook = when (button) {
-    BrickButton.ENTER -> NxtButtonLook(Res.string.nxt_enter, NxtColours.ENTER, NxtColours.ON_ENTER, "ENTER")
-    BrickButton.LEFT -> NxtButtonLook(Res.string.nxt_left, NxtColours.ARROW, NxtColours.ON_ARROW, arrow = -1f)
-    BrickButton.RIGHT -> NxtButtonLook(Res.string.nxt_right, NxtColours.ARROW, NxtColours.ON_ARROW, arrow = 1f)
-    BrickButton.ESCAPE -> NxtButtonLook(Res.string.nxt_escape, NxtColours.ESCAPE, NxtColours.ON_ESCAPE, "ESCAPE")
+    BrickButton.ENTER -> NxtButtonLook(NxtTexts::enter, NxtColours.ENTER, NxtColours.ON_ENTER, "ENTER")
+    BrickButton.LEFT -> NxtButtonLook(NxtTexts::left, NxtColours.ARROW, NxtColours.ON_ARROW, arrow = -1f)
+    BrickButton.RIGHT -> NxtButtonLook(NxtTexts::right, NxtColours.ARROW, NxtColours.ON_ARROW, arrow = 1f)
+    BrickButton.ESCAPE -> NxtButtonLook(NxtTexts::escape, NxtColours.ESCAPE, NxtColours.ON_ESCAPE, "ESCAPE")
     BrickButton.ON_OFF, BrickButton.VIEW, BrickButton.PRGM, BrickButton.RUN -> error("An NXT has no $button.")
 }
 

@@ -17,10 +17,11 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import kotlinx.coroutines.delay
-import org.jetbrains.compose.resources.stringResource
 import robotran.nxt.display.DisplaySize
 import robotran.nxt.state.NxtState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.ScreenTexts
 
 /**
  * The display, dot by dot. Screen readers announce the marked entry of a menu and its lines when they change, but not more often than every
@@ -39,13 +40,13 @@ internal fun NxtDisplayView(
     val dots = remember(state.display) { dotsOf(state.display) }
     val (words, marked) = rememberCalm(state.screen.texts to state.menu?.let { it.entries.getOrNull(it.selected) })
     val description = if (words.isEmpty()) {
-        stringResource(Res.string.display_blank)
+        ScreenTexts.displayBlank(spoken)
     } else {
-        val mark = marked?.let { stringResource(Res.string.display_marked, it) }
+        val mark = marked?.let { NxtTexts.displayMarked(spoken, it) }
         val texts = words.filterNot(::isDrawing)
-        val drawing = if (texts.size < words.size) stringResource(Res.string.display_drawing) else null
+        val drawing = if (texts.size < words.size) ScreenTexts.displayDrawing(spoken) else null
         // What a key has changed comes first.
-        stringResource(Res.string.display, (listOfNotNull(mark) + texts + listOfNotNull(drawing)).joinToString("\n"))
+        ScreenTexts.display(spoken, (listOfNotNull(mark) + texts + listOfNotNull(drawing)).joinToString("\n"))
     }
     val contrast = state.contrast.toFloat() / NxtState.HIGHEST_CONTRAST
     Canvas(

@@ -14,11 +14,11 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.nxt.state.NxtState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 import robotran.world.FingerTouchPart
 import robotran.world.RobotDescription
 import robotran.world.RobotPart
@@ -41,7 +41,7 @@ internal fun NxtFront(
     robot: RobotDescription,
     onTouch: (Int, Boolean) -> Unit,
 ) {
-    val description = stringResource(Res.string.brick)
+    val description = ScreenTexts.brick(spoken)
     val motors = remember(robot) { robot.motors }
     BoxWithConstraints(
         modifier

@@ -21,14 +21,16 @@ import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.SensorPortState
+import robotran.ui.language.spoken
 import robotran.ui.parts.holdable
-import robotran.ui.resources.*
 import robotran.ui.sheet.valueText
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.focusRing
 import robotran.world.FingerTouchPart
 import robotran.world.RobotPart
@@ -89,15 +91,13 @@ internal fun SensorPlug(
 
 @Composable
 private fun descriptionOf(state: SensorPortState, plugged: RobotPart?, value: String?): String {
-    val name = stringResource(
-        when {
-            plugged == null -> Res.string.run_sensor_none
-            plugged is FingerTouchPart -> Res.string.run_sensor_touch
-            else -> plugged.kind.words
-        },
-    )
-    val port = stringResource(Res.string.sensor, state.port, name)
-    return if (value == null) port else stringResource(Res.string.sensor_value, port, value)
+    val name = when {
+        plugged == null -> RunTexts.sensorNone(spoken)
+        plugged is FingerTouchPart -> RunTexts.sensorTouch(spoken)
+        else -> plugged.kind.words(spoken)
+    }
+    val port = ScreenTexts.sensor(spoken, state.port, name)
+    return if (value == null) port else ScreenTexts.sensorValue(spoken, port, value)
 }
 
 @Composable
@@ -114,10 +114,10 @@ private fun Modifier.touchable(isForFingers: Boolean, onTouch: (Boolean) -> Unit
 internal fun MotorPlug(motor: MotorState, degrees: Int, isPlugged: Boolean, unit: Dp, modifier: Modifier = Modifier) {
     val name = motor.port.name
     val description = when (motor.mode) {
-        MotorMode.FORWARD -> stringResource(Res.string.nxt_motor_forward, name, motor.power, degrees)
-        MotorMode.BACKWARD -> stringResource(Res.string.nxt_motor_backward, name, motor.power, degrees)
-        MotorMode.BRAKE -> stringResource(Res.string.nxt_motor_brake, name, degrees)
-        MotorMode.FLOAT -> stringResource(Res.string.nxt_motor_float, name, degrees)
+        MotorMode.FORWARD -> NxtTexts.motorForward(spoken, name, motor.power, degrees)
+        MotorMode.BACKWARD -> NxtTexts.motorBackward(spoken, name, motor.power, degrees)
+        MotorMode.BRAKE -> NxtTexts.motorBrake(spoken, name, degrees)
+        MotorMode.FLOAT -> NxtTexts.motorFloat(spoken, name, degrees)
     }
     val isDriven = motor.mode == MotorMode.FORWARD || motor.mode == MotorMode.BACKWARD
     val label = if (isDriven && isPlugged) NxtColours.LABEL else NxtColours.ON_PLUG

@@ -8,33 +8,35 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
-import org.jetbrains.compose.resources.StringResource
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.ColourKind
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.ScreenTexts
 
 /** The name of a sensor. */
-internal val SensorKind.words: StringResource
+internal val SensorKind.words: Label
     get() = when (this) {
-        SensorKind.TOUCH -> Res.string.nxt_bumper
-        SensorKind.TEMPERATURE -> Res.string.run_sensor_temperature
-        SensorKind.LIGHT -> Res.string.light_sensor
-        SensorKind.ROTATION -> Res.string.run_sensor_rotation
-        SensorKind.ULTRASONIC -> Res.string.nxt_ultrasonic_sensor
-        SensorKind.SOUND -> Res.string.nxt_sound_sensor
-        SensorKind.COLOUR -> Res.string.nxt_colour_sensor
-        SensorKind.COMPASS -> Res.string.nxt_compass
-        SensorKind.GYRO -> Res.string.nxt_gyro
-        SensorKind.HITECHNIC_COLOUR -> Res.string.nxt_hitechnic_colour
-        SensorKind.MINDSENSORS_COMPASS -> Res.string.nxt_mindsensors_compass
-        SensorKind.HITECHNIC_ACCELERATION -> Res.string.nxt_hitechnic_acceleration
-        SensorKind.MINDSENSORS_ACCELERATION -> Res.string.nxt_mindsensors_acceleration
-        SensorKind.RCX_LIGHT -> Res.string.nxt_rcx_light
-        SensorKind.RCX_LINK -> Res.string.nxt_rcx_link
-        SensorKind.NXT_TEMPERATURE -> Res.string.nxt_nxt_temperature
-        SensorKind.INFRARED_SEEKER -> Res.string.nxt_infrared_seeker
-        SensorKind.INFRARED_SEEKER_2 -> Res.string.nxt_infrared_seeker_2
-        SensorKind.OPTICAL_DISTANCE -> Res.string.nxt_optical_distance
+        SensorKind.TOUCH -> NxtTexts::bumper
+        SensorKind.TEMPERATURE -> RunTexts::sensorTemperature
+        SensorKind.LIGHT -> ScreenTexts::lightSensor
+        SensorKind.ROTATION -> RunTexts::sensorRotation
+        SensorKind.ULTRASONIC -> NxtTexts::ultrasonicSensor
+        SensorKind.SOUND -> NxtTexts::soundSensor
+        SensorKind.COLOUR -> NxtTexts::colourSensor
+        SensorKind.COMPASS -> NxtTexts::compass
+        SensorKind.GYRO -> NxtTexts::gyro
+        SensorKind.HITECHNIC_COLOUR -> NxtTexts::hitechnicColour
+        SensorKind.MINDSENSORS_COMPASS -> NxtTexts::mindsensorsCompass
+        SensorKind.HITECHNIC_ACCELERATION -> NxtTexts::hitechnicAcceleration
+        SensorKind.MINDSENSORS_ACCELERATION -> NxtTexts::mindsensorsAcceleration
+        SensorKind.RCX_LIGHT -> NxtTexts::rcxLight
+        SensorKind.RCX_LINK -> NxtTexts::rcxLink
+        SensorKind.NXT_TEMPERATURE -> NxtTexts::nxtTemperature
+        SensorKind.INFRARED_SEEKER -> NxtTexts::infraredSeeker
+        SensorKind.INFRARED_SEEKER_2 -> NxtTexts::infraredSeeker2
+        SensorKind.OPTICAL_DISTANCE -> NxtTexts::opticalDistance
     }
 
 /**

@@ -23,11 +23,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
+import robotran.ui.language.spoken
 import robotran.ui.parts.holdable
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
@@ -42,7 +42,7 @@ internal fun BrickButtonView(
     modifier: Modifier = Modifier,
 ) {
     val look = look(button)
-    val name = stringResource(look.name)
+    val name = look.name(spoken)
     val corner = unit * BrickPlan.BUTTON_CORNER
     val shape = RoundedCornerShape(corner)
     Box(
@@ -91,24 +91,19 @@ private const val SUNK = 4f
 private const val LABEL_SIZE = 12.5f
 private const val LONG_LABEL_SIZE = 10.5f
 
-private class ButtonLook(
-    val name: StringResource,
-    val colour: Color,
-    val label: Color,
-    val labelSize: Float = LABEL_SIZE,
-)
+private class ButtonLook(val name: Label, val colour: Color, val label: Color, val labelSize: Float = LABEL_SIZE)
 
 private fun look(button: BrickButton): ButtonLook = when (button) {
-    BrickButton.VIEW -> ButtonLook(Res.string.button_view, BrickColours.VIEW, RobotranColours.ON_COLOUR)
+    BrickButton.VIEW -> ButtonLook(ScreenTexts::buttonView, BrickColours.VIEW, RobotranColours.ON_COLOUR)
 
     BrickButton.ON_OFF -> ButtonLook(
-        Res.string.button_on_off,
+        ScreenTexts::buttonOnOff,
         RobotranColours.ON_OFF_RED,
         RobotranColours.ON_COLOUR,
         LONG_LABEL_SIZE,
     )
 
-    BrickButton.PRGM -> ButtonLook(Res.string.button_prgm, BrickColours.PRGM, BrickColours.LABEL)
-    BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
+    BrickButton.PRGM -> ButtonLook(ScreenTexts::buttonPrgm, BrickColours.PRGM, BrickColours.LABEL)
+    BrickButton.RUN -> ButtonLook(ScreenTexts::buttonRun, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
     BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error("An RCX has no $button.")
 }

@@ -8,12 +8,12 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.describe
 import robotran.ui.language.LocalLanguage
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 
 /** The display, segment by segment. Screen readers announce its text and icons on every change. */
 @Composable
@@ -31,9 +31,9 @@ internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
 private fun Modifier.describing(glass: LcdGlass): Modifier {
     val shown = glass.describe(BrickMessages.of(LocalLanguage.current))
     val description = if (glass == LcdGlass.BLANK) {
-        stringResource(Res.string.display_blank)
+        ScreenTexts.displayBlank(spoken)
     } else {
-        stringResource(Res.string.display, shown)
+        ScreenTexts.display(spoken, shown)
     }
     return testTag("lcd").semantics {
         contentDescription = description

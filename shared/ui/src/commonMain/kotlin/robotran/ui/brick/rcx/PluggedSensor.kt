@@ -6,9 +6,10 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
-import org.jetbrains.compose.resources.StringResource
 import robotran.rcxrom.sensors.SensorState
-import robotran.ui.resources.*
+import robotran.ui.texts.Label
+import robotran.ui.texts.RunTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.world.PortSensor
 
 /**
@@ -16,14 +17,14 @@ import robotran.world.PortSensor
  *
  * @property isSwitch whether it can be pressed.
  */
-internal enum class PluggedSensor(val words: StringResource, val isSwitch: Boolean = false) {
-    LEFT_BUMPER(Res.string.left_bumper, isSwitch = true),
-    RIGHT_BUMPER(Res.string.right_bumper, isSwitch = true),
-    TOUCH(Res.string.run_sensor_touch, isSwitch = true),
-    LIGHT_SENSOR(Res.string.light_sensor),
-    ROTATION(Res.string.run_sensor_rotation),
-    TEMPERATURE(Res.string.run_sensor_temperature),
-    NOTHING(Res.string.run_sensor_none),
+internal enum class PluggedSensor(val words: Label, val isSwitch: Boolean = false) {
+    LEFT_BUMPER(ScreenTexts::leftBumper, isSwitch = true),
+    RIGHT_BUMPER(ScreenTexts::rightBumper, isSwitch = true),
+    TOUCH(RunTexts::sensorTouch, isSwitch = true),
+    LIGHT_SENSOR(ScreenTexts::lightSensor),
+    ROTATION(RunTexts::sensorRotation),
+    TEMPERATURE(RunTexts::sensorTemperature),
+    NOTHING(RunTexts::sensorNone),
     ;
 
     /** Whether [sensor] is a pressed switch. */

@@ -24,12 +24,12 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.rcxrom.sensors.SensorState
+import robotran.ui.language.spoken
 import robotran.ui.parts.holdable
-import robotran.ui.resources.*
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
@@ -48,9 +48,9 @@ internal fun InputPort(
     onTouch: (Boolean) -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    val name = stringResource(plugged.words)
-    val port = stringResource(Res.string.sensor, sensor.port, name)
-    val description = if (on) stringResource(Res.string.sensor_value, port, sensor.value) else port
+    val name = plugged.words(spoken)
+    val port = ScreenTexts.sensor(spoken, sensor.port, name)
+    val description = if (on) ScreenTexts.sensorValue(spoken, port, "${sensor.value}") else port
     val lit = on && (sensor.active || plugged.isPressed(sensor))
     PortBlock(
         if (lit) BrickColours.READ else BrickColours.INPUT,
@@ -91,10 +91,10 @@ private fun Modifier.touchable(isTouch: Boolean, onTouch: (Boolean) -> Unit): Mo
 internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifier) {
     val name = motor.port.name
     val description = when (motor.mode) {
-        MotorMode.FORWARD -> stringResource(Res.string.motor_forward, name, motor.power)
-        MotorMode.BACKWARD -> stringResource(Res.string.motor_backward, name, motor.power)
-        MotorMode.BRAKE -> stringResource(Res.string.motor_brake, name)
-        MotorMode.FLOAT -> stringResource(Res.string.motor_float, name)
+        MotorMode.FORWARD -> ScreenTexts.motorForward(spoken, name, motor.power)
+        MotorMode.BACKWARD -> ScreenTexts.motorBackward(spoken, name, motor.power)
+        MotorMode.BRAKE -> ScreenTexts.motorBrake(spoken, name)
+        MotorMode.FLOAT -> ScreenTexts.motorFloat(spoken, name)
     }
     val driven = motor.mode == MotorMode.FORWARD || motor.mode == MotorMode.BACKWARD
     PortBlock(

@@ -13,10 +13,10 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.brick.controls.BrickButton
 import robotran.rcxrom.state.RcxState
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 import robotran.world.PortSensor
 
 /**
@@ -36,7 +36,7 @@ internal fun RcxFront(
     ports: List<List<PortSensor>>,
     onTouch: (Int, Boolean) -> Unit,
 ) {
-    val description = stringResource(Res.string.brick)
+    val description = ScreenTexts.brick(spoken)
     BoxWithConstraints(
         modifier
             .aspectRatio(BrickPlan.ASPECT)

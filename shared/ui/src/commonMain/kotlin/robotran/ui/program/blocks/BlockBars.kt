@@ -34,14 +34,15 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyPictureView
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Plus
 import robotran.ui.parts.SignPicture
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -55,7 +56,7 @@ import robotran.workshop.event.BlockEvent
 /** The button that opens the palette where there is no room for a rail. Without words, it has a plus. */
 @Composable
 internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
-    val words = stringResource(Res.string.blocks_add)
+    val words = BlockTexts.add(spoken)
     Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
         Button(
             { scope.show(BlockSheet.Palette) },
@@ -99,7 +100,7 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
                 Alignment.Center,
             ) { SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS) }
             Text(
-                stringResource(Res.string.blocks_add),
+                BlockTexts.add(spoken),
                 color = colours.onPane,
                 fontSize = TextSizes.SIGN,
                 lineHeight = LineHeights.SIGN,
@@ -121,7 +122,7 @@ internal fun FirstBlockHint(hasRail: Boolean) {
     ) {
         EmptyPictureView(EmptyPicture.BLOCK)
         Text(
-            stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
+            if (hasRail) BlockTexts.firstFromRail(spoken) else BlockTexts.first(spoken),
             Modifier.drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }.padding(20.dp),
             color = colours.onPane,
             fontSize = TextSizes.BODY,
@@ -150,7 +151,7 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
                 color = colours.onPane,
                 fontSize = TextSizes.BODY,
             )
-            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "blocks-error-close", {
+            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "blocks-error-close", {
                 scope.onEvent(BlockEvent.ErrorDismissed)
             })
         }

@@ -24,9 +24,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -69,7 +69,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
                 is BlockRow.First -> FirstLine(row, scope, inked)
                 is BlockRow.Branch -> LineParts(row.line, scope, inked)
                 is BlockRow.End -> BlockWords(row.line?.let(scope::wordsOf) ?: "end", scope, inked, onLine())
-                is BlockRow.Empty -> BlockWords(stringResource(Res.string.blocks_empty), scope, inked, onLine())
+                is BlockRow.Empty -> BlockWords(BlockTexts.empty(spoken), scope, inked, onLine())
             }
             if (row !is BlockRow.First) row.line?.comment?.let { NoteTag(scope.textOf(it), scope, onLine()) }
         }

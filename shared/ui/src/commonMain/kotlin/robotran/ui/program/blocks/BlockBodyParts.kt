@@ -22,10 +22,10 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Corners
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockSheet
@@ -76,7 +76,7 @@ private fun Grip(look: BlockLook) {
 /** Opens what can be done to the block. */
 @Composable
 private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
-    val words = stringResource(Res.string.blocks_more)
+    val words = BlockTexts.more(spoken)
     Box(
         Modifier
             .testTag("block-more")
@@ -95,7 +95,7 @@ private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
 /** Hides what is inside of the block, or shows it again. */
 @Composable
 internal fun FoldButton(row: BlockRow.First, scope: BlockScope, look: BlockLook) {
-    val words = stringResource(if (row.isCollapsed) Res.string.blocks_unfold else Res.string.blocks_fold)
+    val words = if (row.isCollapsed) BlockTexts.unfold(spoken) else BlockTexts.fold(spoken)
     Box(
         Modifier
             .testTag("fold-${row.key}")

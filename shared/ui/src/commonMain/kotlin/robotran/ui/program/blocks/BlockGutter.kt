@@ -24,9 +24,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.program.editor.codeColours
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -40,7 +40,7 @@ internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> 
         Box(Modifier.width(BlockSizes.GUTTER))
         return
     }
-    val words = stringResource(Res.string.blocks_breakpoint, line)
+    val words = BlockTexts.breakpoint(spoken, line)
     val colour = codeColours().breakpoint
     Box(
         Modifier

@@ -15,15 +15,15 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.describe.BlockDescription
 import robotran.blockediting.describe.describe
 import robotran.blockediting.describe.place
+import robotran.ui.language.spoken
 import robotran.ui.parts.TreePlace
 import robotran.ui.parts.treePlace
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
@@ -86,8 +86,8 @@ private fun treeWords(row: BlockRow, description: BlockDescription?): String? = 
 private fun wordsFor(row: BlockRow, description: BlockDescription?, scope: BlockScope): String = when (row) {
     is BlockRow.First -> listOfNotNull(description?.sentence, description?.place(scope.messages)).joinToString(", ")
     is BlockRow.Branch -> listOfNotNull(description?.sentence, description?.context).joinToString(", ")
-    is BlockRow.Empty -> stringResource(Res.string.blocks_empty_in, scope.wordsOf(row.block.slots[row.slot].head))
-    is BlockRow.End -> stringResource(Res.string.blocks_end_of, scope.wordsOf(row.block.head))
+    is BlockRow.Empty -> BlockTexts.emptyIn(spoken, scope.wordsOf(row.block.slots[row.slot].head))
+    is BlockRow.End -> BlockTexts.endOf(spoken, scope.wordsOf(row.block.head))
 }
 
 /** What else is true of the row now: that it runs, that the program stops there, its mistakes. */

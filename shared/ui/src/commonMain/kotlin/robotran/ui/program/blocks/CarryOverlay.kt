@@ -31,9 +31,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.toSize
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.Shapes
@@ -96,7 +96,7 @@ private fun Bin(dragging: BlockDragging, modifier: Modifier) {
     ) {
         Canvas(Modifier.size(28.dp)) { with(BIN) { draw(ink) } }
         Text(
-            stringResource(Res.string.blocks_delete),
+            BlockTexts.delete(spoken),
             color = ink,
             fontSize = TextSizes.BODY,
             fontWeight = FontWeight.Medium,

@@ -16,9 +16,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.PaletteBlock
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -32,7 +32,7 @@ internal fun BlockScope.doNow(load: BlockLoad) = onEvent(BlockEvent.DoneNow(load
 @Composable
 internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
     if (!block.canBeTried) return
-    val words = stringResource(Res.string.blocks_do_now_this, block.template)
+    val words = BlockTexts.doNowThis(spoken, block.template)
     val colours = LocalRobotranColours.current
     Box(
         Modifier

@@ -3,8 +3,8 @@ package robotran.ui.program.blocks
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.staticCompositionLocalOf
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.BlockTexts
 
 /** What all rows say to a screen reader. It is looked up once: a row that scrolls into sight should cost little. */
 @Immutable
@@ -28,17 +28,17 @@ internal val LocalRowWords = staticCompositionLocalOf<RowWords> { error("The wor
 
 @Composable
 internal fun rowWords(): RowWords = RowWords(
-    stringResource(Res.string.blocks_change),
-    stringResource(Res.string.blocks_add_below),
-    stringResource(Res.string.blocks_do_now),
-    stringResource(Res.string.blocks_up),
-    stringResource(Res.string.blocks_down),
-    stringResource(Res.string.blocks_duplicate),
-    stringResource(Res.string.blocks_delete),
-    stringResource(Res.string.blocks_fold),
-    stringResource(Res.string.blocks_unfold),
-    stringResource(Res.string.blocks_more),
-    stringResource(Res.string.blocks_runs_now),
-    stringResource(Res.string.blocks_stops_before),
-    stringResource(Res.string.blocks_folded),
+    BlockTexts.change(spoken),
+    BlockTexts.addBelow(spoken),
+    BlockTexts.doNow(spoken),
+    BlockTexts.up(spoken),
+    BlockTexts.down(spoken),
+    BlockTexts.duplicate(spoken),
+    BlockTexts.delete(spoken),
+    BlockTexts.fold(spoken),
+    BlockTexts.unfold(spoken),
+    BlockTexts.more(spoken),
+    BlockTexts.runsNow(spoken),
+    BlockTexts.stopsBefore(spoken),
+    BlockTexts.folded(spoken),
 )

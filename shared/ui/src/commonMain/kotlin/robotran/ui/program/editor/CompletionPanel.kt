@@ -31,10 +31,10 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.complete.Completion
 import robotran.textediting.complete.CompletionList
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -51,7 +51,7 @@ internal fun CompletionPanel(
     onChoose: (Completion) -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    val words = stringResource(Res.string.editor_completions)
+    val words = EditorTexts.completions(spoken)
     val scroll = rememberLazyListState()
     LaunchedEffect(chosen, list) {
         val seen = scroll.layoutInfo.visibleItemsInfo
@@ -79,7 +79,7 @@ internal fun CompletionPanel(
 internal fun NoCompletions(caret: CaretLocator) {
     val colours = LocalRobotranColours.current
     Text(
-        stringResource(Res.string.editor_no_completions),
+        EditorTexts.noCompletions(spoken),
         Modifier
             .besideCaret(caret)
             .testTag("no-completions")

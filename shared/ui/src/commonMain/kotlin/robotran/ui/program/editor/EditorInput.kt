@@ -18,9 +18,10 @@ import androidx.compose.ui.semantics.CustomAccessibilityAction
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.text.Draft
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.ScreenTexts
 
 /** Keyboard input and semantics of an editor. */
 @Composable
@@ -32,8 +33,8 @@ internal fun Modifier.editorInput(
     onBreakpoint: (Int) -> Unit,
     onFocus: (Boolean) -> Unit,
 ): Modifier {
-    val label = stringResource(Res.string.program_label)
-    val stopHere = stringResource(Res.string.editor_breakpoint)
+    val label = ScreenTexts.programLabel(spoken)
+    val stopHere = EditorTexts.breakpoint(spoken)
     val focusManager = LocalFocusManager.current
     val line = draft.lines.lineOf(draft.selection.caret) + 1
     return focusRequester(focus)

@@ -8,9 +8,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.source.Diagnostic
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -41,19 +41,19 @@ internal fun FixButton(diagnostic: Diagnostic, line: String, onFix: (Diagnostic)
 
 @Composable
 private fun textOf(label: FixLabel): String = when (label) {
-    is FixLabel.Add -> stringResource(Res.string.mistake_fix_add, label.words)
-    is FixLabel.Change -> stringResource(Res.string.mistake_fix, label.words)
+    is FixLabel.Add -> ScreenTexts.mistakeFixAdd(spoken, label.words)
+    is FixLabel.Change -> ScreenTexts.mistakeFix(spoken, label.words)
 
     is FixLabel.Remove -> {
         val words = label.words
         if (words.isEmpty()) {
-            stringResource(Res.string.mistake_fix_remove)
+            ScreenTexts.mistakeFixRemove(spoken)
         } else {
-            stringResource(Res.string.mistake_fix_remove_words, words)
+            ScreenTexts.mistakeFixRemoveWords(spoken, words)
         }
     }
 
-    is FixLabel.Space -> stringResource(Res.string.mistake_fix_space, label.mended)
-    FixLabel.NormalSpaces -> stringResource(Res.string.mistake_fix_normal_spaces)
-    FixLabel.NewLine -> stringResource(Res.string.mistake_fix_new_line)
+    is FixLabel.Space -> ScreenTexts.mistakeFixSpace(spoken, label.mended)
+    FixLabel.NormalSpaces -> ScreenTexts.mistakeFixNormalSpaces(spoken)
+    FixLabel.NewLine -> ScreenTexts.mistakeFixNewLine(spoken)
 }

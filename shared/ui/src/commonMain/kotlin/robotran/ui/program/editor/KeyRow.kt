@@ -17,10 +17,10 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
@@ -34,11 +34,11 @@ internal fun KeyRow(control: EditorControl) {
             .background(LocalRobotranColours.current.desk)
             .horizontalScroll(rememberScrollState()),
     ) {
-        TouchKey("→", stringResource(Res.string.editor_indent)) { control.perform(EditorCommand.Plain.INDENT) }
-        TouchKey("◂", stringResource(Res.string.editor_caret_left)) {
+        TouchKey("→", EditorTexts.indent(spoken)) { control.perform(EditorCommand.Plain.INDENT) }
+        TouchKey("◂", EditorTexts.caretLeft(spoken)) {
             control.perform(EditorCommand.Move(CaretMove.LEFT, selecting = false))
         }
-        TouchKey("▸", stringResource(Res.string.editor_caret_right)) {
+        TouchKey("▸", EditorTexts.caretRight(spoken)) {
             control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false))
         }
         for (sign in SIGNS.getValue(control.language)) TouchKey(sign, sign) { control.type(sign) }

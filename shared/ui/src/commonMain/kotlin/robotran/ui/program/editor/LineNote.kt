@@ -19,9 +19,9 @@ import androidx.compose.ui.semantics.text
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.language.source.Diagnostic
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -37,7 +37,7 @@ import robotran.workshop.state.InlineDiagnostic
 @Composable
 internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (Diagnostic) -> Unit) {
     val colours = LocalRobotranColours.current
-    val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.diagnostic.message)
+    val spoken = ScreenTexts.mistake(spoken, note.line ?: 0, note.diagnostic.message)
     val frame = Modifier
         .testTag(note.kind.name.lowercase())
         .fillMaxWidth()

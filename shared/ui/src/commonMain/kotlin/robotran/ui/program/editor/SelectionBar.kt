@@ -27,9 +27,9 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.Label
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -55,7 +55,7 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
                 canFocus = false
             }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
             TextButton({ onCommand(command) }, modifier) {
-                Text(stringResource(words), color = colours.onPane, fontSize = TextSizes.COMPACT)
+                Text(words(spoken), color = colours.onPane, fontSize = TextSizes.COMPACT)
             }
         }
     }
@@ -111,10 +111,10 @@ private fun Modifier.beside(selection: () -> Rect) = layout { measurable, constr
 }
 
 private val SHAPE = Shapes.SHEET
-private val BUTTONS: List<Pair<EditorCommand.Plain, StringResource>> = listOf(
-    EditorCommand.Plain.CUT to Res.string.editor_cut,
-    EditorCommand.Plain.COPY to Res.string.editor_copy,
-    EditorCommand.Plain.PASTE to Res.string.editor_paste,
-    EditorCommand.Plain.SELECT_ALL to Res.string.editor_select_all,
-    EditorCommand.Plain.HELP to Res.string.editor_help,
+private val BUTTONS: List<Pair<EditorCommand.Plain, Label>> = listOf(
+    EditorCommand.Plain.CUT to EditorTexts::cut,
+    EditorCommand.Plain.COPY to EditorTexts::copy,
+    EditorCommand.Plain.PASTE to EditorTexts::paste,
+    EditorCommand.Plain.SELECT_ALL to EditorTexts::selectAll,
+    EditorCommand.Plain.HELP to EditorTexts::help,
 )

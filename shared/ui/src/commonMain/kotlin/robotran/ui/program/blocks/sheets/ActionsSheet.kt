@@ -9,8 +9,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.StringResource
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockEditResult
@@ -20,13 +18,16 @@ import robotran.blockediting.formsFor
 import robotran.language.source.SourceSpan
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
+import robotran.ui.language.spoken
 import robotran.ui.parts.ClipboardReader
 import robotran.ui.parts.clipboardReader
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
 import robotran.ui.program.blocks.doNow
 import robotran.ui.program.blocks.paste
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.EditorTexts
+import robotran.ui.texts.Label
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
@@ -49,7 +50,7 @@ internal fun ActionsSheet(id: BlockId, scope: BlockScope, onClose: () -> Unit, m
     SheetFrame(scope.wordsOf(block.head), onClose, modifier) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             for (action in actionsOn(block, scope, clipboard, reader)) {
-                SheetButton(stringResource(action.words), "action-${action.tag}") { act(action) }
+                SheetButton(action.words(spoken), "action-${action.tag}") { act(action) }
             }
         }
         Forms(block, scope)
@@ -63,7 +64,7 @@ private fun Forms(block: Block, scope: BlockScope) {
     val forms = block.head.form?.let { formsFor(it) }.orEmpty()
     val changes = remember(block, scope.state.program) { forms.mapNotNull { changeTo(it, block, scope) } }
     if (changes.isEmpty()) return
-    SheetHeading(stringResource(Res.string.blocks_forms))
+    SheetHeading(BlockTexts.forms(spoken))
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         changes.forEachIndexed { index, (words, edit) ->
             SheetButton(words, "form-$index") {
@@ -82,7 +83,7 @@ private fun changeTo(form: LineForm, block: Block, scope: BlockScope): Pair<Stri
     return SourceSpan(line.parts.first().span.start, line.parts.last().span.end).textIn(done.program.text) to edit
 }
 
-private class BlockAction(val words: StringResource, val tag: String, val act: () -> Unit)
+private class BlockAction(val words: Label, val tag: String, val act: () -> Unit)
 
 private fun actionsOn(
     block: Block,
@@ -107,37 +108,37 @@ private fun actionsOnAll(
     val here = if (block.id in scope.state.selected) scope.state else scope.state.at(BlockCursor.At(block.id))
     val copy = { clipboard.copy(scope.copy(state = here.copy(part = null))) }
     return listOfNotNull(
-        BlockAction(Res.string.blocks_do_now, "now") { scope.doNow(BlockLoad.Blocks(run)) },
-        BlockAction(Res.string.blocks_duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
-        BlockAction(Res.string.blocks_delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
-        BlockAction(Res.string.blocks_up, "up") {
+        BlockAction(BlockTexts::doNow, "now") { scope.doNow(BlockLoad.Blocks(run)) },
+        BlockAction(BlockTexts::duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
+        BlockAction(BlockTexts::delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
+        BlockAction(BlockTexts::up, "up") {
             at()
             scope.onEvent(BlockEvent.Moved(isUp = true))
         },
-        BlockAction(Res.string.blocks_down, "down") {
+        BlockAction(BlockTexts::down, "down") {
             at()
             scope.onEvent(BlockEvent.Moved(isUp = false))
         },
-        BlockAction(Res.string.blocks_out, "out") {
+        BlockAction(BlockTexts::out, "out") {
             at()
             scope.onEvent(BlockEvent.Nested(isOut = true))
         }.takeIf { here.placeNested(isOut = true) != null },
-        BlockAction(Res.string.blocks_in, "in") {
+        BlockAction(BlockTexts::blocksIn, "in") {
             at()
             scope.onEvent(BlockEvent.Nested(isOut = false))
         }.takeIf { here.placeNested(isOut = false) != null },
-        BlockAction(Res.string.blocks_choose_several, "choose") {
+        BlockAction(BlockTexts::chooseSeveral, "choose") {
             at()
             scope.onEvent(BlockEvent.ChoosingSet(true))
         },
-        BlockAction(Res.string.blocks_select_stack, "stack") { scope.onEvent(BlockEvent.StackSelected(block.id)) },
-        BlockAction(Res.string.blocks_wrap, "wrap") { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
-        BlockAction(Res.string.editor_cut, "cut") {
+        BlockAction(BlockTexts::selectStack, "stack") { scope.onEvent(BlockEvent.StackSelected(block.id)) },
+        BlockAction(BlockTexts::wrap, "wrap") { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
+        BlockAction(EditorTexts::cut, "cut") {
             copy()
             scope.edit(BlockEdit.Delete(selected))
         },
-        BlockAction(Res.string.editor_copy, "copy") { copy() },
-        BlockAction(Res.string.editor_paste, "paste") {
+        BlockAction(EditorTexts::copy, "copy") { copy() },
+        BlockAction(EditorTexts::paste, "paste") {
             at()
             reader.read(scope::paste)
         },
@@ -145,29 +146,29 @@ private fun actionsOnAll(
 }
 
 private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOfNotNull(
-    BlockAction(Res.string.blocks_note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
-    BlockAction(Res.string.blocks_as_text, "line") { scope.show(BlockSheet.Line(block.head.index)) },
+    BlockAction(BlockTexts::note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
+    BlockAction(BlockTexts::asText, "line") { scope.show(BlockSheet.Line(block.head.index)) },
     block.head.helpWord(scope.state.program.text)?.let { word ->
-        BlockAction(Res.string.blocks_help, "help") { scope.onHelp(word) }
+        BlockAction(BlockTexts::help, "help") { scope.onHelp(word) }
     },
 )
 
 private fun actionsOnConstruct(block: Block, scope: BlockScope): List<BlockAction> {
     if (block !is Block.Construct) return emptyList()
-    val unwrap = BlockAction(Res.string.blocks_unwrap, "unwrap") { scope.edit(BlockEdit.Unwrap(block.id)) }
+    val unwrap = BlockAction(BlockTexts::unwrap, "unwrap") { scope.edit(BlockEdit.Unwrap(block.id)) }
     if (block.head.form != LineForm.IF) return listOf(unwrap)
     val branch = (scope.state.cursor as? BlockCursor.Branch)?.takeIf { it.block == block.id }
     return listOfNotNull(
         unwrap,
         branch?.let { at ->
-            BlockAction(Res.string.blocks_remove_else, "remove-else") {
+            BlockAction(BlockTexts::removeElse, "remove-else") {
                 scope.edit(BlockEdit.RemoveElse(block.id, at.slot))
             }
         },
-        BlockAction(Res.string.blocks_add_else_if, "else-if") {
+        BlockAction(BlockTexts::addElseIf, "else-if") {
             scope.edit(BlockEdit.AddElse(block.id, ValueUse.CONDITION.example))
         },
-        BlockAction(Res.string.blocks_add_else, "else") { scope.edit(BlockEdit.AddElse(block.id)) },
+        BlockAction(BlockTexts::addElse, "else") { scope.edit(BlockEdit.AddElse(block.id)) },
     )
 }
 

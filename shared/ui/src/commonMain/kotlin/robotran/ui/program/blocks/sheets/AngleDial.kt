@@ -23,8 +23,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.*
+import robotran.ui.language.spoken
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import kotlin.math.PI
@@ -43,7 +43,7 @@ import kotlin.math.sin
 @Composable
 internal fun AngleDial(degrees: Double, isLeft: Boolean, diameter: Dp, onTurn: (Double) -> Unit) {
     val colours = LocalRobotranColours.current
-    val words = stringResource(Res.string.blocks_dial)
+    val words = BlockTexts.dial(spoken)
     val turn by rememberUpdatedState(onTurn)
     val left by rememberUpdatedState(isLeft)
     Canvas(

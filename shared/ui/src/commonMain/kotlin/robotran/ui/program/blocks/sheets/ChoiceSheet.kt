@@ -5,17 +5,17 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 
 /** The words that may stand at [part]. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun ChoiceSheet(part: PhrasePart.Choice, scope: BlockScope, onClose: () -> Unit) {
     val now = scope.textOf(part)
-    SheetFrame(stringResource(Res.string.blocks_choose), onClose) {
+    SheetFrame(BlockTexts.choose(spoken), onClose) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             part.options.forEachIndexed { index, option ->
                 SheetButton(option, "choice-$index", isChosen = option.equals(now, ignoreCase = true)) {

@@ -17,11 +17,12 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -45,7 +46,7 @@ internal fun ChoosingBar(scope: BlockScope) {
     ) {
         Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
             Text(
-                stringResource(Res.string.blocks_chosen, state.selected.size),
+                BlockTexts.chosen(spoken, state.selected.size),
                 Modifier.semantics { liveRegion = LiveRegionMode.Polite },
                 fontSize = TextSizes.BODY,
                 lineHeight = LineHeights.LABEL,
@@ -54,14 +55,14 @@ internal fun ChoosingBar(scope: BlockScope) {
                 horizontalArrangement = Arrangement.spacedBy(8.dp),
                 verticalArrangement = Arrangement.spacedBy(8.dp),
             ) {
-                SheetButton(stringResource(Res.string.blocks_done), "choosing-done") {
+                SheetButton(BlockTexts.done(spoken), "choosing-done") {
                     scope.onEvent(BlockEvent.ChoosingSet(false))
                 }
-                SheetButton(stringResource(Res.string.editor_copy), "choosing-copy") { clipboard.copy(scope) }
-                SheetButton(stringResource(Res.string.blocks_duplicate), "choosing-duplicate") {
+                SheetButton(EditorTexts.copy(spoken), "choosing-copy") { clipboard.copy(scope) }
+                SheetButton(BlockTexts.duplicate(spoken), "choosing-duplicate") {
                     state.run?.let { scope.edit(BlockEdit.Duplicate(it)) }
                 }
-                SheetButton(stringResource(Res.string.blocks_delete), "choosing-delete") {
+                SheetButton(BlockTexts.delete(spoken), "choosing-delete") {
                     scope.edit(BlockEdit.Delete(state.selected.toSet()))
                 }
             }

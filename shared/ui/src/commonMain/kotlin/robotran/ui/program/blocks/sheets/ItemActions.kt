@@ -5,14 +5,14 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.nameAt
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 
 /** Adds and deletes elements at the end of the list at [part]; nothing if no list is written there. */
 @OptIn(ExperimentalLayoutApi::class)
@@ -21,11 +21,11 @@ internal fun ItemActions(part: PhrasePart.Value, scope: BlockScope) {
     if (part.value.form != ValueForm.LIST) return
     val count = part.value.parts.count { it is PhrasePart.Value }
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        SheetButton(stringResource(Res.string.blocks_item_add), "item-add") {
+        SheetButton(BlockTexts.itemAdd(spoken), "item-add") {
             scope.edit(BlockEdit.AddItem(part.span, count, ValueUse.NUMBER.example))
         }
         if (count > 1) {
-            SheetButton(stringResource(Res.string.blocks_item_remove), "item-remove") {
+            SheetButton(BlockTexts.itemRemove(spoken), "item-remove") {
                 scope.edit(BlockEdit.RemoveItem(part.span, count - 1))
             }
         }
@@ -38,12 +38,12 @@ internal fun ItemActions(part: PhrasePart.Value, scope: BlockScope) {
 internal fun ParameterActions(part: PhrasePart.NamePart, scope: BlockScope, onClose: () -> Unit) {
     val routine = scope.state.program.nameAt(part.span) ?: return
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        SheetButton(stringResource(Res.string.blocks_parameter_add), "parameter-add") {
+        SheetButton(BlockTexts.parameterAdd(spoken), "parameter-add") {
             scope.edit(BlockEdit.AddParameter(routine.declaredAt, scope.freeName()))
             onClose()
         }
         if (routine.parameters.isNotEmpty()) {
-            SheetButton(stringResource(Res.string.blocks_parameter_remove), "parameter-remove") {
+            SheetButton(BlockTexts.parameterRemove(spoken), "parameter-remove") {
                 scope.edit(BlockEdit.RemoveParameter(routine.declaredAt, routine.parameters.lastIndex))
                 onClose()
             }

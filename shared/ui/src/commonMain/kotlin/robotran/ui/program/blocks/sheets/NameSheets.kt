@@ -9,23 +9,23 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.nameAt
 import robotran.blockediting.namesFor
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 
 /** Where a name is declared, it can be renamed everywhere; elsewhere another one can be chosen, or a new one made. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun NameSheet(part: PhrasePart.NamePart, scope: BlockScope, onClose: () -> Unit) {
     val isDeclaration = part.role == NameRole.DECLARES || part.role == NameRole.DECLARES_ROUTINE
-    SheetFrame(stringResource(if (isDeclaration) Res.string.blocks_rename else Res.string.blocks_names), onClose) {
+    SheetFrame(if (isDeclaration) BlockTexts.rename(spoken) else BlockTexts.names(spoken), onClose) {
         if (isDeclaration) {
-            SheetField(scope.textOf(part), stringResource(Res.string.blocks_name), "name") { name ->
+            SheetField(scope.textOf(part), BlockTexts.name(spoken), "name") { name ->
                 val declared = scope.state.program.nameAt(part.span)
                 if (declared == null) scope.put(name) else scope.edit(BlockEdit.Rename(declared.declaredAt, name))
                 onClose()
@@ -56,8 +56,8 @@ internal fun NameSheet(part: PhrasePart.NamePart, scope: BlockScope, onClose: ()
 internal fun NewName(scope: BlockScope, onName: (String) -> Unit) {
     var isOpen by remember { mutableStateOf(false) }
     if (isOpen) {
-        SheetField(scope.freeName(), stringResource(Res.string.blocks_name), "new-name", onDone = onName)
+        SheetField(scope.freeName(), BlockTexts.name(spoken), "new-name", onDone = onName)
     } else {
-        SheetButton(stringResource(Res.string.blocks_name_new), "new-name") { isOpen = true }
+        SheetButton(BlockTexts.nameNew(spoken), "new-name") { isOpen = true }
     }
 }

@@ -37,13 +37,13 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.coerceAtMost
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.NumberScale
 import robotran.blockediting.scale
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueUse
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.worldediting.written
@@ -76,7 +76,7 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
         Unit
     }
     val preview = previewWords(part, scope)
-    val label = stringResource(Res.string.blocks_number)
+    val label = BlockTexts.number(spoken)
     val keys = NumberKeys(typed, scope.textOf(part), type, { step(it * scale.step) }, onClose)
     LaunchedEffect(Unit) { focus.requestFocus() }
     Column(
@@ -164,10 +164,10 @@ private fun Stepper(
     slider: @Composable () -> Unit,
 ) {
     val less: @Composable () -> Unit = {
-        SheetButton("−", "number-less", spoken = stringResource(Res.string.blocks_less), onClick = onLess)
+        SheetButton("−", "number-less", spoken = BlockTexts.less(spoken), onClick = onLess)
     }
     val more: @Composable () -> Unit = {
-        SheetButton("+", "number-more", spoken = stringResource(Res.string.blocks_more_of), onClick = onMore)
+        SheetButton("+", "number-more", spoken = BlockTexts.moreOf(spoken), onClick = onMore)
     }
     if (room == NumberRoom.NARROW) {
         NumberNow(text, unit, "\n", Modifier.fillMaxWidth())
@@ -210,7 +210,7 @@ private fun NumberNow(text: String, unit: String, between: String, modifier: Mod
 @Composable
 private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Unit) {
     val colours = LocalRobotranColours.current
-    val label = stringResource(Res.string.blocks_number)
+    val label = BlockTexts.number(spoken)
     val range = scale.min.toFloat()..scale.max.toFloat()
     Slider(
         now.toFloat().coerceIn(range),

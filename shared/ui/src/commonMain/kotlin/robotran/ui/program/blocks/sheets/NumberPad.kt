@@ -8,10 +8,10 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.StrokeIcon
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 
 /**
  * A number pad, so that no on-screen keyboard is needed.
@@ -39,7 +39,7 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
 
 @Composable
 private fun DoneKey(width: Dp, onDone: () -> Unit) =
-    PadKey("✓", "number-done", width, stringResource(Res.string.blocks_done), StrokeIcons.CHECK, onDone)
+    PadKey("✓", "number-done", width, BlockTexts.done(spoken), StrokeIcons.CHECK, onDone)
 
 @Composable
 private fun PadKey(
@@ -59,9 +59,9 @@ internal fun padWidth(keyWidth: Dp, isLow: Boolean): Dp {
 
 @Composable
 private fun spokenFor(key: Char): String = when (key) {
-    TypedNumber.ERASE -> stringResource(Res.string.blocks_digit_erase)
-    '.' -> stringResource(Res.string.blocks_digit_point)
-    '-' -> stringResource(Res.string.blocks_digit_sign)
+    TypedNumber.ERASE -> BlockTexts.digitErase(spoken)
+    '.' -> BlockTexts.digitPoint(spoken)
+    '-' -> BlockTexts.digitSign(spoken)
     else -> "$key"
 }
 

@@ -20,16 +20,16 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.PaletteBlock
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.Carrier
 import robotran.ui.program.blocks.carry
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
@@ -47,7 +47,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             WordHelp.of(reader, ProgramLanguage.ROBOLANG, it, scope.brick)?.sentence
         }.orEmpty()
     }
-    val spoken = stringResource(Res.string.blocks_add_this, block.template.replace("\n", ", "), sentence)
+    val spoken = BlockTexts.addThis(spoken, block.template.replace("\n", ", "), sentence)
     Column(
         Modifier
             .fillMaxWidth()

@@ -40,7 +40,6 @@ import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.PaletteHelp
@@ -51,12 +50,14 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.robolang.words.BlockGroup
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.DoNowButton
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.SchoolTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.areKeysInUse
@@ -107,18 +108,16 @@ internal fun PaletteSheet(
     }
     val showAll: @Composable () -> Unit = {
         if (introduced != null && !scope.isIntroductionFixed) {
-            SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
+            SheetButton(BlockTexts.showAll(spoken), "palette-all") { showsAll = true }
         }
     }
     val noneFound: @Composable () -> Unit = {
         Text(
-            stringResource(
-                when {
-                    introduced == null -> Res.string.blocks_none_found
-                    scope.isIntroductionFixed -> Res.string.assignment_blocks_none
-                    else -> Res.string.blocks_not_yet
-                },
-            ),
+            when {
+                introduced == null -> BlockTexts.noneFound(spoken)
+                scope.isIntroductionFixed -> SchoolTexts.assignmentBlocksNone(spoken)
+                else -> BlockTexts.notYet(spoken)
+            },
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.BODY,
         )
@@ -146,16 +145,16 @@ internal fun PaletteSheet(
                 }
             }
             if (!valuesFirst) allLines()
-            if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
+            if (values.isNotEmpty()) item { SheetHeading(BlockTexts.paletteValues(spoken)) }
             items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
             if (valuesFirst) {
-                if (lines.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_lines)) }
+                if (lines.isNotEmpty()) item { SheetHeading(BlockTexts.paletteLines(spoken)) }
                 allLines()
             }
             if (hasAll && introduced != null) item { showAll() }
         }
     }
-    SheetFrame(stringResource(Res.string.blocks_palette), onClose, place, scrolls = false) {
+    SheetFrame(BlockTexts.palette(spoken), onClose, place, scrolls = false) {
         if (isOver) {
             Row(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp)) {
                 Column(Modifier.width(SIDE).verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
@@ -190,7 +189,7 @@ private fun PaletteSearchField(
             if (leaves) onLeave()
             leaves
         }.testTag("palette-search"),
-    label = { Text(stringResource(Res.string.blocks_search)) },
+    label = { Text(BlockTexts.search(spoken)) },
     singleLine = true,
     keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
     keyboardActions = KeyboardActions(onSearch = { onTake() }),

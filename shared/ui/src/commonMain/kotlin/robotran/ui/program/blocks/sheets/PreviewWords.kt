@@ -1,10 +1,10 @@
 package robotran.ui.program.blocks.sheets
 
 import androidx.compose.runtime.Composable
-import org.jetbrains.compose.resources.stringResource
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.previewOf
 import robotran.world.geometry.Pose
@@ -18,15 +18,23 @@ internal fun previewWords(part: PhrasePart.Value, scope: BlockScope): String? {
     return when (val preview = previewOf(part, program.text, program.lineAt(part.span.start), ANYWHERE)) {
         null -> null
 
-        is SheetPreview.Way -> stringResource(
-            if (preview.centimetres < 0) Res.string.blocks_preview_back else Res.string.blocks_preview_ahead,
-            written(abs(preview.centimetres)),
-        )
+        is SheetPreview.Way ->
+            if (preview.centimetres <
+                0
+            ) {
+                BlockTexts.previewBack(spoken, written(abs(preview.centimetres)))
+            } else {
+                BlockTexts.previewAhead(spoken, written(abs(preview.centimetres)))
+            }
 
-        is SheetPreview.Turn -> stringResource(
-            if (preview.degrees < 0) Res.string.blocks_preview_right else Res.string.blocks_preview_left,
-            written(abs(preview.degrees)),
-        )
+        is SheetPreview.Turn ->
+            if (preview.degrees <
+                0
+            ) {
+                BlockTexts.previewRight(spoken, written(abs(preview.degrees)))
+            } else {
+                BlockTexts.previewLeft(spoken, written(abs(preview.degrees)))
+            }
     }
 }
 

@@ -44,11 +44,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.spoken
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
@@ -143,7 +143,7 @@ internal fun SheetFrame(
 
 @Composable
 private fun CloseSheet(onClose: () -> Unit) =
-    IconTouch(Icon.CLOSE, stringResource(Res.string.blocks_sheet_close), "block-sheet-close", onClose)
+    IconTouch(Icon.CLOSE, BlockTexts.sheetClose(spoken), "block-sheet-close", onClose)
 
 /**
  * Whether [event] ends the press of the key that opened the sheet. A button would take it for a click, so that the sheet

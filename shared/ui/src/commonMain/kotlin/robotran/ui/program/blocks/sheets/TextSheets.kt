@@ -16,25 +16,25 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 
 /** The comment of the line [line]. */
 @Composable
 internal fun NoteSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
     val comment = scope.state.program.outline.lines.getOrNull(line)?.comment
     val now = comment?.let { scope.textOf(it).removePrefix("//").trim() }
-    SheetFrame(stringResource(Res.string.blocks_note), onClose, modifier) {
-        SheetField(now.orEmpty(), stringResource(Res.string.blocks_note), "note") {
+    SheetFrame(BlockTexts.note(spoken), onClose, modifier) {
+        SheetField(now.orEmpty(), BlockTexts.note(spoken), "note") {
             scope.edit(BlockEdit.SetNote(line, it.takeIf { text -> text.isNotBlank() }))
             onClose()
         }
         if (now != null) {
-            SheetButton(stringResource(Res.string.blocks_note_delete), "note-delete") {
+            SheetButton(BlockTexts.noteDelete(spoken), "note-delete") {
                 scope.edit(BlockEdit.SetNote(line, null))
                 onClose()
             }
@@ -46,8 +46,8 @@ internal fun NoteSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifi
 @Composable
 internal fun LineSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
     val now = scope.state.program.outline.lines.getOrNull(line)?.let { scope.textOf(it.span).trim() }.orEmpty()
-    SheetFrame(stringResource(Res.string.blocks_line), onClose, modifier) {
-        SheetField(now, stringResource(Res.string.blocks_line), "line") {
+    SheetFrame(BlockTexts.line(spoken), onClose, modifier) {
+        SheetField(now, BlockTexts.line(spoken), "line") {
             scope.edit(BlockEdit.ReplaceLine(line, it))
             onClose()
         }
@@ -57,7 +57,7 @@ internal fun LineSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifi
 /** The text that `show` puts on the display. */
 @Composable
 internal fun ShownTextSheet(part: PhrasePart.Text, scope: BlockScope, onClose: () -> Unit) {
-    val title = stringResource(Res.string.blocks_shown_text)
+    val title = BlockTexts.shownText(spoken)
     SheetFrame(title, onClose) {
         SheetField(scope.textOf(part).removeSurrounding("\""), title, "shown-text") {
             scope.put(it)
@@ -91,6 +91,6 @@ internal fun SheetField(
         keyboardActions = KeyboardActions(onDone = { onDone(typed) }),
         colors = fieldColours(),
     )
-    SheetButton(stringResource(Res.string.blocks_done), "$tag-done") { onDone(typed) }
+    SheetButton(BlockTexts.done(spoken), "$tag-done") { onDone(typed) }
     LaunchedEffect(Unit) { if (takesFocus) focus.requestFocus() }
 }

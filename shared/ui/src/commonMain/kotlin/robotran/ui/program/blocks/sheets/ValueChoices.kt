@@ -5,13 +5,13 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.resources.*
+import robotran.ui.texts.BlockTexts
 
 /** The names and the values of the palette that fit at [part]. */
 @Composable
@@ -19,17 +19,17 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
     val program = scope.state.program
     val names = program.offeredNames(part)
     if (names.isNotEmpty()) {
-        SheetHeading(stringResource(Res.string.blocks_names))
+        SheetHeading(BlockTexts.names(spoken))
         Choices(names, "value-name", onChoose)
     }
-    SheetHeading(stringResource(Res.string.blocks_values))
+    SheetHeading(BlockTexts.values(spoken))
     Choices(program.offeredValues(part, scope.sensors, scope.brick), "value", onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */
 @Composable
 internal fun NoteChoice(part: PhrasePart.Value, scope: BlockScope) {
-    SheetHeading(stringResource(Res.string.blocks_tones))
+    SheetHeading(BlockTexts.tones(spoken))
     Choices(MUSICAL_NOTES.map { it.name to "${it.frequency}" }, "tone", scope.textOf(part)) {
         scope.put(it)
     }
