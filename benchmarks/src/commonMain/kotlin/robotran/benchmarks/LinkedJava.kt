@@ -1,11 +1,12 @@
 package robotran.benchmarks
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 
 /** The valid Java program [source], compiled and linked. */
@@ -15,7 +16,7 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
             ANY_TARGET,
             settings,
             language = Language.ENGLISH,
-        ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
+        ).read(Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, source))))
     ) {
         is ProgramResult.Ready -> result.program as RcxProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

@@ -5,7 +5,7 @@ import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skiko.MainUIDispatcher
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectProgram

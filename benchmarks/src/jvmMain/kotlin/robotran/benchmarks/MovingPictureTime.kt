@@ -5,9 +5,10 @@ import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.animatedGif
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_TARGET
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
@@ -26,7 +27,7 @@ import kotlin.time.TimeSource
  * the size of the file.
  */
 internal suspend fun movingPictureTime(faster: Int): Figure {
-    val source = ProgramSource.Robolang("flowers.robo", FLOWERS)
+    val source = Program("flowers.robo", ProgramLanguage.ROBOLANG, FLOWERS)
     val program = (
         ProgramCompiler(
             PENBOT_TARGET,

@@ -12,7 +12,7 @@ import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.HandIn

@@ -8,7 +8,7 @@ import kotlinx.serialization.json.jsonPrimitive
 import robotran.cli.CommandTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectProgram

@@ -5,7 +5,7 @@ import robotran.brick.kind.BrickKind
 import robotran.cli.CommandTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.LinkResult

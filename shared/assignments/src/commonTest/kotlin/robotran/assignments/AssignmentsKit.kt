@@ -6,7 +6,7 @@ import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.doing.sealedHandIn
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.HandIn

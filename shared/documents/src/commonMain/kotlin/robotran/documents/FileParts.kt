@@ -4,9 +4,11 @@ import robotran.json.JsonLimits
 import robotran.json.JsonWarning
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.fault
+import robotran.programs.languageOfFile
+import robotran.programs.support
 import robotran.projects.Course
 import robotran.projects.CourseFileResult
 import robotran.projects.ProjectFileResult
@@ -50,7 +52,9 @@ internal class GivenFile(val file: IncomingFile) {
     val text: String? = (reading as? TextReading.Read)?.text
 
     /** Whether other files may belong to the same program. */
-    val isPartOfProgram: Boolean = listOf(FileKind.JAVA, FileKind.NQC, FileKind.NQC_HEADER).any(::isNamedAs)
+    val isPartOfProgram: Boolean = languageOfFile(name)?.let { language ->
+        language.mayHaveFiles && language.support.files.endings.any(name::endsWith)
+    } == true
 
     fun isNamedAs(kind: FileKind): Boolean = name.endsWith(kind.extension)
 

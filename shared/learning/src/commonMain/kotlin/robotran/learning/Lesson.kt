@@ -3,8 +3,8 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.learning.hint.Attempt
-import robotran.programs.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -95,5 +95,4 @@ class Lesson internal constructor(
         Attempt(program, this.program.text, solution.text, plainWorld, run)
 }
 
-private fun languageOf(file: SourceFile): ProgramLanguage =
-    ProgramLanguage.ofFile(file.name) ?: ProgramLanguage.ROBOLANG
+private fun languageOf(file: SourceFile): ProgramLanguage = ProgramLanguage.ofFileOrDefault(file.name)

@@ -1,7 +1,10 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
 import robotran.language.source.SourceRange
+import robotran.languagesupport.BrickMention
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -29,7 +32,7 @@ class BrickOfProgramTest {
     }
 
     private fun likely(text: String) =
-        likelyBrickOf(ProgramSource.Java("Robot.java", listOf(SourceFile("Robot.java", text))))
+        likelyBrickOf(Program("Robot.java", ProgramLanguage.JAVA, listOf(SourceFile("Robot.java", text))))
 
     @Test
     fun `Java that an RCX cannot run is likely for an NXT`() {
@@ -40,7 +43,7 @@ class BrickOfProgramTest {
         assertNull(likely("import java.util.*; class Robot { Vector v; Random r; String s = \"System.out\"; }"))
         assertNull(likely("class List { Map map; }"))
         assertNull(likely("import lejos.nxt.*; import josx.util.*; class Robot { void f() { System.out.println(); } }"))
-        assertNull(likelyBrickOf(ProgramSource.Robolang("x.robo", "forward 3")))
+        assertNull(likelyBrickOf(Program("x.robo", ProgramLanguage.ROBOLANG, "forward 3")))
     }
 
     @Test

@@ -2,7 +2,9 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -20,7 +22,7 @@ class BrickProgramsTest {
     private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings, language = Language.ENGLISH)
 
     private suspend fun ProgramCompiler.compile(name: String, text: String): ProgramResult =
-        read(ProgramSource.Java(name, listOf(SourceFile(name, text))))
+        read(Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text))))
 
     private fun expectedIn(text: String, kinds: Set<String>): List<Pair<Int, String>> =
         text.lines().flatMapIndexed { index, line ->

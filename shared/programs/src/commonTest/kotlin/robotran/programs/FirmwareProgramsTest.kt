@@ -3,8 +3,10 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceRange
+import robotran.languagesupport.SourceFile
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.FirmwareTarget
@@ -20,7 +22,7 @@ class FirmwareProgramsTest {
     private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     private fun nqc(vararg files: Pair<String, String>) =
-        ProgramSource.Nqc(files.first().first, files.map { (name, text) -> SourceFile(name, text) })
+        Program(files.first().first, ProgramLanguage.NQC, files.map { (name, text) -> SourceFile(name, text) })
 
     private val drive = nqc("drive.nqc" to "task main()\n{\n  OnFwd(OUT_A);\n  Wait(100);\n  Off(OUT_A);\n}\n")
 
@@ -94,7 +96,7 @@ class FirmwareProgramsTest {
         val forRcx = compiler.withFirmware(FirmwareSettings(FirmwareTarget.RCX))
         val sources = listOf(
             nqc("a.nqc" to "task main()\n{\n  MuteSound();\n}\n"),
-            ProgramSource.Lasm("a.lasm", "\ttask 0\n\tmute\n\tendt\n"),
+            Program("a.lasm", ProgramLanguage.LASM, "\ttask 0\n\tmute\n\tendt\n"),
         )
         for (source in sources) {
             assertEquals(FirmwareTarget.RCX2, imageOf(source).target)
@@ -112,7 +114,7 @@ class FirmwareProgramsTest {
 
     @Test
     fun `a mistake in assembly text has its place`() = runTest {
-        val diagnostic = mistakeIn(ProgramSource.Lasm("a.lasm", "\ttask 0\n\tplayz\n\tgone\n\tendt\n"))
+        val diagnostic = mistakeIn(Program("a.lasm", ProgramLanguage.LASM, "\ttask 0\n\tplayz\n\tgone\n\tendt\n"))
         assertEquals("a.lasm" to SourceRange(3, 2, 6), diagnostic.file to diagnostic.range)
     }
 
@@ -128,7 +130,7 @@ class FirmwareProgramsTest {
         val nxt = compiler.forTarget(nxtTestTarget)
         for (source in listOf(
             drive,
-            ProgramSource.Lasm("a.lasm", ""),
+            Program("a.lasm", ProgramLanguage.LASM, ""),
             ProgramSource.FirmwareImage("a.rcx", byteArrayOf()),
         )) {
             assertEquals(BrickKind.RCX, likelyBrickOf(source))
@@ -138,7 +140,7 @@ class FirmwareProgramsTest {
 
     @Test
     fun `none of them fits into an image for leJOS`() = runTest {
-        val robolang = ProgramSource.Robolang("drive.robo", "forward 20")
+        val robolang = Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 20")
         val result = assertIs<ImageBuildResult.HasErrors>(compiler.buildImage(listOf(robolang, drive)))
         assertEquals("drive.nqc", result.diagnostics.single().file)
         assertContains(result.diagnostics.single().message, ".rcx")

@@ -1,11 +1,12 @@
 package robotran.projects
 
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.nxt.storage.NxtFile
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.toLasm
 import robotran.simulation.RecordedInput
 import robotran.world.LightFacing
@@ -91,7 +92,7 @@ data class ProjectProgram(
     val view: ProgramView? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
-    val source: ProgramSource get() = ProgramSource.of(language, name, files)
+    val source: ProgramSource get() = Program(name, language, files)
 
     companion object {
         /** An `.rcx` file becomes assembly text. Null if it cannot, and for class files, which cannot be edited. */

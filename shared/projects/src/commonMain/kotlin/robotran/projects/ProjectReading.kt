@@ -4,9 +4,9 @@ import robotran.json.JsonCursor
 import robotran.json.JsonFormat
 import robotran.json.JsonValidationException
 import robotran.json.messages.JsonMessages
-import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
-import robotran.programs.SourceFile
+import robotran.programs.support
 import robotran.projects.messages.told
 import robotran.world.World
 import robotran.world.file.FACINGS
@@ -65,7 +65,7 @@ internal fun programIn(place: JsonCursor): ProjectProgram {
     } else {
         listOf(SourceFile(name, textIn(place.member(TEXT))))
     }
-    val view = place.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language == ProgramLanguage.ROBOLANG }
+    val view = place.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language.support.hasBlocks }
     return ProjectProgram(name, language, files, view, unknownOf(place))
 }
 

@@ -1,7 +1,7 @@
 package robotran.projects
 
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.file.BuiltInWorlds

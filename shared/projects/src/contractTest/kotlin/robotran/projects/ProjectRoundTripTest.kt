@@ -7,8 +7,8 @@ import robotran.brick.controls.BrickButton
 import robotran.json.nearestDecimal
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
-import robotran.programs.SourceFile
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode

@@ -1,11 +1,11 @@
 package robotran.assignments.course
 
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WorldGallery
-import robotran.programs.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentHint

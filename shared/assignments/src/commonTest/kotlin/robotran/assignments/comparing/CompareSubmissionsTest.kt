@@ -6,7 +6,7 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.java
 import robotran.assignments.robolang
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot

@@ -2,7 +2,7 @@ package robotran.assignments.doing
 
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentPicture
 import robotran.projects.AssignmentTries

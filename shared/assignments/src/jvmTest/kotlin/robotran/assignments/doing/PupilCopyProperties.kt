@@ -11,7 +11,7 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.checkAll
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentTries

@@ -10,24 +10,28 @@ val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.
  * The built-in example programs in this language for a [brick], text by name. Those in Robolang are for every one; what
  * an NXT cannot do in one of them is a mistake there, which names the RCX.
  */
-fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (this) {
-    ProgramLanguage.ROBOLANG -> when (brick) {
-        BrickKind.RCX -> exampleTexts
-        BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
-    }
+fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = EXAMPLES[this]?.invoke(brick).orEmpty()
 
-    ProgramLanguage.JAVA -> when (brick) {
-        BrickKind.RCX -> lejosExampleTexts
-        BrickKind.NXT -> nxjExampleTexts
-    }
-
-    ProgramLanguage.NQC -> when (brick) {
-        BrickKind.RCX -> nqcExampleTexts
-        BrickKind.NXT -> emptyMap()
-    }
-
-    ProgramLanguage.LASM -> emptyMap()
-}
+private val EXAMPLES: Map<ProgramLanguage, (BrickKind) -> Map<String, String>> = mapOf(
+    ProgramLanguage.ROBOLANG to { brick ->
+        when (brick) {
+            BrickKind.RCX -> exampleTexts
+            BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
+        }
+    },
+    ProgramLanguage.JAVA to { brick ->
+        when (brick) {
+            BrickKind.RCX -> lejosExampleTexts
+            BrickKind.NXT -> nxjExampleTexts
+        }
+    },
+    ProgramLanguage.NQC to { brick ->
+        when (brick) {
+            BrickKind.RCX -> nqcExampleTexts
+            BrickKind.NXT -> emptyMap()
+        }
+    },
+)
 
 /**
  * A program in Robolang with the ports and buttons of the NXT penbot. Its light sensor cannot be turned ahead, so what

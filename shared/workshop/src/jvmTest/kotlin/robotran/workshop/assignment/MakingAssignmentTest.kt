@@ -3,8 +3,9 @@ package robotran.workshop.assignment
 import robotran.assignments.doing.firstPrograms
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.learning.WorldGallery
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectProgram
@@ -24,7 +25,6 @@ import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.MakingState
 import robotran.workshop.state.MissingPart
 import robotran.workshop.state.PictureError
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SolutionCheck
 import robotran.workshop.state.SolutionProgram
 import robotran.worldediting.Edit
@@ -224,7 +224,7 @@ class MakingAssignmentTest {
         assertEquals(listOf("circle.robo"), workshop.making.programs.filter { it.isStart }.map { it.name })
         assertEquals(emptyList(), workshop.making.assignment.solution)
         workshop.handle(AssignmentEvent.MakingClosed)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("mine.robo", "")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("mine.robo", "")))
         workshop.write(AnyAssignment.SOLUTION)
         workshop.handle(AssignmentEvent.MakingRequested)
         assertEquals(listOf(false, false, true), workshop.making.solution.map { it.isTaken })

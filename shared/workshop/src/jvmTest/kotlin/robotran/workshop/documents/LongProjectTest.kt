@@ -2,7 +2,7 @@ package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectProgram

@@ -3,7 +3,7 @@ package robotran.workshop.documents
 import kotlinx.coroutines.runBlocking
 import robotran.documents.StoreResult
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot

@@ -4,7 +4,7 @@ import robotran.assignments.doing.HandedInWork
 import robotran.assignments.doing.makeHandIn
 import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentTries
 import robotran.projects.Project
