@@ -10,6 +10,7 @@ kotlin {
         }
         commonTest.dependencies {
             implementation(project(":shared:programs"))
+            implementation(project(":shared:nxj-library"))
         }
     }
 }

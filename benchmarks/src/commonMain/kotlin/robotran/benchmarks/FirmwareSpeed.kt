@@ -2,8 +2,6 @@ package robotran.benchmarks
 
 import robotran.brick.program.ProgramStatus
 import robotran.language.Language
-import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -49,7 +47,7 @@ private suspend fun nqcProgramOf(name: String, source: String): RcxProgram = whe
     val result = ProgramCompiler(
         ANY_TARGET,
         language = Language.ENGLISH,
-    ).read(Program(name, ProgramLanguage.NQC, listOf(SourceFile(name, source))))
+    ).read(Program.of(name, source))
 ) {
     is ProgramResult.Ready -> result.program as RcxProgram
     is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

@@ -1,8 +1,6 @@
 package robotran.benchmarks
 
 import robotran.language.Language
-import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
@@ -16,7 +14,7 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
             ANY_TARGET,
             settings,
             language = Language.ENGLISH,
-        ).read(Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, source))))
+        ).read(Program.of(name, source))
     ) {
         is ProgramResult.Ready -> result.program as RcxProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

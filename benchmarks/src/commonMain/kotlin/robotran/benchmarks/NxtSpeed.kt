@@ -2,8 +2,6 @@ package robotran.benchmarks
 
 import robotran.brick.program.ProgramStatus
 import robotran.language.Language
-import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.nxt.FakeNxt
 import robotran.nxt.program.NxtProgram
 import robotran.programs.JavaSettings
@@ -63,7 +61,7 @@ private suspend fun nxjSpeed(name: String, source: String): Figure {
 /** The valid Java program [source] for an NXT, compiled and linked. */
 private suspend fun nxjProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): NxtProgram {
     val target = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
-    val program = Program("$name.java", ProgramLanguage.JAVA, listOf(SourceFile("$name.java", source)))
+    val program = Program.of("$name.java", source)
     return when (val result = ProgramCompiler(target, settings, Language.ENGLISH).read(program)) {
         is ProgramResult.Ready -> result.program as NxtProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

@@ -1,17 +1,19 @@
 package robotran.programs
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.language.source.SourceRange
 import robotran.languagesupport.BrickMention
 import robotran.languagesupport.SourceFile
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNull
 
 class BrickOfProgramTest {
+    private val javaFiles = ProgramLanguage.JAVA.support.files
+
     private fun brickOf(vararg texts: String) =
-        brickOf(texts.mapIndexed { index, text -> SourceFile("Robot$index.java", text) })
+        javaFiles.brickOf(texts.mapIndexed { index, text -> SourceFile("Robot$index.java", text) })
 
     @Test
     fun `imports and qualified names tell the brick`() {
@@ -67,7 +69,7 @@ class BrickOfProgramTest {
             SourceFile("A.java", "class A {}"),
             SourceFile("B.java", "\n\nimport  lejos.nxt.Motor;\nimport lejos.util.*;"),
         )
-        assertEquals(BrickMention(BrickKind.NXT, "B.java", SourceRange(3, 9, 24)), brickMentionIn(files))
+        assertEquals(BrickMention(BrickKind.NXT, "B.java", SourceRange(3, 9, 24)), javaFiles.brickMentionIn(files))
     }
 
     @Test

@@ -1,5 +1,11 @@
 package robotran.programs
 
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -11,12 +17,6 @@ import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.toBytes
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
 
 class FirmwareProgramsTest {
     private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
@@ -155,13 +155,13 @@ class FirmwareProgramsTest {
             SourceFile("two.nqc", "  # include \"c.nqh\"\ntask main() { }"),
             SourceFile("lost.nqh", ""),
         )
-        val programs = nqcProgramsOf(files).map { program -> program.files.map { it.name } }
+        val programs = programsOf(files, ProgramLanguage.NQC).map { program -> program.files.map { it.name } }
         assertEquals(
             listOf(listOf("one.nqc", "b.nqh", "c.nqh", "lost.nqh"), listOf("two.nqc", "c.nqh")),
             programs,
         )
-        assertEquals(emptyList(), nqcProgramsOf(emptyList()))
+        assertEquals(emptyList(), programsOf(emptyList(), ProgramLanguage.NQC))
         val circle = listOf(SourceFile("a.nqc", "#include \"b.nqc\""), SourceFile("b.nqc", "#include \"a.nqc\""))
-        assertEquals(listOf(circle), nqcProgramsOf(circle).map { it.files })
+        assertEquals(listOf(circle), programsOf(circle, ProgramLanguage.NQC).map { it.files })
     }
 }

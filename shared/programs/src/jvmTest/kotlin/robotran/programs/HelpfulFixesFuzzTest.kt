@@ -1,5 +1,10 @@
 package robotran.programs
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.fuzz.Fuzzing
@@ -8,12 +13,6 @@ import robotran.language.source.Severity
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.languagesupport.SourceFile
-import robotran.robolang.messages.RobolangMessages
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 
 /** A fix that is offered leaves a program with fewer mistakes, and with none that is new. */
 class HelpfulFixesFuzzTest {
@@ -31,15 +30,17 @@ class HelpfulFixesFuzzTest {
 
     @Test
     fun `the languages seldom suggest a fix that has to be dropped`() {
-        val robolang = RobolangProgramCompiler(testTarget, RobolangMessages.of(Language.ENGLISH))
+        val java = JavaToolchain(testTarget.kind, JavaSettings(), Language.ENGLISH, LoadedJava())
+        val settings = CompilerSettings(testTarget, Language.ENGLISH, java, FirmwareSettings())
+        val robolang = RobolangProgramCompiler(settings)
         val ofRobolang = HelpfulFixes(robolangPrograms + robolangExamples, Fuzzing.seed)
         ofRobolang.check(count, { name, text -> Program(name, ProgramLanguage.ROBOLANG, text) }) {
-            robolang.read(it as Program)
+            robolang.compile(it as Program)
         }
-        val nqc = FirmwareProgramCompiler(FirmwareSettings(), Language.ENGLISH)
+        val nqc = NqcProgramCompiler(settings)
         val ofNqc = HelpfulFixes(nqcExamples + nqcPrograms, Fuzzing.seed)
         ofNqc.check(count, { name, text -> Program(name, ProgramLanguage.NQC, listOf(SourceFile(name, text))) }) {
-            nqc.read(it as Program)
+            nqc.compile(it as Program)
         }
         for (fixes in listOf(ofRobolang, ofNqc)) {
             val rate = fixes.harmful.size.toDouble() / fixes.offered

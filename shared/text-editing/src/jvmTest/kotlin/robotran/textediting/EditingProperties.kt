@@ -116,8 +116,9 @@ class EditingProperties :
 
         test("Java that is laid out stays as it is and keeps all that is not blank") {
             checkAll(texts) { text ->
-                val once = ProgramLanguage.JAVA.support.code.format(text)
-                ProgramLanguage.JAVA.support.code.format(once) shouldBe once
+                val java = ProgramLanguage.JAVA.support.code
+                val once = java.format(text).orEmpty()
+                java.format(once) shouldBe once
                 once.filterNot { it.isWhitespace() } shouldBe text.filterNot { it.isWhitespace() }
             }
         }

@@ -190,7 +190,7 @@ class NqcInAppTest {
         val german = assertNotNull(workshop.state.programs.translation).remarks.first().message
         assertTrue(german != translation.remarks.first().message, german)
         workshop.handle(ProgramEvent.ProgramEdited("forwrd 20\n"))
-        assertEquals(ProgramLanguage.NQC, assertNotNull(workshop.state.programs.translation).kind)
+        assertEquals(ProgramLanguage.NQC, assertNotNull(workshop.state.programs.translation).language)
         assertEquals(false, workshop.state.programs.isTranslated)
     }
 

@@ -1,5 +1,6 @@
 package robotran.assignments.collecting
 
+import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.programsOf

@@ -1,9 +1,10 @@
 package robotran.nqc.edit
 
-import robotran.nqc.Vectors
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.languagesupport.BlockEffect
+import robotran.nqc.Vectors
 
 class NqcTokensTest {
     @Test
@@ -41,9 +42,9 @@ class NqcTokensTest {
 
     @Test
     fun `braces indent`() {
-        assertEquals(NqcBlockEffect(closes = false, opens = true), nqcBlockEffect("task main() {"))
-        assertEquals(NqcBlockEffect(closes = true, opens = true), nqcBlockEffect("  } else {"))
-        assertEquals(NqcBlockEffect(closes = false, opens = false), nqcBlockEffect("void f() { } // {"))
+        assertEquals(BlockEffect(closes = false, opens = true), NqcSyntax.blockEffect("task main() {"))
+        assertEquals(BlockEffect(closes = true, opens = true), NqcSyntax.blockEffect("  } else {"))
+        assertEquals(BlockEffect(closes = false, opens = false), NqcSyntax.blockEffect("void f() { } // {"))
     }
 
     private fun shown(line: String) = nqcTokens(line, startsInComment = false).tokens
